@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/base/progress.h"
+#include "core/image/volume.h"
+#include "core/vesselness/speed.h"
+
+namespace angiomesh {
+
+struct LevelSetParams {
+  double gamma = 0.7, d = 0.2, xi = 20.0;
+  std::optional<double> b;  ///< empty: eq. 3.20, clamped to [bMin, bMax]
+  double bMin = 0.05, bMax = 0.15;
+  int maxIterations = 5000;
+  int checkEvery = 100;
+  double tolerance = 0.05;
+  double toleranceDelta = 0.005;
+};
+
+enum class StopReason { Running, Converged, Settled, Limit, Stopped };
+
+/// Sparse-field evolution (Whitaker 1998) of phi_t = -(gamma p + (1 - gamma) |d kappa|) |grad phi|
+/// (eq. 3.20). Units of phi are working voxels. n steps in chunks equal n steps at once, bit for
+/// bit, for any number of threads.
+class LevelSetEvolution {
+ public:
+  /// @param vesselness p is taken from it, interpolated at the zero crossing   @param phi0 signed
+  /// distance in working voxels near its zero set, same grid; negative inside
+  LevelSetEvolution(std::shared_ptr<const Volume<float>> vesselness, const Thresholds& thresholds,
+                    const Volume<float>& phi0, const LevelSetParams& params);
+  ~LevelSetEvolution();
+  LevelSetEvolution(LevelSetEvolution&&) noexcept;
+  LevelSetEvolution& operator=(LevelSetEvolution&&) noexcept;
+
+  /// Runs at most `iterations` steps; ends early once converged() (checked every
+  /// params.checkEvery). Returns the number done. @throws Cancelled
+  int step(int iterations, const Progress& progress = {});
+
+  void restart();
+
+  [[nodiscard]] bool converged() const { return stopReason() != StopReason::Running; }
+  [[nodiscard]] StopReason stopReason() const;
+  [[nodiscard]] int iterations() const;
+  /// Sum of |phi now - phi at the last check| over the number of inside voxels; negative before the
+  /// first check.
+  [[nodiscard]] double change() const;
+  [[nodiscard]] std::size_t insideVoxels() const;
+  [[nodiscard]] std::size_t activeVoxels() const;
+
+  /// phi as it stands, working voxels, clamped beyond the layers.
+  [[nodiscard]] const Volume<float>& phi() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace angiomesh

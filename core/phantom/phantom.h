@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/image/volume.h"
+
+namespace angiomesh {
+
+enum class PhantomKind {
+  Tree,
+  Tube,
+  Torus,
+  Bifurcation,
+  Kissing,
+  Helix,
+  Stenosis,
+  Aneurysm,
+  CapsuleTree
+};
+
+/// What to make. Lengths in voxels of the smallest spacing unless they say otherwise.
+struct PhantomParams {
+  PhantomKind kind = PhantomKind::Tree;
+  Index3 size{128, 128, 128};
+  Eigen::Vector3d spacingMm{1.0, 1.0, 1.0};
+  std::uint64_t randomSeed = 1;
+  int terminals = 0;                        ///< tree: number of terminal vessels; 0: by the volume
+  double radius = 4.0;                      ///< analytic kinds
+  double radiusMin = 0.8, radiusMax = 8.0;  ///< tree
+  double volumePercent = 0.77;              ///< tree: share of the volume that is vessel
+  double gap = 1.0;                         ///< kissing: distance between the two walls
+  double noiseSigma = 0.0;                  ///< Gaussian, unclipped, in intensities of 0..255
+  Eigen::Vector3d axis{0.0, 0.0, 1.0};      ///< direction of the analytic kinds' axis, index axes
+  Eigen::Vector3d offset{0.0, 0.0, 0.0};    ///< sub-voxel shift of the analytic kinds, voxels
+};
+
+/// One vessel segment: a straight piece of centre line with a radius at each end, LPS mm.
+struct CentreLineSegment {
+  Eigen::Vector3d from, to;
+  double radiusFromMm = 0.0, radiusToMm = 0.0;
+  int parent = -1;  ///< index of the segment that it continues, -1 at a root
+};
+
+struct Phantom {
+  Volume<float> image;  ///< 0..255 from 2x2x2 subvoxels at 32 each, min(255, 32 n), plus noise
+  Volume<std::uint8_t> truth;  ///< 1 where the noise-free image is more than 127
+  std::vector<CentreLineSegment> centreLines;
+};
+
+/// @throws InputError for parameters that cannot be met
+Phantom makePhantom(const PhantomParams& params, const Progress& progress = {});
+
+/// Signed distance-like function of the noise-free shape, negative inside, in mm; its zero set is
+/// exact for the analytic kinds. For tests and benchmarks.
+Volume<float> phantomField(const PhantomParams& params);
+
+/// `truth.json`: kind, parameters, centre lines and radii.
+std::string truthJson(const PhantomParams& params, const Phantom& phantom);
+
+PhantomKind phantomKindFromName(
+    const std::string& name);  ///< @throws InputError naming the nearest kind
+const std::vector<std::string>& phantomKindNames();
+
+}  // namespace angiomesh

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/image/preprocess.h"
+#include "core/levelset/evolution.h"
+#include "core/levelset/seeds.h"
+#include "core/surface/marching_cubes.h"
+#include "core/surface/smoothing.h"
+#include "core/vesselness/vesselness.h"
+
+namespace angiomesh {
+
+enum class KeepComponents { All, Largest, Seeded };
+
+struct SegmentationParams {
+  KeepComponents keep = KeepComponents::All;
+  double minVolumeMm3 = 0.0;
+  std::vector<double>
+      drop;  ///< x,y,z,... LPS mm: the components that hold these points are left out
+};
+
+enum class SurfaceMethod { MarchingCubes };
+
+struct SurfaceParams {
+  SurfaceMethod method = SurfaceMethod::MarchingCubes;
+  SplineKind spline = SplineKind::InterpolatingBspline;
+  double cellVoxels = 1.0;  ///< edge of a marching cubes cell, working voxels
+  SurfaceBorder border = SurfaceBorder::Cap;
+  double minComponentMm3 = 0.0;
+};
+
+/// Everything that a run depends on besides its input.
+struct Parameters {
+  PreprocessParams preprocess;
+  VesselnessParams vesselness;
+  SeedParams seeds;
+  LevelSetParams levelset;
+  SegmentationParams segmentation;
+  SurfaceParams surface;
+  SmoothParams smooth;
+};
+
+/// A field's value: monostate stands for the field's empty word ("auto", "none").
+using FieldValue =
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
+enum class FieldKind { Boolean, Integer, Real, Choice, Numbers };
+
+/// The one description of a parameter: JSON, --set, GUI form, validation and documentation come
+/// from it.
+struct Field {
+  std::string key;  ///< "vesselness.sigmaMinMm"
+  FieldKind kind = FieldKind::Real;
+  double minimum = 0.0, maximum = 0.0;  ///< inclusive, for Integer, Real and each of Numbers
+  std::string unit;
+  std::string help;                  ///< one line
+  std::vector<std::string> choices;  ///< Choice
+  std::string emptyWord;             ///< "auto" or "none" where the field may be empty, else ""
+  std::size_t groupOf = 0;           ///< Numbers come in whole groups of this many
+  bool main = false;                 ///< shown among the few main sliders of its step
+  bool logarithmic = false;          ///< a slider moves in equal ratios
+  std::function<FieldValue(const Parameters&)> get;
+  std::function<void(Parameters&, const FieldValue&)>
+      put;  ///< stores without checking: use setField()
+};
+
+/// All fields in the order of the pipeline.
+const std::vector<Field>& parameterFields();
+
+/// @throws InputError naming the nearest known key
+const Field& findField(std::string_view key);
+
+/// Checks kind, range, choice and group, then stores.
+/// @throws InputError that names the key, the value and what is allowed
+void setField(Parameters& params, std::string_view key, const FieldValue& value);
+
+/// As --set: `text` is parsed by the field's kind ("auto", "true", "3", "0.5", "modified",
+/// "1,2,3").
+void setFieldFromText(Parameters& params, std::string_view key, std::string_view text);
+
+std::string fieldText(const FieldValue& value, const Field& field);
+
+/// Relations between fields (sigmaMin <= sigmaMax, bMin <= bMax ...). @throws InputError
+void validate(const Parameters& params);
+
+/// `thesis` or `angiomesh`. @throws InputError
+Parameters preset(std::string_view name);
+const std::vector<std::string>& presetNames();
+
+/// Nested JSON by the dots of the keys. Reading takes nested or dotted keys, changes only those
+/// named, and throws InputError for unknown keys and for values of the wrong kind or out of range.
+std::string parametersToJson(const Parameters& params);
+Parameters parametersFromJson(std::string_view json, const Parameters& base,
+                              const std::string& where);
+
+}  // namespace angiomesh

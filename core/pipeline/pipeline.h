@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/pipeline/parameters.h"
+#include "core/quality/mesh_quality.h"
+
+namespace angiomesh {
+
+enum class Step { Load, Preprocess, Vesselness, Seeds, Evolve, Surface, Smooth, Quality };
+constexpr int kStepCount = 8;
+
+/// "load", "preprocess", ... as in report.json and --until.
+const char* stepId(Step step);
+std::optional<Step> stepFromId(std::string_view id);
+
+/// The image that a pipeline starts from. Loaders make it; `hash` is contentHash(image).
+struct Source {
+  std::shared_ptr<const Volume<float>> image;
+  std::string hash;
+  std::string name;  ///< shown to the user and used for folder names; never a patient's
+};
+std::string contentHash(const Volume<float>& image);
+Source makeSource(Volume<float> image, const std::string& name);
+
+struct VesselnessResult {
+  std::shared_ptr<const Volume<float>> multiScale;   ///< v, largest magnitude over the scales
+  std::shared_ptr<const Volume<float>> singleScale;  ///< v at sigma_avg, for the seeds
+  std::vector<double> scalesMm;
+  double c = 0.0;
+};
+
+struct SeedsResult {
+  std::vector<Eigen::Vector3d> pointsLps;
+};
+
+/// A connected part of the segmentation (26-connected voxels with phi < 0), largest first.
+struct SegmentComponent {
+  std::size_t voxels = 0;
+  double volumeMm3 = 0.0;
+  Eigen::Vector3d innerPointLps;  ///< the centre of one of its voxels, for segmentation.drop
+  bool kept = true;
+};
+
+struct EvolveResult {
+  std::shared_ptr<const Volume<float>> phi;  ///< redistanced, mm, clamped at +-5 working voxels
+  Thresholds thresholds;
+  int iterations = 0;
+  bool converged = false;
+  StopReason stopReason = StopReason::Running;
+};
+
+struct SurfaceResult {
+  std::shared_ptr<const Volume<float>> phi;  ///< of the kept components only
+  std::vector<SegmentComponent> components;
+  std::size_t insideVoxels = 0;                  ///< of the kept components
+  std::shared_ptr<const TriMesh> mesh;           ///< unsmoothed
+  std::shared_ptr<const TriMesh> marchingCubes;  ///< VTK's on the same phi, for comparison
+};
+
+struct QualityResult {
+  MeshQuality mesh, unsmoothed, marchingCubes;
+};
+
+struct StageReport {
+  Step step = Step::Load;
+  std::string key;
+  double seconds = 0.0, cpuSeconds = 0.0;  ///< of the computation, also when reused
+  bool reused = false;
+  std::vector<std::string> warnings;
+};
+
+/// What a run produced; pointers are empty for steps after `until`. Everything is immutable and
+/// shared.
+struct RunResult {
+  Parameters params;
+  Source source;
+  std::shared_ptr<const Volume<float>> preprocessed;
+  std::shared_ptr<const VesselnessResult> vesselness;
+  std::shared_ptr<const Volume<float>>
+      speed;  ///< p of eq. 3.21 at the voxels, for display; made on demand by speedVolume()
+  std::shared_ptr<const SeedsResult> seeds;
+  std::shared_ptr<const EvolveResult> evolve;
+  std::shared_ptr<const SurfaceResult> surface;
+  std::shared_ptr<const TriMesh> smoothed;
+  std::shared_ptr<const QualityResult> quality;
+  std::vector<StageReport> stages;
+  double totalSeconds = 0.0, cpuSeconds = 0.0;
+  std::string key;  ///< of the last step run
+};
+
+/// The zero level set while it evolves.
+struct EvolutionSnapshot {
+  int iterations = 0;
+  double change = -1.0;
+  std::shared_ptr<const Volume<float>> phi;  ///< sparse-field phi, working voxels
+  std::shared_ptr<const TriMesh> surface;    ///< its zero set
+};
+
+/// A one-place mailbox: a newer value replaces one that was not taken.
+template <class T>
+class Mailbox {
+ public:
+  void post(std::shared_ptr<const T> value) {
+    const std::lock_guard lock(mutex_);
+    value_ = std::move(value);
+  }
+  std::shared_ptr<const T> take() {
+    const std::lock_guard lock(mutex_);
+    return std::move(value_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::shared_ptr<const T> value_;
+};
+
+/// Lets a watcher of the evolution pause, single-step and end it. All members may be set from any
+/// thread.
+struct EvolutionControl {
+  std::atomic<bool> paused{false};
+  std::atomic<int> stepsWanted{0};     ///< while paused: run so many iterations, then pause again
+  std::atomic<bool> finishNow{false};  ///< take the surface as it stands (stop_reason "stopped")
+};
+
+struct RunOptions {
+  Step until = Step::Quality;
+  std::shared_ptr<Mailbox<EvolutionSnapshot>> snapshots;  ///< empty: none are made
+  double snapshotSeconds = 0.2;                           ///< least time between two
+  std::shared_ptr<EvolutionControl> control;
+};
+
+/// Runs the steps on one source and keeps their results by key: a step whose key is known is not
+/// computed again. One run at a time; key() and run() may be called from different threads.
+class Pipeline {
+ public:
+  explicit Pipeline(Source source);
+  ~Pipeline();
+
+  /// @throws InputError, NumericError, Cancelled
+  RunResult run(const Parameters& params, const RunOptions& options = {},
+                const Progress& progress = {});
+
+  /// The key that `step` has with these parameters: a hash of its id, version, parameters and
+  /// inputs.
+  [[nodiscard]] std::string key(Step step, const Parameters& params) const;
+
+  /// Whether the step's result with these parameters is at hand.
+  [[nodiscard]] bool has(Step step, const Parameters& params) const;
+
+  [[nodiscard]] const Source& source() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// p of eq. 3.21 at each voxel of the vesselness.
+Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thresholds);
+
+}  // namespace angiomesh

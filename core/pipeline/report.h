@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/pipeline/pipeline.h"
+#include "core/quality/overlap.h"
+
+namespace angiomesh {
+
+/// report.json of a run (schema 1): see docs/report.md. Blocks of steps that did not run are
+/// absent.
+std::string runReportJson(const RunResult& result,
+                          const std::optional<OverlapMeasures>& truth = {});
+
+/// The `mesh` block alone, and the `truth` block alone, as {"schema": 1, "mesh": {...}} and so on.
+std::string meshQualityJson(const MeshQuality& quality);
+std::string overlapJson(const OverlapMeasures& measures);
+
+/// The version of the library, "0.1.0".
+const char* versionText();
+
+}  // namespace angiomesh

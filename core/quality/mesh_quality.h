@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/spline_field.h"
+#include "core/surface/tri_mesh.h"
+
+namespace angiomesh {
+
+/// Distances to a reference, mm.
+struct DeviationStats {
+  double meanMm = 0.0;
+  double p99Mm = 0.0;
+  double maxMm = 0.0;
+};
+
+/// What a mesh is worth to a solver; the fields of `mesh` in report.json, same meanings and units.
+struct MeshQuality {
+  std::size_t vertices = 0, triangles = 0;
+  int components = 0;  ///< edge-connected faces
+  std::size_t boundaryEdges = 0, boundaryLoops = 0;
+  std::size_t nonManifoldEdges = 0;     ///< edges of more than two triangles
+  std::size_t nonManifoldVertices = 0;  ///< vertices whose triangles are not one fan
+  std::size_t degenerateTriangles = 0;  ///< exactly collinear or repeated corners
+  std::size_t selfIntersections =
+      0;  ///< pairs of triangles that meet outside shared corners and edges (exact)
+  int euler = 0;
+  int genus = 0;  ///< sum over components, from euler = sum of 2 - 2g - b
+  bool closed = false, oriented = false;
+  double areaMm2 = 0.0, volumeMm3 = 0.0;
+  double minAngleMin = 0.0, minAngleP01 = 0.0,
+         minAngleMean = 0.0;  ///< smallest angle of each triangle, degrees
+  double maxAngleMax = 0.0, maxAngleP99 = 0.0;
+  double radiusRatioMin = 0.0, radiusRatioP01 = 0.0,
+         radiusRatioMean = 0.0;  ///< 2 r / R, 1 is equilateral
+  double edgeMinMm = 0.0, edgeMeanMm = 0.0, edgeMaxMm = 0.0;
+  double below20Percent = 0.0, below30Percent = 0.0;  ///< of triangles, by smallest angle
+  std::optional<DeviationStats> vertexDeviation,
+      centroidDeviation;  ///< from the zero set of phi, where given
+  /// Up to 1000 intersecting pairs of triangles, for the inspector.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> intersectingPairs;
+};
+
+/// Deviation is the length of the projection onto the zero set of `phi` (Newton to 1e-6 voxel).
+MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi = nullptr,
+                           const Progress& progress = {});
+
+/// Smallest angle in degrees and 2 r / R of every triangle; 0 where degenerate.
+std::vector<float> minAngles(const TriMesh& mesh);
+std::vector<float> radiusRatios(const TriMesh& mesh);
+
+}  // namespace angiomesh

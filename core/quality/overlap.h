@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/image/volume.h"
+
+namespace angiomesh {
+
+/// `truth` of report.json. overlap = 100 * 2TP / (2TP + FP + FN); sensitivity = TP / (TP + FN),
+/// precision = TP / (TP + FP), both fractions; distances between the surface voxels of the two
+/// masks (voxels with a 6-neighbour of the other kind), symmetric, mm. 95 % Hausdorff: the larger
+/// of the two directed 95th percentiles.
+struct OverlapMeasures {
+  double overlap = 0.0, sensitivity = 0.0, precision = 0.0;
+  double assdMm = 0.0, hd95Mm = 0.0;
+};
+
+/// Compares on the truth's grid; both masks must have the same geometry.
+/// @throws InputError when they do not, or when the truth is empty
+OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<std::uint8_t>& truth,
+                             const Progress& progress = {});
+
+/// phi sampled trilinearly at the voxel centres of `grid`: 1 where < 0; 0 outside phi's volume.
+Volume<std::uint8_t> maskOnGrid(const Volume<float>& phi, const Geometry& grid);
+
+}  // namespace angiomesh

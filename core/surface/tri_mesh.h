@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace angiomesh {
+
+/// An indexed triangle mesh in LPS mm; faces counter-clockwise seen from outside.
+struct TriMesh {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+double surfaceAreaMm2(const TriMesh& mesh);
+
+/// Enclosed volume by the divergence theorem, positive for outward faces. Meaningful for closed
+/// meshes.
+double enclosedVolumeMm3(const TriMesh& mesh);
+
+/// Drops the edge-connected components whose enclosed volume is below `minimumMm3` (and points no
+/// triangle uses). Returns the number of components dropped.
+int dropSmallComponents(TriMesh& mesh, double minimumMm3);
+
+}  // namespace angiomesh

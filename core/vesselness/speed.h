@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "core/image/volume.h"
+
+namespace angiomesh {
+
+/// a, b of eq. 3.20-3.21 and where they come from.
+struct Thresholds {
+  double a = 0.0, b = 0.0;
+  double vAverage = 0.0;  ///< mean of the positive vesselness values over the voxels with v > 0
+  bool clamped = false;
+};
+
+/// b = xi * v_avg / (sigma_max / sigma_min), clamped to [bMin, bMax]; a = 2 b. A given b is taken
+/// as it is.
+/// @throws NumericError when no voxel has positive vesselness
+Thresholds thresholds(const Volume<float>& vesselness, double xi, double sigmaRatio,
+                      std::optional<double> givenB, double bMin, double bMax);
+
+/// p of eq. 3.21: 1 above a, linear to 0 at b, linear to -1 at 0, -1 below.
+double vesselSpeed(double v, const Thresholds& t);
+
+}  // namespace angiomesh
