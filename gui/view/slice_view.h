@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <QPoint>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/image/volume.h"
+#include "gui/view/vtk_view.h"
+#include "render/slice_scene.h"
+
+namespace angiomesh {
+
+/// What a plain left click or drag does in a slice pane.
+enum class Tool { Navigate, PickSeed, DrawRoi };
+
+/// What the left button does with Tool::Navigate: window/level, or the crosshair.
+enum class MouseScheme { Radiology, Engineering };
+
+/// One slice pane. Positions are mm LPS. Middle button pans, right zooms, the wheel steps slices
+/// (Ctrl: zooms, Alt: slab thickness), Shift with the moving mouse sets the crosshair, a double
+/// click asks to maximise, arrow keys step slices (Shift: by 10), R resets the view; Ctrl with the
+/// left drag changes window and level in fine steps.
+class SliceView : public VtkView {
+  Q_OBJECT
+
+ public:
+  explicit SliceView(QWidget* parent = nullptr);
+  ~SliceView() override;
+
+  /// Null shows nothing. Another image of the same geometry keeps slice, zoom and crosshair.
+  void setImage(std::shared_ptr<const Volume<float>> image);
+  void setPlane(int plane);  ///< 0 sagittal, 1 coronal, 2 axial
+  [[nodiscard]] int plane() const;
+  void setWindowLevel(double window, double level);
+  [[nodiscard]] double windowWidth() const;
+  [[nodiscard]] double windowLevel() const;
+  /// Moves the crosshair, and to the slice that it lies in. Emits no cursorMoved().
+  void setCursor(const Eigen::Vector3d& lps);
+  [[nodiscard]] Eigen::Vector3d cursor() const;
+  void setCrosshairVisible(bool visible);
+  void setSlab(SlabMode mode, double thicknessMm);
+  [[nodiscard]] SlabMode slabMode() const;
+  [[nodiscard]] double slabThicknessMm() const;
+  /// The zero level set to outline; it may live on another grid. Null removes it.
+  void setContour(std::shared_ptr<const Volume<float>> phi);
+  void setContours(std::vector<ContourLayer> contours);
+  void setSeeds(std::vector<Eigen::Vector3d> lps);
+  void setRoi(std::optional<RoiBox> roi);
+  void setTool(Tool tool);
+  [[nodiscard]] Tool tool() const;
+  void setScheme(MouseScheme scheme);
+  [[nodiscard]] MouseScheme scheme() const;
+  void resetView();
+
+  [[nodiscard]] int slice() const;
+  [[nodiscard]] int sliceCount() const;
+  /// Index along the grid axis that the slices are stacked along, clamped. Takes the crosshair
+  /// along: emits cursorMoved() too.
+  void setSlice(int slice);
+
+  /// Widget position (Qt's pixels) -> mm LPS on the slice, and back.
+  [[nodiscard]] Eigen::Vector3d lpsAt(const QPointF& position) const;
+  [[nodiscard]] QPointF positionOf(const Eigen::Vector3d& lps) const;
+
+ Q_SIGNALS:
+  /// The crosshair was moved in this pane, or its slice changed under it; not by setCursor().
+  void cursorMoved(double x, double y, double z);
+  void windowLevelChanged(double window, double level);  ///< by the user
+  void sliceChanged(int slice);                          ///< for whatever reason
+  void slabChanged(double thicknessMm);                  ///< by the user; 0: slab off
+  void seedPicked(double x, double y, double z);
+  void roiDrawn(const RoiBox& roi);
+  /// "value, voxel i,j,k, L 12.3 P 4.1 S 30.0 mm"; empty outside the image.
+  void hovered(const QString& text);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void pixelRatioChanged(double ratio) override;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/pane_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace angiomesh {
+
+namespace {
+
+char axisLetter(int axis, double component) {
+  constexpr std::array<char, 3> positive{'L', 'P', 'S'};
+  constexpr std::array<char, 3> negative{'R', 'A', 'I'};
+  const auto a = static_cast<std::size_t>(axis);
+  return component >= 0.0 ? positive[a] : negative[a];
+}
+
+}  // namespace
+
+std::array<int, 3> nearestPatientAxes(const Geometry& geometry) {
+  std::array<int, 3> order{0, 1, 2};
+  std::array<int, 3> best = order;
+  double bestScore = -1.0;
+  do {
+    double score = 0.0;
+    for (int grid = 0; grid < 3; ++grid)
+      score += std::abs(geometry.direction(order[static_cast<std::size_t>(grid)], grid));
+    if (score > bestScore + 1e-12) {
+      bestScore = score;
+      best = order;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+PaneAxes paneAxes(const Geometry& geometry, int plane) {
+  // Patient axes to the right and upwards, and their signs: sagittal +P +S, coronal +L +S,
+  // axial +L -P.
+  constexpr std::array<int, 3> rightAxis{1, 0, 0};
+  constexpr std::array<int, 3> upAxis{2, 2, 1};
+  constexpr std::array<double, 3> upSign{1.0, 1.0, -1.0};
+
+  const std::array<int, 3> patientAxis = nearestPatientAxes(geometry);
+  const auto gridAxisOf = [&](int patient) {
+    return static_cast<int>(std::find(patientAxis.begin(), patientAxis.end(), patient) -
+                            patientAxis.begin());
+  };
+  const auto p = static_cast<std::size_t>(plane);
+  PaneAxes axes;
+  axes.plane = plane;
+  axes.across = gridAxisOf(plane);
+  axes.right = gridAxisOf(rightAxis[p]);
+  axes.up = gridAxisOf(upAxis[p]);
+  axes.rightFlipped = geometry.direction(rightAxis[p], axes.right) < 0.0;
+  axes.upFlipped = geometry.direction(upAxis[p], axes.up) * upSign[p] < 0.0;
+  axes.acrossFlipped = geometry.direction(plane, axes.across) < 0.0;
+  axes.rightLps = geometry.direction.col(axes.right) * (axes.rightFlipped ? -1.0 : 1.0);
+  axes.upLps = geometry.direction.col(axes.up) * (axes.upFlipped ? -1.0 : 1.0);
+  return axes;
+}
+
+std::string orientationLetters(const Eigen::Vector3d& directionLps) {
+  const Eigen::Vector3d d = directionLps.normalized();
+  int main = 0;
+  d.cwiseAbs().maxCoeff(&main);
+  std::string letters(1, axisLetter(main, d[main]));
+  constexpr double cosineOf10Degrees = 0.98480775301220806;
+  if (std::abs(d[main]) < cosineOf10Degrees) {
+    int second = main == 0 ? 1 : 0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (axis != main && std::abs(d[axis]) > std::abs(d[second])) second = axis;
+    letters += axisLetter(second, d[second]);
+  }
+  return letters;
+}
+
+std::string positionText(const Eigen::Vector3d& pointLps) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "%c %.1f %c %.1f %c %.1f mm", axisLetter(0, pointLps[0]),
+                std::abs(pointLps[0]), axisLetter(1, pointLps[1]), std::abs(pointLps[1]),
+                axisLetter(2, pointLps[2]), std::abs(pointLps[2]));
+  return text.data();
+}
+
+const char* planeName(int plane) {
+  constexpr std::array<const char*, 3> names{"Sagittal", "Coronal", "Axial"};
+  return names[static_cast<std::size_t>(std::clamp(plane, 0, 2))];
+}
+
+}  // namespace angiomesh

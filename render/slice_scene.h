@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/image/volume.h"
+#include "render/pane_axes.h"
+
+class vtkRenderer;
+
+namespace angiomesh {
+
+enum class SlabMode { None, Mip, MinIp, Mean };
+
+/// x0, y0, z0, x1, y1, z1 in mm LPS, each lower bound first.
+using RoiBox = std::array<double, 6>;
+
+/// A level set whose zero contour a slice shows; it may live on another grid than the image.
+struct ContourLayer {
+  std::shared_ptr<const Volume<float>> phi;
+  std::array<double, 3> colour{1.0, 0.3, 0.2};  ///< RGB, 0..1
+};
+
+/// One slice pane: the image's native voxels along one grid axis, with overlays. The scene is flat:
+/// its world is the slice in mm, so that no direction matrix ever reaches the renderer. Display
+/// coordinates are pixels of the window from the lower left corner, as VTK counts them.
+class SliceScene {
+ public:
+  SliceScene();
+  ~SliceScene();
+  SliceScene(const SliceScene&) = delete;
+  SliceScene& operator=(const SliceScene&) = delete;
+
+  [[nodiscard]] vtkRenderer* renderer() const;
+
+  /// Null shows nothing. Another geometry goes to the middle slice and fits; the same one (another
+  /// layer of the same grid) keeps slice, zoom and pan.
+  void setImage(std::shared_ptr<const Volume<float>> image);
+  [[nodiscard]] const std::shared_ptr<const Volume<float>>& image() const;
+  void setPlane(int plane);  ///< 0 sagittal, 1 coronal, 2 axial
+  [[nodiscard]] const PaneAxes& axes() const;
+
+  void setWindowLevel(double window, double level);
+  [[nodiscard]] double window() const;
+  [[nodiscard]] double level() const;
+
+  void setSlice(int slice);  ///< index along axes().across, clamped
+  [[nodiscard]] int slice() const;
+  [[nodiscard]] int sliceCount() const;
+
+  /// A slab of the given thickness around the slice; it stays on while scrolling.
+  void setSlab(SlabMode mode, double thicknessMm);
+  [[nodiscard]] SlabMode slabMode() const;
+  [[nodiscard]] double slabThicknessMm() const;
+
+  void setCursor(const Eigen::Vector3d& lps);  ///< the crosshair; does not change the slice
+  [[nodiscard]] Eigen::Vector3d cursor() const;
+  void setCrosshairVisible(bool visible);
+  void setContours(std::vector<ContourLayer> contours);
+  void setSeeds(std::vector<Eigen::Vector3d> lps);
+  void setRoi(const std::optional<RoiBox>& roi);
+  [[nodiscard]] const std::optional<RoiBox>& roi() const;
+
+  void fit();
+  void zoom(double factor, double displayX, double displayY);  ///< about a display position
+  void pan(double displayDx, double displayDy);
+  /// Pixels of the screen per pixel that text and lines are designed for.
+  void setPixelRatio(double ratio);
+
+  /// Patient position on the slice under a display position; also outside the image.
+  [[nodiscard]] Eigen::Vector3d lpsAt(double displayX, double displayY) const;
+  /// Display position of the foot of `lps` on the slice.
+  [[nodiscard]] Eigen::Vector2d displayAt(const Eigen::Vector3d& lps) const;
+  /// The slice nearest to `lps`, clamped.
+  [[nodiscard]] int sliceAt(const Eigen::Vector3d& lps) const;
+  /// The value shown (that of the slab when one is on) at the voxel of the slice nearest to `lps`,
+  /// and that voxel; nothing outside the image.
+  struct Probe {
+    float value = 0.0F;
+    Index3 voxel{0, 0, 0};
+  };
+  [[nodiscard]] std::optional<Probe> probe(const Eigen::Vector3d& lps) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace angiomesh

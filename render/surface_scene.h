@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image/volume.h"
+#include "core/surface/tri_mesh.h"
+#include "render/slice_scene.h"
+
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace angiomesh {
+
+/// The 3D pane, in patient space (LPS, mm): maximum intensity projection of the image, the surface,
+/// a second surface to compare with, seeds, region of interest, and a small cube that names the
+/// directions.
+class SurfaceScene {
+ public:
+  SurfaceScene();
+  ~SurfaceScene();
+  SurfaceScene(const SurfaceScene&) = delete;
+  SurfaceScene& operator=(const SurfaceScene&) = delete;
+
+  /// Adds the scene's renderers to a window, which must outlive the scene or be detached from it.
+  void attach(vtkRenderWindow* window);
+  void detach();
+  [[nodiscard]] vtkRenderer* renderer() const;
+
+  /// The first image fits the camera; a later one of the same geometry keeps it.
+  void setImage(std::shared_ptr<const Volume<float>> image);
+  void setMipVisible(bool visible);
+  /// Values from which and up to which the projection goes from transparent black to white.
+  void setMipWindow(double from, double to);
+  /// Coarser sampling while the camera moves or surfaces arrive; full quality when false.
+  void setInteractive(bool interactive);
+  /// True when OpenGL runs in software here, where a full-quality projection takes a good part of
+  /// a second. Known after the first frame.
+  [[nodiscard]] bool softwareOpenGl() const;
+
+  /// Replacing a surface never moves the camera (the very first thing shown does).
+  void setSurface(std::shared_ptr<const TriMesh> mesh);
+  void setComparison(std::shared_ptr<const TriMesh> mesh);
+  void setSurfaceVisible(bool visible);
+  void setComparisonVisible(bool visible);
+  void setEdgesVisible(bool visible);
+
+  /// One scalar per triangle of the surface, shown from red (lo) over yellow to blue (hi) with a
+  /// colour bar. Dropped when a surface with another number of triangles comes.
+  void setSurfaceColours(std::vector<float> perTriangle, const std::string& title, double lo,
+                         double hi);
+  /// The same for the comparison surface; title and range are those of setSurfaceColours().
+  void setComparisonColours(std::vector<float> perTriangle);
+  void clearSurfaceColours();
+
+  void setSeeds(std::vector<Eigen::Vector3d> lps);
+  void setRoi(const std::optional<RoiBox>& roi);
+
+  /// Looks from the patient's 'A'nterior, 'P'osterior, 'L'eft, 'R'ight, 'S'uperior or 'I'nferior
+  /// side, fitted; other letters change nothing.
+  void viewFrom(char side);
+  void fit();  ///< keeps the direction of view
+  /// Turns the camera towards a point, at a distance that shows `radiusMm` around it.
+  void lookAt(const Eigen::Vector3d& lps, double radiusMm);
+  void setPixelRatio(double ratio);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace angiomesh
