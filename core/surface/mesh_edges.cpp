@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/mesh_edges.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace angiomesh {
+
+std::vector<EdgeSide> sortedEdgeSides(const TriMesh& mesh) {
+  // Bucketing by the lower vertex leaves a handful of sides to sort in each bucket.
+  const std::size_t vertices = mesh.points.size();
+  std::vector<std::uint32_t> first(vertices + 1, 0);
+  const auto repeats = [](const std::array<std::uint32_t, 3>& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  };
+  for (const auto& t : mesh.triangles) {
+    if (repeats(t)) continue;
+    for (std::size_t k = 0; k < 3; ++k) ++first[std::min(t[k], t[(k + 1) % 3]) + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<EdgeSide> sides(first.back());
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    if (repeats(t)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      sides[next[std::min(a, b)]++] = {std::min(a, b), std::max(a, b),
+                                       static_cast<std::uint32_t>(i), static_cast<std::uint8_t>(k),
+                                       a < b};
+    }
+  }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    std::sort(sides.begin() + first[v], sides.begin() + first[v + 1],
+              [](const EdgeSide& x, const EdgeSide& y) {
+                return x.high != y.high ? x.high < y.high : x.triangle < y.triangle;
+              });
+  }
+  return sides;
+}
+
+std::size_t edgeRunEnd(const std::vector<EdgeSide>& sides, std::size_t first) {
+  std::size_t last = first + 1;
+  while (last < sides.size() && sides[last].low == sides[first].low &&
+         sides[last].high == sides[first].high) {
+    ++last;
+  }
+  return last;
+}
+
+DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
+  std::iota(parent_.begin(), parent_.end(), 0U);
+}
+
+std::uint32_t DisjointSets::find(std::uint32_t item) {
+  while (parent_[item] != item) {
+    parent_[item] = parent_[parent_[item]];
+    item = parent_[item];
+  }
+  return item;
+}
+
+void DisjointSets::join(std::uint32_t a, std::uint32_t b) {
+  a = find(a);
+  b = find(b);
+  if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+}
+
+MeshComponents meshComponents(const TriMesh& mesh) {
+  DisjointSets sets(mesh.triangles.size());
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    if (sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high) {
+      sets.join(sides[i].triangle, sides[i - 1].triangle);
+    }
+  }
+  MeshComponents result;
+  result.label.resize(mesh.triangles.size());
+  for (std::uint32_t i = 0; i < result.label.size(); ++i) {
+    const std::uint32_t root = sets.find(i);
+    result.label[i] = root == i ? static_cast<std::uint32_t>(result.count++) : result.label[root];
+  }
+  return result;
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/surface/tri_mesh.h"
+
+namespace angiomesh {
+
+/// One side of a triangle: corner `side` of triangle `triangle` and the next corner.
+struct EdgeSide {
+  std::uint32_t low = 0, high = 0;  ///< the two vertices, low < high
+  std::uint32_t triangle = 0;
+  std::uint8_t side = 0;
+  bool forward = false;  ///< the triangle runs from low to high
+};
+
+/// The sides of all triangles sorted by edge (then by triangle), so that the sides of one edge are
+/// neighbours. Sides whose triangle repeats a vertex are left out: such a triangle joins nothing.
+std::vector<EdgeSide> sortedEdgeSides(const TriMesh& mesh);
+
+/// The end of the run of equal edges that starts at `first`.
+std::size_t edgeRunEnd(const std::vector<EdgeSide>& sides, std::size_t first);
+
+/// Disjoint sets over 0..n-1 with the smallest member as representative.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count);
+  std::uint32_t find(std::uint32_t item);
+  void join(std::uint32_t a, std::uint32_t b);
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// The label of each triangle's edge-connected component, 0..count-1 by first triangle.
+struct MeshComponents {
+  std::vector<std::uint32_t> label;
+  std::size_t count = 0;
+};
+MeshComponents meshComponents(const TriMesh& mesh);
+
+}  // namespace angiomesh

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/tri_mesh.h"
+
+#include <Eigen/Geometry>
+
+#include "core/surface/mesh_edges.h"
+
+namespace angiomesh {
+namespace {
+
+// Six times the signed volume of the tetrahedron over one triangle. Taken about a point near the
+// mesh: about the origin of patient space, volumes of small vessels would drown in cancellation.
+double sixfoldVolume(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t,
+                     const Eigen::Vector3d& about) {
+  const Eigen::Vector3d a = mesh.points[t[0]] - about;
+  const Eigen::Vector3d b = mesh.points[t[1]] - about;
+  const Eigen::Vector3d c = mesh.points[t[2]] - about;
+  return a.dot(b.cross(c));
+}
+
+}  // namespace
+
+double surfaceAreaMm2(const TriMesh& mesh) {
+  double twice = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.points[t[0]];
+    twice += (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).norm();
+  }
+  return twice / 2.0;
+}
+
+double enclosedVolumeMm3(const TriMesh& mesh) {
+  if (mesh.triangles.empty()) return 0.0;
+  const Eigen::Vector3d about = mesh.points[mesh.triangles.front()[0]];
+  double sixfold = 0.0;
+  for (const auto& t : mesh.triangles) sixfold += sixfoldVolume(mesh, t, about);
+  return sixfold / 6.0;
+}
+
+int dropSmallComponents(TriMesh& mesh, double minimumMm3) {
+  const MeshComponents components = meshComponents(mesh);
+  std::vector<double> sixfold(components.count, 0.0);
+  std::vector<Eigen::Vector3d> about(components.count);
+  std::vector<bool> met(components.count, false);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t c = components.label[i];
+    if (!met[c]) about[c] = mesh.points[mesh.triangles[i][0]];
+    met[c] = true;
+    sixfold[c] += sixfoldVolume(mesh, mesh.triangles[i], about[c]);
+  }
+  int dropped = 0;
+  std::vector<bool> keep(components.count);
+  for (std::size_t c = 0; c < components.count; ++c) {
+    keep[c] = !(sixfold[c] / 6.0 < minimumMm3);
+    if (!keep[c]) ++dropped;
+  }
+
+  TriMesh kept;
+  constexpr std::uint32_t unused = 0xffffffffU;
+  std::vector<std::uint32_t> renumbered(mesh.points.size(), unused);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (keep[components.label[i]]) kept.triangles.push_back(mesh.triangles[i]);
+  }
+  for (const auto& t : kept.triangles) {
+    for (const std::uint32_t v : t) renumbered[v] = 0;
+  }
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (renumbered[v] == unused) continue;
+    renumbered[v] = static_cast<std::uint32_t>(kept.points.size());
+    kept.points.push_back(mesh.points[v]);
+  }
+  for (auto& t : kept.triangles) {
+    for (std::uint32_t& v : t) v = renumbered[v];
+  }
+  mesh = std::move(kept);
+  return dropped;
+}
+
+}  // namespace angiomesh
