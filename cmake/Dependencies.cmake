@@ -7,13 +7,14 @@ set(ANGIOMESH_VTK_RENDER
     RenderingFreeType RenderingImage RenderingAnnotation InteractionStyle InteractionWidgets
     FiltersGeneral FiltersModeling FiltersSources ChartsCore ViewsContext2D RenderingContext2D
     RenderingContextOpenGL2 ImagingCore)
+set(ANGIOMESH_ITK ITKCommon ITKIOImageBase ITKIOGDCM ITKIOMeta ITKIONIFTI ITKIONRRD ITKCurvatureFlow
+                  ITKDistanceMap)
 set(components ${ANGIOMESH_VTK_CORE} ${ANGIOMESH_VTK_IO})
 if(ANGIOMESH_BUILD_GUI)
   list(APPEND components ${ANGIOMESH_VTK_RENDER})
 endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${components})
-find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIOGDCM ITKIOMeta ITKIONIFTI
-             ITKIONRRD ITKCurvatureFlow ITKDistanceMap)
+find_package(ITK 5.2 REQUIRED COMPONENTS ${ANGIOMESH_ITK})
 find_package(DCMTK REQUIRED CONFIG)
 find_package(OpenMesh REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
