@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/image_io.h"
+
+#include <cmath>
+#include <string>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "io/files.h"
+#include "io/image_format.h"
+#include "io/itk_image.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+void addFacts(InputInfo& info, HeaderFacts facts) {
+  info.modality = std::move(facts.modality);
+  for (std::string& warning : facts.warnings) info.warnings.push_back(std::move(warning));
+}
+
+[[noreturn]] void noDicom(const fs::path& path) {
+  throw InputError("DICOM is not read", path.string(), "convert it to NRRD or NIfTI");
+}
+
+bool isFolder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+LoadedImage read(const fs::path& path, const std::string& seriesUid, const Progress& progress) {
+  progress.check();
+  if (isFolder(path) || !seriesUid.empty()) noDicom(path);
+  const ImageFormat format = imageFormat(path);
+  if (format == ImageFormat::Dicom) noDicom(path);
+  HeaderFacts facts = checkHeader(path, format, true);
+  progress.report(0.4);
+  LoadedImage loaded = itkRead(path, format);
+  addFacts(loaded.info, std::move(facts));
+  progress.report(0.9);
+  return loaded;
+}
+
+template <class T>
+void write(const Volume<T>& volume, const fs::path& path) {
+  const std::string name = path.filename().string();
+  bool known = false;
+  for (const char* extension : {".mha", ".nrrd", ".nii", ".nii.gz"})
+    known = known || name.ends_with(extension);
+  if (!known)
+    throw InputError("cannot tell the image format from the name", path.string(),
+                     "end the name in .mha, .nrrd, .nii or .nii.gz");
+  if (volume.voxels.empty() || volume.voxels.size() != volume.geometry.voxelCount())
+    throw InputError("there are no voxels to write", path.string(), "compute the volume first");
+  writeAtomically(path, [&](const fs::path& temporary) {
+    try {
+      itkWrite(volume, temporary);
+      // A full disk does not always reach us through ITK: count what arrived.
+      checkHeader(temporary, imageFormat(temporary), true);
+    } catch (const Error&) {
+      throw IoError("cannot write the image", path.string(),
+                    "check that the folder may be written to and has free space");
+    }
+  });
+}
+
+}  // namespace
+
+LoadedImage readImage(const fs::path& path, const std::string& seriesUid,
+                      const Progress& progress) {
+  LoadedImage loaded = read(path, seriesUid, progress);
+  checkUsable(loaded.image, path.string());
+  progress.report(1.0);
+  return loaded;
+}
+
+Volume<std::uint8_t> readMask(const fs::path& path) {
+  const LoadedImage loaded = read(path, {}, {});
+  Volume<std::uint8_t> mask(loaded.image.geometry);
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    const float value = loaded.image.voxels[i];
+    if (std::isnan(value))
+      throw InputError("the mask holds values that are not numbers", path.string(),
+                       "replace NaN by 0 before loading it");
+    mask.voxels[i] = value != 0.0F ? 1 : 0;
+  }
+  return mask;
+}
+
+std::vector<ImageSummary> describeImages(const fs::path& path) {
+  if (isFolder(path)) noDicom(path);
+  const ImageFormat format = imageFormat(path);
+  if (format == ImageFormat::Dicom) noDicom(path);
+  HeaderFacts facts = checkHeader(path, format, false);
+  ImageSummary summary = itkDescribe(path, format);
+  addFacts(summary.info, std::move(facts));
+  return {summary};
+}
+
+void writeVolume(const Volume<float>& volume, const fs::path& path) { write(volume, path); }
+
+void writeVolume(const Volume<std::uint8_t>& volume, const fs::path& path) { write(volume, path); }
+
+}  // namespace angiomesh

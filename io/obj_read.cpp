@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <charconv>
+
+#include "core/base/error.h"
+#include "io/polygon_mesh.h"
+#include "io/text_scanner.h"
+
+namespace angiomesh {
+
+PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path) {
+  const auto broken = [&](int line) -> InputError {
+    return {"line " + std::to_string(line) + " of the OBJ file is not usable", path.string(),
+            "copy it again or write it with another program"};
+  };
+  PolygonMesh mesh;
+  TextScanner lines(bytes);
+  for (int number = 1; !lines.done(); ++number) {
+    const std::string_view text = lines.line();
+    TextScanner scan(text);
+    const std::string_view kind = scan.word();
+    if (kind.starts_with('#')) {
+      readFrameAndUnit(std::string(text), mesh);
+    } else if (kind == "v") {
+      Eigen::Vector3d p;
+      for (int a = 0; a < 3; ++a)
+        if (!scan.number(p[a])) throw broken(number);
+      mesh.points.push_back(p);
+    } else if (kind == "f") {
+      std::vector<std::uint32_t> polygon;
+      for (std::string_view corner = scan.word(); !corner.empty(); corner = scan.word()) {
+        long long index = 0;
+        // "7", "7/1" or "7/1/2": only the point counts. Negative numbers count from the end.
+        if (std::from_chars(corner.data(), corner.data() + corner.size(), index).ec != std::errc())
+          throw broken(number);
+        const auto points = static_cast<long long>(mesh.points.size());
+        index = index < 0 ? points + index : index - 1;
+        if (index < 0 || index >= points) throw broken(number);
+        polygon.push_back(static_cast<std::uint32_t>(index));
+      }
+      if (polygon.size() < 3) throw broken(number);
+      mesh.polygons.push_back(std::move(polygon));
+    }
+  }
+  return mesh;
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+
+#include "core/base/error.h"
+#include "io/polygon_mesh.h"
+#include "io/text_scanner.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Encoding { Ascii, LittleEndian, BigEndian };
+enum class Scalar { None, Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+
+struct Property {
+  std::string name;
+  Scalar type = Scalar::None;
+  Scalar countType = Scalar::None;  ///< of a list; None: not a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  Encoding encoding = Encoding::Ascii;
+  std::vector<Element> elements;
+};
+
+[[noreturn]] void broken(const fs::path& path, const std::string& what) {
+  throw InputError("the PLY header is not usable (" + what + ")", path.string(),
+                   "write the mesh again with another program");
+}
+
+[[noreturn]] void truncated(const fs::path& path) {
+  throw IoError("the PLY file is truncated or damaged", path.string(), "copy or download it again");
+}
+
+Scalar scalarOf(std::string_view name, const fs::path& path) {
+  static const std::map<std::string_view, Scalar> types = {
+      {"char", Scalar::Int8},      {"int8", Scalar::Int8},       {"uchar", Scalar::Uint8},
+      {"uint8", Scalar::Uint8},    {"short", Scalar::Int16},     {"int16", Scalar::Int16},
+      {"ushort", Scalar::Uint16},  {"uint16", Scalar::Uint16},   {"int", Scalar::Int32},
+      {"int32", Scalar::Int32},    {"uint", Scalar::Uint32},     {"uint32", Scalar::Uint32},
+      {"float", Scalar::Float32},  {"float32", Scalar::Float32}, {"double", Scalar::Float64},
+      {"float64", Scalar::Float64}};
+  const auto found = types.find(name);
+  if (found == types.end()) broken(path, "unknown type '" + std::string(name) + "'");
+  return found->second;
+}
+
+Header readHeader(TextScanner& lines, PolygonMesh& mesh, const fs::path& path) {
+  Header header;
+  if (lines.line() != "ply") throw InputError("not a PLY file", path.string(), "check the file");
+  bool hasFormat = false;
+  while (!lines.done()) {
+    const std::string_view text = lines.line();
+    TextScanner scan(text);
+    const std::string_view key = scan.word();
+    if (key == "end_header") {
+      if (!hasFormat) broken(path, "no format line");
+      return header;
+    }
+    if (key == "format") {
+      const std::string_view format = scan.word();
+      if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+        broken(path, "unknown format");
+      header.encoding = format == "ascii"               ? Encoding::Ascii
+                        : format == "binary_big_endian" ? Encoding::BigEndian
+                                                        : Encoding::LittleEndian;
+      hasFormat = true;
+    } else if (key == "comment" || key == "obj_info") {
+      readFrameAndUnit(std::string(text), mesh);
+    } else if (key == "element") {
+      Element element;
+      element.name = scan.word();
+      double count = -1.0;
+      if (!scan.number(count) || count < 0.0 || count > 4e9) broken(path, "number of elements");
+      element.count = static_cast<std::uint64_t>(count);
+      header.elements.push_back(std::move(element));
+    } else if (key == "property") {
+      if (header.elements.empty()) broken(path, "a property before the first element");
+      Property property;
+      std::string_view type = scan.word();
+      if (type == "list") {
+        property.countType = scalarOf(scan.word(), path);
+        type = scan.word();
+      }
+      property.type = scalarOf(type, path);
+      property.name = scan.word();
+      header.elements.back().properties.push_back(std::move(property));
+    }
+  }
+  truncated(path);
+}
+
+/// The numbers behind the header, one after the other.
+class Body {
+ public:
+  Body(std::string_view bytes, Encoding encoding, const fs::path& path)
+      : bytes_(bytes), scan_(bytes), encoding_(encoding), path_(path) {}
+
+  double next(Scalar type) {
+    if (encoding_ == Encoding::Ascii) {
+      double value = 0.0;
+      if (!scan_.number(value)) truncated(path_);
+      return value;
+    }
+    switch (type) {
+      case Scalar::Int8:
+        return raw<std::int8_t>();
+      case Scalar::Uint8:
+        return raw<std::uint8_t>();
+      case Scalar::Int16:
+        return raw<std::int16_t>();
+      case Scalar::Uint16:
+        return raw<std::uint16_t>();
+      case Scalar::Int32:
+        return raw<std::int32_t>();
+      case Scalar::Uint32:
+        return raw<std::uint32_t>();
+      case Scalar::Float32:
+        return static_cast<double>(raw<float>());
+      default:
+        return raw<double>();
+    }
+  }
+
+ private:
+  template <class T>
+  T raw() {
+    if (bytes_.size() < sizeof(T)) truncated(path_);
+    std::array<char, sizeof(T)> part{};
+    std::memcpy(part.data(), bytes_.data(), sizeof(T));
+    bytes_.remove_prefix(sizeof(T));
+    if (encoding_ == Encoding::BigEndian) std::reverse(part.begin(), part.end());
+    T value;
+    std::memcpy(&value, part.data(), sizeof(T));
+    return value;
+  }
+
+  std::string_view bytes_;
+  TextScanner scan_;
+  Encoding encoding_;
+  const fs::path& path_;
+};
+
+std::uint32_t indexOf(double value, const fs::path& path) {
+  if (!(value >= 0.0) || value > 4294967295.0)
+    throw InputError("a face names a point that does not exist", path.string(),
+                     "write the mesh again with another program");
+  return static_cast<std::uint32_t>(value);
+}
+
+void readVertices(const Element& element, Body& body, PolygonMesh& mesh) {
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    for (const Property& property : element.properties) {
+      const double value = body.next(property.type);
+      if (property.name == "x") p.x() = value;
+      if (property.name == "y") p.y() = value;
+      if (property.name == "z") p.z() = value;
+    }
+    mesh.points.push_back(p);
+  }
+}
+
+/// Faces, or an element of no interest (`mesh` null).
+void readRows(const Element& element, Body& body, PolygonMesh* mesh, const fs::path& path) {
+  for (std::uint64_t i = 0; i < element.count; ++i)
+    for (const Property& property : element.properties) {
+      if (property.countType == Scalar::None) {
+        body.next(property.type);
+        continue;
+      }
+      const bool corners =
+          mesh != nullptr && (property.name == "vertex_indices" || property.name == "vertex_index");
+      const double count = body.next(property.countType);
+      if (!(count >= 0.0) || (corners && count < 3.0)) truncated(path);
+      std::vector<std::uint32_t> polygon;
+      for (double c = 0.0; c < count; ++c) {
+        const double value = body.next(property.type);
+        if (corners) polygon.push_back(indexOf(value, path));
+      }
+      if (corners) mesh->polygons.push_back(std::move(polygon));
+    }
+}
+
+}  // namespace
+
+PolygonMesh readPly(const std::string& bytes, const fs::path& path) {
+  PolygonMesh mesh;
+  TextScanner lines(bytes);
+  const Header header = readHeader(lines, mesh, path);
+  Body body(lines.rest(), header.encoding, path);
+  for (const Element& element : header.elements) {
+    const auto has = [&](const char* name) {
+      for (const Property& property : element.properties)
+        if (property.name == name && property.countType == Scalar::None) return true;
+      return false;
+    };
+    if (element.properties.empty()) continue;
+    if (element.name == "vertex") {
+      if (!has("x") || !has("y") || !has("z")) broken(path, "a vertex without x, y, z");
+      for (const Property& property : element.properties)
+        if (property.countType != Scalar::None) broken(path, "a list in a vertex");
+      readVertices(element, body, mesh);
+    } else {
+      readRows(element, body, element.name == "face" ? &mesh : nullptr, path);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace angiomesh

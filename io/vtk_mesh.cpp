@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataReader.h>
+#include <vtkPolygon.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+#include "io/polygon_mesh.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keeps the messages of a VTK object off the terminal and remembers that there was one.
+class ErrorCatcher {
+ public:
+  explicit ErrorCatcher(vtkObject* object) {
+    command_->SetClientData(&failed_);
+    command_->SetCallback(
+        [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
+    object->AddObserver(vtkCommand::ErrorEvent, command_);
+    object->AddObserver(vtkCommand::WarningEvent, ignore_);
+  }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  vtkNew<vtkCallbackCommand> command_;
+  vtkNew<vtkCallbackCommand> ignore_;
+  bool failed_ = false;
+};
+
+std::string fieldText(vtkPolyData* data, const char* name) {
+  auto* array = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
+  return array != nullptr && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : "";
+}
+
+void addField(vtkPolyData* data, const char* name, const std::string& text) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  data->GetFieldData()->AddArray(array);
+}
+
+vtkSmartPointer<vtkPoints> toVtk(const std::vector<Eigen::Vector3d>& from) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(from.size()));
+  for (std::size_t i = 0; i < from.size(); ++i)
+    points->SetPoint(static_cast<vtkIdType>(i), from[i].data());
+  return points;
+}
+
+template <class Polygon>
+void addPolygon(vtkCellArray* cells, const Polygon& polygon) {
+  cells->InsertNextCell(static_cast<int>(polygon.size()));
+  for (const std::uint32_t corner : polygon) cells->InsertCellPoint(static_cast<vtkIdType>(corner));
+}
+
+void appendCells(vtkCellArray* cells, PolygonMesh& mesh) {
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
+    cells->GetCellAtId(c, ids);
+    std::vector<std::uint32_t> polygon;
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      polygon.push_back(static_cast<std::uint32_t>(ids->GetId(i)));
+    if (polygon.size() >= 3) mesh.polygons.push_back(std::move(polygon));
+  }
+}
+
+PolygonMesh fromVtk(vtkPolyData* data) {
+  PolygonMesh mesh;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    Eigen::Vector3d p;
+    data->GetPoint(i, p.data());
+    mesh.points.push_back(p);
+  }
+  appendCells(data->GetPolys(), mesh);
+  if (data->GetNumberOfStrips() > 0) {
+    vtkNew<vtkCellArray> triangles;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType c = 0; c < data->GetNumberOfStrips(); ++c) {
+      data->GetStrips()->GetCellAtId(c, ids);
+      for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); ++i) {
+        const vtkIdType odd = i % 2;
+        addPolygon(triangles, std::array<std::uint32_t, 3>{
+                                  static_cast<std::uint32_t>(ids->GetId(i)),
+                                  static_cast<std::uint32_t>(ids->GetId(i + 1 + odd)),
+                                  static_cast<std::uint32_t>(ids->GetId(i + 2 - odd))});
+      }
+    }
+    appendCells(triangles, mesh);
+  }
+  readFrameAndUnit("SPACE=" + fieldText(data, "SPACE") + " UNIT=" + fieldText(data, "UNIT"), mesh);
+  return mesh;
+}
+
+[[noreturn]] void broken(const fs::path& path) {
+  throw IoError("the VTK file is truncated or damaged", path.string(),
+                "copy it again or write it with another program");
+}
+
+}  // namespace
+
+PolygonMesh readVtkPolyData(const std::string& bytes, const fs::path& path) {
+  if (bytes.starts_with("# vtk DataFile")) {
+    if (bytes.substr(0, 1000).find("POLYDATA") == std::string::npos)
+      throw InputError("the VTK file does not hold a surface", path.string(),
+                       "give a file with DATASET POLYDATA");
+    vtkNew<vtkPolyDataReader> reader;
+    const ErrorCatcher errors(reader);
+    reader->ReadFromInputStringOn();
+    reader->SetBinaryInputString(bytes.data(), static_cast<int>(bytes.size()));
+    reader->Update();
+    if (errors.failed() || reader->GetOutput() == nullptr) broken(path);
+    PolygonMesh mesh = fromVtk(reader->GetOutput());
+    readFrameAndUnit(bytes.substr(0, std::min<std::size_t>(bytes.size(), 300)), mesh);
+    return mesh;
+  }
+  if (bytes.substr(0, 1000).find("<VTKFile") == std::string::npos)
+    throw InputError("not a VTK file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+  if (bytes.substr(0, 1000).find("PolyData") == std::string::npos)
+    throw InputError("the VTK file does not hold a surface", path.string(),
+                     "give a .vtp file (PolyData)");
+  if (bytes.rfind("</VTKFile>") == std::string::npos) broken(path);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  const ErrorCatcher errors(reader);
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(bytes);
+  reader->Update();
+  if (errors.failed() || reader->GetOutput() == nullptr) broken(path);
+  return fromVtk(reader->GetOutput());
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangulate(const PolygonMesh& mesh) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  vtkNew<vtkPolygon> cell;
+  vtkNew<vtkIdList> cut;
+  for (const std::vector<std::uint32_t>& polygon : mesh.polygons) {
+    if (polygon.size() == 3) {
+      triangles.push_back({polygon[0], polygon[1], polygon[2]});
+      continue;
+    }
+    const auto corners = static_cast<vtkIdType>(polygon.size());
+    cell->Points->SetNumberOfPoints(corners);
+    cell->PointIds->SetNumberOfIds(corners);
+    for (vtkIdType c = 0; c < corners; ++c) {
+      cell->Points->SetPoint(c, mesh.points[polygon[static_cast<std::size_t>(c)]].data());
+      cell->PointIds->SetId(c, c);
+    }
+    cut->Reset();
+    const bool fine = cell->Triangulate(cut) != 0 && cut->GetNumberOfIds() == 3 * (corners - 2);
+    for (vtkIdType t = 0; t + 2 < corners; ++t) {
+      // A polygon too degenerate to be cut by ears becomes a fan: the surface stays closed.
+      const auto corner = [&](vtkIdType i) {
+        const vtkIdType at = fine ? cut->GetId(3 * t + i) : (i == 0 ? 0 : t + i);
+        return polygon[static_cast<std::size_t>(at)];
+      };
+      triangles.push_back({corner(0), corner(1), corner(2)});
+    }
+  }
+  return triangles;
+}
+
+void writeVtp(const TriMesh& mesh, const fs::path& path, const MeshWriteOptions& options) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(toVtk(mesh.points));
+  vtkNew<vtkCellArray> cells;
+  for (const auto& triangle : mesh.triangles) addPolygon(cells, triangle);
+  data->SetPolys(cells);
+  addField(data, "SPACE", frameWord(options.frame));
+  addField(data, "UNIT", unitWord(options.unit));
+  if (!options.key.empty()) addField(data, "KEY", options.key);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  const ErrorCatcher errors(writer);
+  writer->SetInputData(data);
+  writer->SetFileName(path.c_str());
+  if (writer->Write() == 0 || errors.failed() || writer->GetErrorCode() != 0)
+    throw IoError("cannot write the mesh", path.string(), "check the folder and the free space");
+}
+
+}  // namespace angiomesh
