@@ -31,25 +31,18 @@ Weights catmullRomWeights(double t) {
            0.5 * (-9.0 * t2 + 8.0 * t + 1.0), 0.5 * (3.0 * t2 - 2.0 * t)}};
 }
 
-/// Samples to cubic B-spline coefficients along one line, in place, mirrored ends (Unser 1999, box
-/// 2).
-void prefilterLine(double* line, int n) {
-  if (n < 2) return;
-  const double pole = std::sqrt(3.0) - 2.0;
-  constexpr int horizon = 28;  // |pole|^28 < 1e-16
-  double first = line[0];
-  double power = pole;
-  for (int i = 1; i <= horizon; ++i) {
-    const int period = 2 * n - 2;
-    const int m = i % period;
-    first += power * line[m < n ? m : period - m];
-    power *= pole;
+/// Samples to cubic B-spline coefficients along one line, in place: c[i-1] + 4 c[i] + c[i+1] = 6
+/// f[i] with c[-1] = 2 c[0] - c[1] at either end, so that a linear field stays linear up to the
+/// border.
+void prefilterLine(std::vector<double>& line, std::vector<double>& ratio) {
+  const std::size_t n = line.size();
+  if (n < 3) return;
+  ratio[0] = 0.0;
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    ratio[i] = 1.0 / (4.0 - ratio[i - 1]);
+    line[i] = (6.0 * line[i] - line[i - 1]) * ratio[i];
   }
-  line[0] = first;
-  for (int i = 1; i < n; ++i) line[i] += pole * line[i - 1];
-  line[n - 1] = pole / (pole * pole - 1.0) * (line[n - 1] + pole * line[n - 2]);
-  for (int i = n - 2; i >= 0; --i) line[i] = pole * (line[i + 1] - line[i]);
-  for (int i = 0; i < n; ++i) line[i] *= 6.0;
+  for (std::size_t i = n - 2; i >= 1; --i) line[i] -= ratio[i] * line[i + 1];
 }
 
 void prefilterAxis(std::vector<float>& values, const Geometry& g, int axis) {
@@ -59,6 +52,7 @@ void prefilterAxis(std::vector<float>& values, const Geometry& g, int axis) {
   const std::size_t stride = axis == 0 ? 1 : axis == 1 ? g.offset(0, 1, 0) : g.offset(0, 0, 1);
   parallelFor(0, static_cast<std::size_t>(g.size[c]), 1, [&](std::size_t first, std::size_t last) {
     std::vector<double> line(static_cast<std::size_t>(n));
+    std::vector<double> ratio(line.size());
     for (std::size_t q = first; q < last; ++q)
       for (int p = 0; p < g.size[b]; ++p) {
         Index3 at{0, 0, 0};
@@ -67,7 +61,7 @@ void prefilterAxis(std::vector<float>& values, const Geometry& g, int axis) {
         float* start = values.data() + g.offset(at[0], at[1], at[2]);
         for (int i = 0; i < n; ++i)
           line[static_cast<std::size_t>(i)] = start[static_cast<std::size_t>(i) * stride];
-        prefilterLine(line.data(), n);
+        prefilterLine(line, ratio);
         for (int i = 0; i < n; ++i)
           start[static_cast<std::size_t>(i) * stride] =
               static_cast<float>(line[static_cast<std::size_t>(i)]);
@@ -75,12 +69,18 @@ void prefilterAxis(std::vector<float>& values, const Geometry& g, int axis) {
   });
 }
 
-/// Where index -1 and n fall: mirrored for the prefiltered spline (as its filter assumes), else
-/// clamped.
-int borderIndex(int i, int n, bool mirror) {
-  if (i < 0) return mirror ? std::min(-i, n - 1) : 0;
-  if (i >= n) return mirror ? std::max(2 * n - 2 - i, 0) : n - 1;
-  return i;
+/// Puts the weights of the samples beyond the border on those within, as linear extrapolation.
+void foldBorder(double (&w)[4], bool before, bool after) {
+  if (before) {
+    w[1] += 2.0 * w[0];
+    w[2] -= w[0];
+    w[0] = 0.0;
+  }
+  if (after) {
+    w[2] += 2.0 * w[3];
+    w[1] -= w[3];
+    w[3] = 0.0;
+  }
 }
 
 }  // namespace
@@ -102,8 +102,9 @@ SplineField::Jet SplineField::atIndex(const Eigen::Vector3d& index) const {
     const double x = std::clamp(index[a], 0.0, static_cast<double>(n - 1));
     const int cell = std::min(static_cast<int>(x), std::max(n - 2, 0));
     w[a] = kind_ == SplineKind::CatmullRom ? catmullRomWeights(x - cell) : bsplineWeights(x - cell);
-    for (int s = 0; s < 4; ++s)
-      at[a][s] = borderIndex(cell - 1 + s, n, kind_ == SplineKind::InterpolatingBspline);
+    foldBorder(w[a].value, cell == 0, cell + 2 >= n);
+    foldBorder(w[a].slope, cell == 0, cell + 2 >= n);
+    for (int s = 0; s < 4; ++s) at[a][s] = std::clamp(cell - 1 + s, 0, n - 1);
   }
   Jet jet{0.0, Eigen::Vector3d::Zero()};
   for (int k = 0; k < 4; ++k) {

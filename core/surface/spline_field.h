@@ -13,7 +13,7 @@ namespace angiomesh {
 /// uses the voxel values as coefficients and so smooths; `CatmullRom` interpolates and is C1.
 enum class SplineKind { InterpolatingBspline, Bspline, CatmullRom };
 
-/// A volume as a smooth function of position.
+/// A volume as a smooth function of position; samples beyond the border are extrapolated linearly.
 class SplineField {
  public:
   /// Copies what it needs of `samples`.

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/levelset/evolution.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "core/base/parallel.h"
+#include "core/levelset/front_speed.h"
+
+namespace angiomesh {
+namespace {
+
+constexpr std::size_t kGrain = 2048;
+constexpr float kFar = 3.0F;  ///< |phi| beyond the layers
+constexpr std::int8_t kFarStatus = 3;
+
+}  // namespace
+
+/// The layers live in index space: phi grows by one per voxel along any axis, whatever the spacing;
+/// spacing enters through |grad phi| and kappa alone, so that the front moves right in mm while the
+/// layers stay one voxel thick on anisotropic grids.
+struct LevelSetEvolution::State {
+  std::shared_ptr<const Volume<float>> vesselness;
+  LevelSetParams params;
+  FrontSpeed speed;
+  Volume<float> start;
+  Volume<float> phi;
+  Volume<std::int8_t> status;                        ///< 0 active, +-1, +-2, +-3 far
+  std::array<std::vector<std::uint32_t>, 5> layers;  ///< [status + 2]
+  std::vector<float> checkpoint;
+  std::vector<float> changes;  ///< of the active voxels
+  std::vector<std::uint8_t> held;
+  int iterations = 0;
+  double change = -1.0;
+  int steadyChecks = 0;
+  StopReason stop = StopReason::Running;
+
+  State(std::shared_ptr<const Volume<float>> v, const Thresholds& thresholds,
+        const Volume<float>& phi0, const LevelSetParams& p)
+      : vesselness(std::move(v)),
+        params(p),
+        speed(*vesselness, thresholds, p.gamma, p.d),
+        start(phi0) {
+    build();
+  }
+
+  std::vector<std::uint32_t>& layer(int s) { return layers[static_cast<std::size_t>(s + 2)]; }
+
+  template <class F>
+  void forNeighbours(std::uint32_t voxel, F visit) const {
+    const Geometry& g = phi.geometry;
+    const Index3 p = g.indexOf(voxel);
+    const auto row = static_cast<std::uint32_t>(g.size[0]);
+    const auto slice = static_cast<std::uint32_t>(g.offset(0, 0, 1));
+    if (p[0] > 0) visit(voxel - 1);
+    if (p[0] + 1 < g.size[0]) visit(voxel + 1);
+    if (p[1] > 0) visit(voxel - row);
+    if (p[1] + 1 < g.size[1]) visit(voxel + row);
+    if (p[2] > 0) visit(voxel - slice);
+    if (p[2] + 1 < g.size[2]) visit(voxel + slice);
+  }
+
+  void build();
+  void buildLayer(int s);
+  double computeChanges(const Progress& progress);
+  void moveActive(double timeStep);
+  void updateLayer(int s, std::array<std::vector<std::uint32_t>, 5>& entering);
+  void enter(std::array<std::vector<std::uint32_t>, 5>& entering);
+  void iterate(const Progress& progress);
+  void check();
+};
+
+void LevelSetEvolution::State::build() {
+  phi = start;
+  status = Volume<std::int8_t>(phi.geometry);
+  for (auto& list : layers) list.clear();
+  for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+    status.voxels[i] = static_cast<std::int8_t>(phi.voxels[i] < 0.0F ? -kFarStatus : kFarStatus);
+  // Of two neighbours on either side of the surface, the nearer one is active (both at a tie).
+  for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+    const auto voxel = static_cast<std::uint32_t>(i);
+    const float value = phi.voxels[i];
+    if (std::fabs(value) >= kFar) continue;
+    bool active = false;
+    forNeighbours(voxel, [&](std::uint32_t next) {
+      const float other = phi.voxels[next];
+      active |= (value < 0.0F) != (other < 0.0F) && std::fabs(value) <= std::fabs(other);
+    });
+    if (active) layer(0).push_back(voxel);
+  }
+  for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+    phi.voxels[i] = status.voxels[i] < 0 ? -kFar : kFar;
+  for (const std::uint32_t voxel : layer(0)) {
+    status.voxels[voxel] = 0;
+    phi.voxels[voxel] = std::clamp(start.voxels[voxel], -0.5F, 0.5F);
+  }
+  for (const int s : {-1, 1, -2, 2}) buildLayer(s);
+  checkpoint = phi.voxels;
+  iterations = 0;
+  change = -1.0;
+  steadyChecks = 0;
+  stop = layer(0).empty() ? StopReason::Converged : StopReason::Running;
+}
+
+void LevelSetEvolution::State::buildLayer(int s) {
+  const int side = s < 0 ? -1 : 1;
+  for (const std::uint32_t voxel : layer(s - side))
+    forNeighbours(voxel, [&](std::uint32_t next) {
+      if (status.voxels[next] != kFarStatus * side) return;
+      status.voxels[next] = static_cast<std::int8_t>(s);
+      layer(s).push_back(next);
+    });
+  for (const std::uint32_t voxel : layer(s)) {
+    float nearest = side * kFar;
+    forNeighbours(voxel, [&](std::uint32_t next) {
+      if (status.voxels[next] != s - side) return;
+      nearest =
+          side < 0 ? std::max(nearest, phi.voxels[next]) : std::min(nearest, phi.voxels[next]);
+    });
+    phi.voxels[voxel] = nearest + static_cast<float>(side);
+  }
+}
+
+double LevelSetEvolution::State::computeChanges(const Progress& progress) {
+  const std::vector<std::uint32_t>& active = layer(0);
+  changes.resize(active.size());
+  std::vector<float> largest((active.size() + kGrain - 1) / kGrain, 0.0F);
+  parallelFor(0, active.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    progress.check();
+    float most = 0.0F;
+    for (std::size_t n = first; n < last; ++n) {
+      changes[n] = speed.change(phi, active[n]);
+      most = std::max(most, std::fabs(changes[n]));
+    }
+    largest[first / kGrain] = most;
+  });
+  float most = 0.0F;
+  for (const float value : largest) most = std::max(most, value);
+  return static_cast<double>(most);
+}
+
+/// Adds the changes; a voxel that leaves the active set while an active neighbour leaves it on the
+/// other side stays, so that the layers never tear.
+void LevelSetEvolution::State::moveActive(double timeStep) {
+  const std::vector<std::uint32_t>& active = layer(0);
+  held.assign(active.size(), 0);
+  const auto step = static_cast<float>(timeStep);
+  parallelFor(0, active.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first; n < last; ++n) phi.voxels[active[n]] += step * changes[n];
+  });
+  parallelFor(0, active.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first; n < last; ++n) {
+      const float value = phi.voxels[active[n]];
+      if (std::fabs(value) <= 0.5F) continue;
+      forNeighbours(active[n], [&](std::uint32_t next) {
+        if (status.voxels[next] != 0) return;
+        const float other = phi.voxels[next];
+        if (value > 0.5F ? other < -0.5F : other > 0.5F) held[n] = 1;
+      });
+    }
+  });
+  for (std::size_t n = 0; n < active.size(); ++n)
+    if (held[n] != 0) phi.voxels[active[n]] = std::clamp(phi.voxels[active[n]], -0.5F, 0.5F);
+}
+
+/// New values of layer s from the next inner layer; voxels that have to change layer go to
+/// `entering`.
+void LevelSetEvolution::State::updateLayer(int s,
+                                           std::array<std::vector<std::uint32_t>, 5>& entering) {
+  const int side = s < 0 ? -1 : 1;
+  const int inner = s - side;
+  std::vector<std::uint32_t>& list = layer(s);
+  held.assign(list.size(), 0);  // 0 stays, 1 moves in, 2 moves out
+  const float inside = static_cast<float>(std::abs(s)) - 0.5F;
+  parallelFor(0, list.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first; n < last; ++n) {
+      const std::uint32_t voxel = list[n];
+      float nearest = kFar;  // of side * phi
+      bool found = false;
+      forNeighbours(voxel, [&](std::uint32_t next) {
+        if (status.voxels[next] != inner) return;
+        found = true;
+        nearest = std::min(nearest, static_cast<float>(side) * phi.voxels[next]);
+      });
+      if (!found) {
+        held[n] = 2;
+        continue;
+      }
+      const float distance = nearest + 1.0F;
+      phi.voxels[voxel] = static_cast<float>(side) * distance;
+      if (distance <= inside)
+        held[n] = 1;
+      else if (distance > inside + 1.0F)
+        held[n] = 2;
+    }
+  });
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < list.size(); ++n) {
+    const std::uint32_t voxel = list[n];
+    if (held[n] == 0) {
+      list[kept++] = voxel;
+    } else if (held[n] == 1) {
+      entering[static_cast<std::size_t>(inner + 2)].push_back(voxel);
+    } else if (std::abs(s) == 1) {
+      entering[static_cast<std::size_t>(2 * side + 2)].push_back(voxel);
+    } else {
+      status.voxels[voxel] = static_cast<std::int8_t>(kFarStatus * side);
+      phi.voxels[voxel] = static_cast<float>(side) * kFar;
+    }
+  }
+  list.resize(kept);
+}
+
+void LevelSetEvolution::State::enter(std::array<std::vector<std::uint32_t>, 5>& entering) {
+  for (const int s : {0, -1, 1}) {
+    for (const std::uint32_t voxel : entering[static_cast<std::size_t>(s + 2)]) {
+      status.voxels[voxel] = static_cast<std::int8_t>(s);
+      layer(s).push_back(voxel);
+    }
+  }
+  for (const int side : {-1, 1}) {
+    auto& outer = entering[static_cast<std::size_t>(2 * side + 2)];
+    for (const std::uint32_t voxel : outer) {
+      status.voxels[voxel] = static_cast<std::int8_t>(2 * side);
+      phi.voxels[voxel] = std::clamp(phi.voxels[voxel], -2.5F, 2.5F);
+      layer(2 * side).push_back(voxel);
+    }
+    for (const std::uint32_t voxel : entering[static_cast<std::size_t>(side + 2)])
+      forNeighbours(voxel, [&](std::uint32_t next) {
+        if (status.voxels[next] != kFarStatus * side) return;
+        status.voxels[next] = static_cast<std::int8_t>(2 * side);
+        phi.voxels[next] = phi.voxels[voxel] + static_cast<float>(side);
+        layer(2 * side).push_back(next);
+      });
+  }
+}
+
+void LevelSetEvolution::State::iterate(const Progress& progress) {
+  const double most = computeChanges(progress);
+  // Half a voxel at most keeps the layers right; the second bound stops a front that has all but
+  // settled from being thrown about.
+  const double timeStep = most > 0.0 ? std::min(0.5 / most, 1.0) : 1.0;
+  moveActive(timeStep);
+
+  std::array<std::vector<std::uint32_t>, 5> entering;
+  std::vector<std::uint32_t>& active = layer(0);
+  std::size_t kept = 0;
+  for (const std::uint32_t voxel : active) {
+    const float value = phi.voxels[voxel];
+    if (value > 0.5F)
+      entering[3].push_back(voxel);
+    else if (value < -0.5F)
+      entering[1].push_back(voxel);
+    else
+      active[kept++] = voxel;
+  }
+  for (const int s : {-1, 1, -2, 2}) updateLayer(s, entering);
+  active.resize(kept);
+  enter(entering);
+  ++iterations;
+  if (iterations % 20 == 0)  // lists in order of memory make the next steps faster
+    for (auto& list : layers) std::sort(list.begin(), list.end());
+}
+
+void LevelSetEvolution::State::check() {
+  const std::size_t count = phi.voxels.size();
+  constexpr std::size_t grain = 1 << 16;
+  std::vector<double> sums((count + grain - 1) / grain, 0.0);
+  std::vector<std::size_t> inside(sums.size(), 0);
+  parallelFor(0, count, grain, [&](std::size_t first, std::size_t last) {
+    double sum = 0.0;
+    std::size_t negative = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      sum += std::fabs(static_cast<double>(phi.voxels[i]) - static_cast<double>(checkpoint[i]));
+      negative += phi.voxels[i] < 0.0F ? 1 : 0;
+    }
+    sums[first / grain] = sum;
+    inside[first / grain] = negative;
+  });
+  double sum = 0.0;
+  std::size_t negative = 0;
+  for (std::size_t b = 0; b < sums.size(); ++b) {
+    sum += sums[b];
+    negative += inside[b];
+  }
+  const double previous = change;
+  change = sum / static_cast<double>(std::max<std::size_t>(negative, 1));
+  checkpoint = phi.voxels;
+  if (previous >= 0.0) {
+    const double delta = std::fabs(change - previous);
+    steadyChecks = delta < params.toleranceDelta ? steadyChecks + 1 : 0;
+    if (change < params.tolerance && delta < params.toleranceDelta)
+      stop = StopReason::Converged;
+    else if (steadyChecks >= 3)
+      stop = StopReason::Settled;
+  }
+}
+
+LevelSetEvolution::LevelSetEvolution(std::shared_ptr<const Volume<float>> vesselness,
+                                     const Thresholds& thresholds, const Volume<float>& phi0,
+                                     const LevelSetParams& params)
+    : state_(std::make_unique<State>(std::move(vesselness), thresholds, phi0, params)) {}
+
+LevelSetEvolution::~LevelSetEvolution() = default;
+LevelSetEvolution::LevelSetEvolution(LevelSetEvolution&&) noexcept = default;
+LevelSetEvolution& LevelSetEvolution::operator=(LevelSetEvolution&&) noexcept = default;
+
+int LevelSetEvolution::step(int wanted, const Progress& progress) {
+  State& s = *state_;
+  int done = 0;
+  while (done < wanted && s.stop == StopReason::Running) {
+    s.iterate(progress);
+    ++done;
+    if (s.layer(0).empty())
+      s.stop = StopReason::Converged;
+    else if (s.iterations % s.params.checkEvery == 0)
+      s.check();
+    if (s.stop == StopReason::Running && s.iterations >= s.params.maxIterations)
+      s.stop = StopReason::Limit;
+    progress.evolution(s.iterations, s.change);
+  }
+  return done;
+}
+
+void LevelSetEvolution::restart() { state_->build(); }
+
+StopReason LevelSetEvolution::stopReason() const { return state_->stop; }
+int LevelSetEvolution::iterations() const { return state_->iterations; }
+double LevelSetEvolution::change() const { return state_->change; }
+std::size_t LevelSetEvolution::activeVoxels() const { return state_->layers[2].size(); }
+const Volume<float>& LevelSetEvolution::phi() const { return state_->phi; }
+
+std::size_t LevelSetEvolution::insideVoxels() const {
+  const auto& voxels = state_->phi.voxels;
+  return static_cast<std::size_t>(
+      std::count_if(voxels.begin(), voxels.end(), [](float v) { return v < 0.0F; }));
+}
+
+}  // namespace angiomesh

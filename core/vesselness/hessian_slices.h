@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "core/base/progress.h"
+#include "core/image/volume.h"
+
+namespace angiomesh {
+
+/// One z slice of the six scale-normalised second derivatives {xx, yy, zz, xy, xz, yz}.
+using HessianSlice = std::array<const float*, 6>;
+
+/// Computes the derivatives that scaledHessian() documents slice by slice and hands each slice to
+/// `consume(k, slice)`, in parallel and in no particular order. Needs memory for three volumes.
+void forEachHessianSlice(const Volume<float>& image, double sigmaMm,
+                         const std::function<void(int k, const HessianSlice& slice)>& consume,
+                         const Progress& progress);
+
+}  // namespace angiomesh

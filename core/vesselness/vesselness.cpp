@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/vesselness/vesselness.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/exact_math.h"
+#include "core/vesselness/hessian_slices.h"
+
+namespace angiomesh {
+namespace {
+
+/// One root c in [sqrt(3)/2, 1] of 4 c^3 - 3 c = r, 0 <= r <= 1 (c = cos(acos(r) / 3)), by Newton's
+/// method.
+double cosineOfThird(double r) {
+  double c = 0.8660254037844386 + 0.1339745962155614 * r;
+  for (int n = 0; n < 4; ++n) c -= (4.0 * c * c * c - 3.0 * c - r) / (12.0 * c * c - 3.0);
+  return std::min(c, 1.0);
+}
+
+/// Eq. 3.15 and 3.22 at one scale.
+class Measure {
+ public:
+  Measure(const VesselnessParams& params, double c, bool negativeBranch)
+      : sign_(params.polarity == Polarity::Bright ? 1.0 : -1.0),
+        modified_(params.measure == VesselMeasure::Modified),
+        negativeBranch_(negativeBranch),
+        a_(1.0 / (2.0 * params.alpha * params.alpha)),
+        b_(1.0 / (2.0 * params.beta * params.beta)),
+        s_(1.0 / (2.0 * c * c)),
+        n_(1.0 / (0.5 * c * c)) {}
+
+  [[nodiscard]] double operator()(const std::array<double, 6>& h) const {
+    const std::array<double, 3> l = symmetricEigenvalues(
+        {sign_ * h[0], sign_ * h[1], sign_ * h[2], sign_ * h[3], sign_ * h[4], sign_ * h[5]});
+    if (l[2] > 0.0) {
+      if (!modified_ || !negativeBranch_) return 0.0;
+      return -(1.0 - portableExp(-l[2] * l[2] * n_));
+    }
+    if (l[1] >= 0.0 || l[2] == 0.0) return 0.0;
+    const double ra = l[1] / l[2];
+    const double rb2 = l[0] * l[0] / (l[1] * l[2]);
+    const double s2 = l[0] * l[0] + l[1] * l[1] + l[2] * l[2];
+    return (1.0 - portableExp(-ra * ra * a_)) * portableExp(-rb2 * b_) *
+           (1.0 - portableExp(-s2 * s_));
+  }
+
+ private:
+  double sign_;
+  bool modified_;
+  bool negativeBranch_;
+  double a_, b_, s_, n_;
+};
+
+Measure measureAt(const VesselnessParams& params, double sigmaMm, double sigmaMinMm, double c) {
+  // Log-spaced scales put one exactly on k.
+  const double k = params.kMm.value_or(2.0 * sigmaMinMm) * (1.0 + 1e-6);
+  return {params, c, sigmaMm <= k};
+}
+
+/// Writes v at sigma over `out` where its magnitude is larger.
+void mergeScale(const Volume<float>& image, double sigmaMm, const Measure& measure,
+                Volume<float>& out, const Progress& progress) {
+  const Geometry& g = image.geometry;
+  const std::size_t slice = g.offset(0, 0, 1);
+  std::atomic<int> done{0};
+  forEachHessianSlice(
+      image, sigmaMm,
+      [&](int k, const HessianSlice& h) {
+        float* to = out.voxels.data() + static_cast<std::size_t>(k) * slice;
+        for (std::size_t i = 0; i < slice; ++i) {
+          const double v = measure({h[0][i], h[1][i], h[2][i], h[3][i], h[4][i], h[5][i]});
+          if (std::fabs(v) > std::fabs(static_cast<double>(to[i]))) to[i] = static_cast<float>(v);
+        }
+        progress.report(static_cast<double>(++done) / g.size[2]);
+      },
+      progress);
+}
+
+double sigmaMin(const VesselnessParams& params, const Geometry& g) {
+  return params.sigmaMinMm.value_or(g.voxelMm());
+}
+
+}  // namespace
+
+std::array<double, 3> symmetricEigenvalues(const std::array<double, 6>& h) {
+  const double mean = (h[0] + h[1] + h[2]) / 3.0;
+  const double a = h[0] - mean;
+  const double b = h[1] - mean;
+  const double c = h[2] - mean;
+  const double off = h[3] * h[3] + h[4] * h[4] + h[5] * h[5];
+  const double p2 = (a * a + b * b + c * c + 2.0 * off) / 6.0;
+  std::array<double, 3> l{mean, mean, mean};
+  if (p2 > 0.0) {
+    const double p = std::sqrt(p2);
+    const double determinant = a * (b * c - h[5] * h[5]) - h[3] * (h[3] * c - h[5] * h[4]) +
+                               h[4] * (h[3] * h[5] - b * h[4]);
+    const double r = std::clamp(determinant / (2.0 * p2 * p), -1.0, 1.0);
+    // beta^3 - 3 beta = 2 r: the root of largest magnitude is well separated from the other two.
+    const double root = 2.0 * cosineOfThird(std::fabs(r)) * (r < 0.0 ? -1.0 : 1.0);
+    const double spread = std::sqrt(std::max(0.0, 3.0 * (4.0 - root * root)));
+    l = {mean + p * root, mean + p * 0.5 * (-root + spread), mean + p * 0.5 * (-root - spread)};
+  }
+  const auto order = [&l](int i, int j) {
+    if (std::fabs(l[i]) > std::fabs(l[j])) std::swap(l[i], l[j]);
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return l;
+}
+
+std::vector<double> scalesMm(const VesselnessParams& params, const Geometry& geometry) {
+  const double low = sigmaMin(params, geometry);
+  const double high = params.sigmaMaxMm.value_or(6.0 * geometry.voxelMm());
+  if (high < low)
+    throw InputError("the largest scale (" + std::to_string(high) + " mm) is below the smallest (" +
+                         std::to_string(low) + " mm)",
+                     "vesselness.sigmaMaxMm", "make it at least vesselness.sigmaMinMm");
+  int count = 1;
+  const double ratio = std::log(high / low);
+  if (params.scales) {
+    count = *params.scales;
+  } else if (ratio > 1e-9) {
+    const double log15 = std::log(1.5);
+    const double difference = (high - low) / geometry.voxelMm();
+    // The small amount keeps a ratio of exactly 1.5^n at n.
+    count = params.scaleRule == ScaleRule::Ratio
+                ? static_cast<int>(std::ceil(ratio / log15 - 1e-9)) + 1
+                : std::max(2, static_cast<int>(std::ceil(std::log(difference) / log15 - 1e-9)));
+  }
+  std::vector<double> scales;
+  for (int i = 0; i < count; ++i)
+    scales.push_back(i == 0
+                         ? low
+                         : portableExp(portableLog(low) +
+                                       i * (portableLog(high) - portableLog(low)) / (count - 1)));
+  return scales;
+}
+
+double contrastC(const VesselnessParams& params, const Volume<float>& image) {
+  if (params.c) return *params.c;
+  double contrast = 0.0;
+  if (params.contrast == ContrastRule::Robust) {
+    const bool bright = params.polarity == Polarity::Bright;
+    const std::vector<double> p = percentiles(image, {bright ? 0.999 : 0.001, 0.5});
+    contrast = std::fabs(p[0] - p[1]);
+  }
+  if (contrast <= 0.0) {
+    const auto range = valueRange(image);
+    contrast = static_cast<double>(range[1]) - static_cast<double>(range[0]);
+  }
+  return params.cFraction * contrast;
+}
+
+std::array<Volume<float>, 6> scaledHessian(const Volume<float>& image, double sigmaMm,
+                                           const Progress& progress) {
+  std::array<Volume<float>, 6> out;
+  for (auto& component : out) component = Volume<float>(image.geometry);
+  const std::size_t slice = image.geometry.offset(0, 0, 1);
+  forEachHessianSlice(
+      image, sigmaMm,
+      [&](int k, const HessianSlice& h) {
+        for (std::size_t c = 0; c < 6; ++c)
+          std::copy_n(h[c], slice, out[c].voxels.begin() + static_cast<std::ptrdiff_t>(slice) * k);
+      },
+      progress);
+  return out;
+}
+
+Volume<float> vesselnessAtScale(const Volume<float>& image, double sigmaMm,
+                                const VesselnessParams& params, double c,
+                                const Progress& progress) {
+  Volume<float> out(image.geometry);
+  mergeScale(image, sigmaMm, measureAt(params, sigmaMm, sigmaMin(params, image.geometry), c), out,
+             progress);
+  return out;
+}
+
+Volume<float> vesselness(const Volume<float>& image, const VesselnessParams& params,
+                         const Progress& progress) {
+  const std::vector<double> scales = scalesMm(params, image.geometry);
+  const double c = contrastC(params, image);
+  Volume<float> out(image.geometry);
+  const auto count = static_cast<double>(scales.size());
+  for (std::size_t i = 0; i < scales.size(); ++i)
+    mergeScale(image, scales[i], measureAt(params, scales[i], scales[0], c), out,
+               progress.sub(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+  return out;
+}
+
+}  // namespace angiomesh
