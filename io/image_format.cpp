@@ -188,7 +188,7 @@ bool looksLikeMetaImage(const std::string& head) {
   return head.find("NDims") != std::string::npos && head.find('=') != std::string::npos;
 }
 
-bool looksLikeDicom(const std::string& head) {
+bool isDicomHead(const std::string& head) {
   if (head.size() > 132 && head.compare(128, 4, "DICM") == 0) return true;
   // Old files have no preamble: they begin with a tag of group 8, little endian.
   return head.size() > 8 && head[0] == 8 && head[1] == 0 && head[3] == 0 &&
@@ -300,7 +300,7 @@ ImageFormat imageFormat(const fs::path& path) {
   const bool gzip = magic[0] == 0x1f && magic[1] == 0x8b;
   if (gzip && head.empty()) throw IoError("the file is truncated", path.string(), kCopyAgain);
   const bool nrrd = head.starts_with("NRRD00");
-  const bool dicom = looksLikeDicom(head);
+  const bool dicom = isDicomHead(head);
   if (head.size() >= 4) {
     const auto size = fromBytes<std::int32_t>(head, 0, false);
     const auto swapped = fromBytes<std::int32_t>(head, 0, true);
@@ -322,6 +322,14 @@ ImageFormat imageFormat(const fs::path& path) {
   if (dicom) return ImageFormat::Dicom;
   if (looksLikeMetaImage(head)) return ImageFormat::MetaImage;
   throw InputError("not an image file", path.string(), kFormats);
+}
+
+bool looksLikeDicom(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string head(140, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return isDicomHead(head);
 }
 
 HeaderFacts checkHeader(const fs::path& path, ImageFormat format, bool countVoxels) {

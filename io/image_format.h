@@ -13,6 +13,9 @@ enum class ImageFormat { MetaImage, Nrrd, Nifti, Dicom };
 /// InputError (not an image that Angiomesh reads)
 ImageFormat imageFormat(const std::filesystem::path& path);
 
+/// True when the first bytes are those of a DICOM file; never throws for a file that is none.
+bool looksLikeDicom(const std::filesystem::path& path);
+
 /// What a header says beside the geometry.
 struct HeaderFacts {
   std::string modality;               ///< "MR", "CT", "" when not stated

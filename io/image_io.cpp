@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/dicom.h"
 #include "io/files.h"
 #include "io/image_format.h"
 #include "io/itk_image.h"
@@ -20,10 +21,6 @@ void addFacts(InputInfo& info, HeaderFacts facts) {
   for (std::string& warning : facts.warnings) info.warnings.push_back(std::move(warning));
 }
 
-[[noreturn]] void noDicom(const fs::path& path) {
-  throw InputError("DICOM is not read", path.string(), "convert it to NRRD or NIfTI");
-}
-
 bool isFolder(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path, error);
@@ -31,9 +28,9 @@ bool isFolder(const fs::path& path) {
 
 LoadedImage read(const fs::path& path, const std::string& seriesUid, const Progress& progress) {
   progress.check();
-  if (isFolder(path) || !seriesUid.empty()) noDicom(path);
+  if (isFolder(path)) return readDicom(path, seriesUid, progress);
   const ImageFormat format = imageFormat(path);
-  if (format == ImageFormat::Dicom) noDicom(path);
+  if (format == ImageFormat::Dicom) return readDicom(path, seriesUid, progress);
   HeaderFacts facts = checkHeader(path, format, true);
   progress.report(0.4);
   LoadedImage loaded = itkRead(path, format);
@@ -89,9 +86,9 @@ Volume<std::uint8_t> readMask(const fs::path& path) {
 }
 
 std::vector<ImageSummary> describeImages(const fs::path& path) {
-  if (isFolder(path)) noDicom(path);
+  if (isFolder(path)) return describeDicom(path);
   const ImageFormat format = imageFormat(path);
-  if (format == ImageFormat::Dicom) noDicom(path);
+  if (format == ImageFormat::Dicom) return describeDicom(path);
   HeaderFacts facts = checkHeader(path, format, false);
   ImageSummary summary = itkDescribe(path, format);
   addFacts(summary.info, std::move(facts));

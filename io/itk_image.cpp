@@ -5,12 +5,14 @@
 // then keep it out.
 #include <Eigen/Dense>
 
+#include <gdcmTrace.h>
 #include <itkGDCMImageIO.h>
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <numeric>
 #include <string>
@@ -261,16 +263,24 @@ LoadedImage itkRead(const fs::path& path, ImageFormat format) {
   });
 }
 
-std::vector<float> itkReadDicomPixels(const fs::path& path, std::size_t voxels) {
+std::vector<float> itkReadDicomPixels(const fs::path& path, std::size_t count) {
   return guarded(path, [&] {
-    const Io::Pointer io = makeIo(ImageFormat::Dicom);
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
+    const auto io = itk::GDCMImageIO::New();
     io->SetFileName(path.string());
     io->ReadImageInformation();
     if (io->GetNumberOfComponents() != 1)
-      throw InputError("a colour image", path.string(), "give a series with one value per voxel");
+      throw InputError("a colour image", path.string(), "give a series with one value per pixel");
     std::vector<float> values = readVoxels(*io, path);
-    if (values.size() != voxels)
+    if (values.size() != count)
       throw IoError("the number of decoded pixels is wrong", path.string(), "copy it again");
+    // GDCM rescales in some objects and not in others: back to the stored integers.
+    const double slope = io->GetRescaleSlope();
+    const double intercept = io->GetRescaleIntercept();
+    if (slope != 0.0 && (slope != 1.0 || intercept != 0.0))
+      for (float& value : values)
+        value = static_cast<float>(std::round((static_cast<double>(value) - intercept) / slope));
     return values;
   });
 }

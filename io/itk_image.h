@@ -15,9 +15,9 @@ namespace angiomesh {
 ImageSummary itkDescribe(const std::filesystem::path& path, ImageFormat format);
 LoadedImage itkRead(const std::filesystem::path& path, ImageFormat format);
 
-/// The frames of one DICOM file, rescaled, in file order; for the transfer syntaxes that DCMTK does
-/// not decode. `voxels` is what the caller expects. @throws IoError
-std::vector<float> itkReadDicomPixels(const std::filesystem::path& path, std::size_t voxels);
+/// The stored values of all frames of one DICOM file, in file order, for the transfer syntaxes that
+/// DCMTK does not decode. `count` pixels are expected. @throws IoError, InputError
+std::vector<float> itkReadDicomPixels(const std::filesystem::path& path, std::size_t count);
 
 /// Writes by extension, compressed where the format can. Not atomic. @throws IoError, InputError
 void itkWrite(const Volume<float>& volume, const std::filesystem::path& path);
