@@ -85,8 +85,6 @@ struct RunResult {
   Source source;
   std::shared_ptr<const Volume<float>> preprocessed;
   std::shared_ptr<const VesselnessResult> vesselness;
-  std::shared_ptr<const Volume<float>>
-      speed;  ///< p of eq. 3.21 at the voxels, for display; made on demand by speedVolume()
   std::shared_ptr<const SeedsResult> seeds;
   std::shared_ptr<const EvolveResult> evolve;
   std::shared_ptr<const SurfaceResult> surface;

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "core/pipeline/parameters.h"
+
+namespace angiomesh {
+namespace {
+
+/// Collects the fields; each add...() names a member by a function Parameters& -> member&.
+class Table {
+ public:
+  template <class M>
+  Field& real(const char* key, M member, double minimum, double maximum, const char* unit,
+              const char* help) {
+    Field& field = add(key, FieldKind::Real, minimum, maximum, unit, help);
+    bind<double>(field, member);
+    return field;
+  }
+
+  template <class M>
+  Field& integer(const char* key, M member, double minimum, double maximum, const char* help) {
+    Field& field = add(key, FieldKind::Integer, minimum, maximum, "", help);
+    bind<std::int64_t>(field, member);
+    return field;
+  }
+
+  template <class M>
+  Field& boolean(const char* key, M member, const char* help) {
+    Field& field = add(key, FieldKind::Boolean, 0.0, 1.0, "", help);
+    bind<bool>(field, member);
+    return field;
+  }
+
+  /// The enumerators of the member's type in order, by name.
+  template <class M>
+  Field& choice(const char* key, M member, std::vector<std::string> names, const char* help) {
+    Field& field = add(key, FieldKind::Choice, 0.0, 0.0, "", help);
+    field.choices = names;
+    field.get = [member, names](const Parameters& p) -> FieldValue {
+      return names[static_cast<std::size_t>(member(const_cast<Parameters&>(p)))];
+    };
+    field.put = [member, names](Parameters& p, const FieldValue& value) {
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == std::get<std::string>(value)) {
+          auto& to = member(p);
+          to = static_cast<std::remove_reference_t<decltype(to)>>(i);
+        }
+    };
+    return field;
+  }
+
+  /// x,y,z,... in mm LPS
+  template <class M>
+  Field& points(const char* key, M member, const char* help) {
+    Field& field = add(key, FieldKind::Numbers, -1e5, 1e5, "mm", help);
+    field.groupOf = 3;
+    field.emptyWord = "none";
+    field.get = [member](const Parameters& p) -> FieldValue {
+      const std::vector<double>& numbers = member(const_cast<Parameters&>(p));
+      if (numbers.empty()) return std::monostate{};
+      return numbers;
+    };
+    field.put = [member](Parameters& p, const FieldValue& value) {
+      const auto* numbers = std::get_if<std::vector<double>>(&value);
+      member(p) = numbers != nullptr ? *numbers : std::vector<double>{};
+    };
+    return field;
+  }
+
+  template <class M>
+  Field& box(const char* key, M member, const char* help) {
+    Field& field = add(key, FieldKind::Numbers, -1e5, 1e5, "mm", help);
+    field.groupOf = 6;
+    field.emptyWord = "none";
+    field.get = [member](const Parameters& p) -> FieldValue {
+      const auto& corners = member(const_cast<Parameters&>(p));
+      if (!corners) return std::monostate{};
+      return std::vector<double>(corners->begin(), corners->end());
+    };
+    field.put = [member](Parameters& p, const FieldValue& value) {
+      const auto* numbers = std::get_if<std::vector<double>>(&value);
+      auto& corners = member(p);
+      if (numbers == nullptr) {
+        corners.reset();
+        return;
+      }
+      corners.emplace();
+      for (std::size_t i = 0; i < 6; ++i) (*corners)[i] = (*numbers)[i];
+    };
+    return field;
+  }
+
+  std::vector<Field> take() { return std::move(fields_); }
+
+ private:
+  Field& add(const char* key, FieldKind kind, double minimum, double maximum, const char* unit,
+             const char* help) {
+    Field field;
+    field.key = key;
+    field.kind = kind;
+    field.minimum = minimum;
+    field.maximum = maximum;
+    field.unit = unit;
+    field.help = help;
+    fields_.push_back(std::move(field));
+    return fields_.back();
+  }
+
+  /// A member of type T, int or an optional of them. Stored is the variant's alternative V.
+  template <class V, class M>
+  void bind(Field& field, M member) {
+    using T = std::remove_reference_t<decltype(member(std::declval<Parameters&>()))>;
+    if constexpr (requires(T t) { t.has_value(); }) {
+      field.emptyWord = "auto";
+      field.get = [member](const Parameters& p) -> FieldValue {
+        const auto& value = member(const_cast<Parameters&>(p));
+        if (!value) return std::monostate{};
+        return static_cast<V>(*value);
+      };
+      field.put = [member](Parameters& p, const FieldValue& value) {
+        if (std::holds_alternative<std::monostate>(value))
+          member(p).reset();
+        else
+          member(p) = static_cast<typename T::value_type>(std::get<V>(value));
+      };
+    } else {
+      field.get = [member](const Parameters& p) -> FieldValue {
+        return static_cast<V>(member(const_cast<Parameters&>(p)));
+      };
+      field.put = [member](Parameters& p, const FieldValue& value) {
+        member(p) = static_cast<T>(std::get<V>(value));
+      };
+    }
+  }
+
+  std::vector<Field> fields_;
+};
+
+#define MEMBER(path) \
+  [](Parameters & p) -> auto& { return p.path; }
+
+void addPreprocess(Table& t) {
+  t.choice("preprocess.isotropic", MEMBER(preprocess.isotropic), {"auto", "off", "on"},
+           "resample to cubic voxels of the smallest spacing; auto: when spacing differs by more "
+           "than 10 % and the voxels grow at most threefold");
+  t.boolean("preprocess.sigmoid.enabled", MEMBER(preprocess.sigmoidEnabled),
+            "map intensities through a sigmoid that keeps the range of the vessels")
+      .main = true;
+  t.real("preprocess.sigmoid.window", MEMBER(preprocess.sigmoidWindow), 1e-6, 1e6, "",
+         "width of the sigmoid, as the viewer's window; auto: 1st to 99.8th percentile")
+      .main = true;
+  t.real("preprocess.sigmoid.level", MEMBER(preprocess.sigmoidLevel), -1e6, 1e6, "",
+         "centre of the sigmoid, as the viewer's level; auto: middle of the percentiles")
+      .main = true;
+  t.boolean("preprocess.curvatureFlow.enabled", MEMBER(preprocess.curvatureFlowEnabled),
+            "smooth along the edges of the image by curvature flow");
+  t.integer("preprocess.curvatureFlow.iterations", MEMBER(preprocess.curvatureFlowIterations), 1,
+            1000, "iterations of the curvature flow");
+  t.real("preprocess.curvatureFlow.timeStep", MEMBER(preprocess.curvatureFlowTimeStep), 1e-4, 0.125,
+         "", "time step of the curvature flow");
+  t.box("preprocess.roi", MEMBER(preprocess.roi),
+        "region of interest: two opposite corners x0,y0,z0,x1,y1,z1 in mm LPS");
+}
+
+void addVesselness(Table& t) {
+  Field& low =
+      t.real("vesselness.sigmaMinMm", MEMBER(vesselness.sigmaMinMm), 0.01, 100.0, "mm",
+             "smallest scale: about the radius of the thinnest vessel; auto: 1 working voxel");
+  low.main = low.logarithmic = true;
+  Field& high =
+      t.real("vesselness.sigmaMaxMm", MEMBER(vesselness.sigmaMaxMm), 0.01, 100.0, "mm",
+             "largest scale: about the radius of the thickest vessel; auto: 6 working voxels");
+  high.main = high.logarithmic = true;
+  t.integer("vesselness.scales", MEMBER(vesselness.scales), 1, 32,
+            "number of scales, evenly spaced in log(sigma); auto: by scaleRule");
+  t.choice(
+      "vesselness.scaleRule", MEMBER(vesselness.scaleRule), {"ratio", "difference"},
+      "ratio: ceil(log_1.5(max / min)) + 1; difference: eq. 5.1 in working voxels, at least 2");
+  t.choice("vesselness.measure", MEMBER(vesselness.measure), {"modified", "frangi"},
+           "modified: eq. 3.22, negative beside vessels; frangi: eq. 3.15");
+  t.real("vesselness.alpha", MEMBER(vesselness.alpha), 0.01, 10.0, "",
+         "sensitivity to plates (R_A)");
+  t.real("vesselness.beta", MEMBER(vesselness.beta), 0.01, 10.0, "", "sensitivity to blobs (R_B)");
+  t.real("vesselness.k", MEMBER(vesselness.kMm), 0.01, 100.0, "mm",
+         "largest sigma at which the negative branch acts; auto: 2 sigmaMin");
+  t.real(
+      "vesselness.c", MEMBER(vesselness.c), 1e-6, 1e7, "",
+      "structureness at which the measure saturates, intensities; auto: cFraction of the contrast");
+  t.real("vesselness.cFraction", MEMBER(vesselness.cFraction), 1e-3, 2.0, "",
+         "share of the contrast that makes c");
+  t.choice("vesselness.contrast", MEMBER(vesselness.contrast), {"robust", "range"},
+           "robust: 99.9th percentile minus median; range: maximum minus minimum");
+  t.choice("vesselness.polarity", MEMBER(vesselness.polarity), {"bright", "dark"},
+           "vessels are brighter or darker than their surroundings");
+}
+
+void addLevelSet(Table& t) {
+  t.boolean("seeds.automatic", MEMBER(seeds.automatic), "find seeds by vesselness");
+  t.real("seeds.topPercent", MEMBER(seeds.topPercent), 1e-4, 10.0, "%",
+         "share of the voxels that become seeds, highest single-scale vesselness first")
+      .logarithmic = true;
+  t.real("seeds.radiusVoxels", MEMBER(seeds.radiusVoxels), 0.5, 20.0, "voxels",
+         "radius of the starting spheres, working voxels");
+  t.points("seeds.points", MEMBER(seeds.points),
+           "seeds by hand, x,y,z,... in mm LPS, added to the automatic ones");
+  t.real("levelset.gamma", MEMBER(levelset.gamma), 0.0, 1.0, "",
+         "weight of the vesselness term against the curvature term")
+      .main = true;
+  t.real("levelset.d", MEMBER(levelset.d), 0.0, 5.0, "", "strength of the curvature term").main =
+      true;
+  Field& xi = t.real("levelset.xi", MEMBER(levelset.xi), 0.1, 500.0, "",
+                     "scales the threshold b: larger segments less");
+  xi.main = xi.logarithmic = true;
+  t.real("levelset.b", MEMBER(levelset.b), 1e-4, 1.0, "",
+         "vesselness at which the front stands still; auto: eq. 3.20 within bMin..bMax");
+  t.real("levelset.bMin", MEMBER(levelset.bMin), 1e-4, 1.0, "", "lower bound of the automatic b");
+  t.real("levelset.bMax", MEMBER(levelset.bMax), 1e-4, 1.0, "", "upper bound of the automatic b");
+  t.integer("levelset.maxIterations", MEMBER(levelset.maxIterations), 1, 1000000,
+            "the evolution ends here at the latest");
+  t.integer("levelset.checkEvery", MEMBER(levelset.checkEvery), 1, 10000,
+            "iterations between two checks of convergence");
+  t.real("levelset.tolerance", MEMBER(levelset.tolerance), 0.0, 10.0, "voxels",
+         "converged below this change per inside voxel between checks");
+  t.real("levelset.toleranceDelta", MEMBER(levelset.toleranceDelta), 0.0, 10.0, "voxels",
+         "and below this difference from the previous change");
+}
+
+void addSurface(Table& t) {
+  t.choice("segmentation.keep", MEMBER(segmentation.keep), {"all", "largest", "seeded"},
+           "which components go into the surface; seeded: those that hold a seed given by hand");
+  t.real("segmentation.minVolumeMm3", MEMBER(segmentation.minVolumeMm3), 0.0, 1e9, "mm3",
+         "components smaller than this are left out");
+  t.points("segmentation.drop", MEMBER(segmentation.drop),
+           "the components that hold these points, x,y,z,... in mm LPS, are left out");
+  t.choice("surface.method", MEMBER(surface.method), {"marching-cubes"},
+           "how phi becomes triangles");
+  t.choice("surface.spline", MEMBER(surface.spline),
+           {"interpolating-bspline", "bspline", "catmull-rom"},
+           "interpolant of phi whose zero set is the wall");
+  Field& cell = t.real("surface.cellVoxels", MEMBER(surface.cellVoxels), 0.25, 4.0, "voxels",
+                       "accuracy: edge of a surface cell, working voxels; smaller is finer");
+  cell.main = cell.logarithmic = true;
+  t.choice("surface.border", MEMBER(surface.border), {"cap", "open"},
+           "where a vessel leaves the volume: a flat cap or an open rim");
+  t.real("surface.minComponentMm3", MEMBER(surface.minComponentMm3), 0.0, 1e9, "mm3",
+         "surface components that enclose less are left out");
+  t.choice("smooth.method", MEMBER(smooth.method), {"keep-wall", "taubin", "none"},
+           "keep-wall: smooths the triangulation, not the vessel; taubin: as in the thesis")
+      .main = true;
+  t.integer("smooth.iterations", MEMBER(smooth.iterations), 0, 1000,
+            "pairs of a lambda and a mu step")
+      .main = true;
+  t.real("smooth.lambda", MEMBER(smooth.lambda), 0.0, 1.0, "", "weight of the shrinking step");
+  t.real("smooth.mu", MEMBER(smooth.mu), -1.0, 0.0, "", "weight of the growing step");
+  t.real("smooth.wallBoundVoxels", MEMBER(smooth.wallBoundVoxels), 0.0, 1.0, "voxels",
+         "keep-wall: largest distance of a vertex from the wall, working voxels");
+}
+
+#undef MEMBER
+
+}  // namespace
+
+const std::vector<Field>& parameterFields() {
+  static const std::vector<Field> fields = [] {
+    Table table;
+    addPreprocess(table);
+    addVesselness(table);
+    addLevelSet(table);
+    addSurface(table);
+    return table.take();
+  }();
+  return fields;
+}
+
+}  // namespace angiomesh

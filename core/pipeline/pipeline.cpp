@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/pipeline.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <list>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/levelset/redistance.h"
+#include "core/pipeline/segments.h"
+
+namespace angiomesh {
+namespace {
+
+constexpr std::array<const char*, kStepCount> kStepIds{
+    "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
+
+/// Raised whenever a step computes something else from the same inputs.
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 1, 1, 1, 1};
+
+/// Prefixes of the parameters that each step reads.
+const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
+    {{},
+     {"preprocess."},
+     {"vesselness."},
+     {"seeds."},
+     {"levelset."},
+     {"segmentation.", "surface."},
+     {"smooth."},
+     {}}};
+
+std::string hex(std::uint64_t hash) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+VesselnessResult computeVesselness(const Volume<float>& image, const VesselnessParams& params,
+                                   const Progress& progress) {
+  VesselnessResult result;
+  result.scalesMm = scalesMm(params, image.geometry);
+  result.c = contrastC(params, image);
+  if (!(result.c > 0.0))
+    throw InputError("the image has no contrast", "vesselness.c", "give vesselness.c by hand");
+  VesselnessParams fixed = params;
+  fixed.c = result.c;
+  fixed.sigmaMinMm = result.scalesMm.front();
+  const auto count = static_cast<double>(result.scalesMm.size());
+  result.multiScale = std::make_shared<const Volume<float>>(
+      vesselness(image, fixed, progress.sub(0.0, count / (count + 1.0))));
+  const double average = 0.5 * (result.scalesMm.front() + result.scalesMm.back());
+  result.singleScale = std::make_shared<const Volume<float>>(
+      vesselnessAtScale(image, average, fixed, result.c, progress.sub(count / (count + 1.0), 1.0)));
+  return result;
+}
+
+void postSnapshot(const LevelSetEvolution& evolution, const RunOptions& options,
+                  const Progress& progress) {
+  const auto snapshot = std::make_shared<EvolutionSnapshot>();
+  snapshot->iterations = evolution.iterations();
+  snapshot->change = evolution.change();
+  snapshot->phi = std::make_shared<const Volume<float>>(evolution.phi());
+  snapshot->surface = std::make_shared<const TriMesh>(
+      marchingCubes(*snapshot->phi, SurfaceBorder::Cap, progress.sub(0.0, 0.0)));
+  options.snapshots->post(snapshot);
+}
+
+/// Steps the evolution to its end, obeying `options.control` and posting snapshots.
+StopReason evolveWatched(LevelSetEvolution& evolution, const RunOptions& options,
+                         const Progress& progress) {
+  Clock::time_point shown = Clock::now() - std::chrono::hours(1);
+  int posted = -1;
+  while (!evolution.converged()) {
+    int wanted = 5;
+    if (options.control) {
+      EvolutionControl& control = *options.control;
+      if (control.finishNow) return StopReason::Stopped;
+      if (control.paused) {
+        const int asked = control.stepsWanted.exchange(0);
+        if (asked <= 0) {
+          if (options.snapshots && posted != evolution.iterations()) {
+            postSnapshot(evolution, options, progress);
+            posted = evolution.iterations();
+          }
+          progress.check();
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+          continue;
+        }
+        wanted = asked;
+      }
+    }
+    evolution.step(wanted, progress);
+    if (options.snapshots && secondsSince(shown) >= options.snapshotSeconds) {
+      postSnapshot(evolution, options, progress);
+      posted = evolution.iterations();
+      shown = Clock::now();
+    }
+  }
+  return evolution.stopReason();
+}
+
+EvolveResult evolve(const VesselnessResult& vessels, const SeedsResult& seeds,
+                    const Parameters& params, const RunOptions& options, const Progress& progress,
+                    std::vector<std::string>& warnings) {
+  const LevelSetParams& p = params.levelset;
+  EvolveResult result;
+  result.thresholds =
+      thresholds(*vessels.multiScale, p.xi, vessels.scalesMm.back() / vessels.scalesMm.front(), p.b,
+                 p.bMin, p.bMax);
+  if (result.thresholds.clamped)
+    warnings.push_back("b was clamped to " + std::to_string(result.thresholds.b) +
+                       ": eq. 3.20 lies outside levelset.bMin to levelset.bMax on this image");
+  LevelSetEvolution evolution(
+      vessels.multiScale, result.thresholds,
+      fastMarchingStart(vessels.multiScale->geometry, seeds.pointsLps, params.seeds.radiusVoxels),
+      p);
+  result.stopReason = evolveWatched(evolution, options, progress);
+  result.iterations = evolution.iterations();
+  result.converged = result.stopReason == StopReason::Converged;
+  if (result.stopReason == StopReason::Limit)
+    warnings.push_back("the evolution ended at levelset.maxIterations before it converged");
+  if (evolution.insideVoxels() == 0)
+    throw NumericError("the level set shrank to nothing", "evolve",
+                       "lower levelset.b or levelset.xi, or check the range of vessel sizes "
+                       "(vesselness.sigmaMinMm, vesselness.sigmaMaxMm) and the seeds");
+  if (options.snapshots) postSnapshot(evolution, options, progress);
+  result.phi = std::make_shared<const Volume<float>>(
+      redistance(evolution.phi(), 5.0, progress.sub(0.8, 1.0)));
+  return result;
+}
+
+SurfaceResult makeSurface(const EvolveResult& evolved, const Parameters& params,
+                          const Progress& progress, std::vector<std::string>& warnings) {
+  const SurfaceParams& p = params.surface;
+  SurfaceResult result;
+  Segments segments = selectSegments(*evolved.phi, params.segmentation, params.seeds.points);
+  result.phi = withoutDropped(evolved.phi, segments, progress.sub(0.0, 0.3));
+  result.components = std::move(segments.components);
+  result.insideVoxels = segments.insideVoxels;
+  result.marchingCubes =
+      std::make_shared<const TriMesh>(marchingCubes(*result.phi, p.border, progress.sub(0.3, 0.5)));
+  if (p.cellVoxels == 1.0 && p.minComponentMm3 == 0.0) {
+    result.mesh = result.marchingCubes;
+    return result;
+  }
+  TriMesh mesh;
+  if (p.cellVoxels == 1.0) {
+    mesh = *result.marchingCubes;
+  } else {
+    const SplineField field(*result.phi, p.spline);
+    const double cellMm = p.cellVoxels * result.phi->geometry.voxelMm();
+    mesh = marchingCubes(resampleField(field, cellMm, progress), p.border, progress.sub(0.5, 1.0));
+  }
+  const int dropped = dropSmallComponents(mesh, p.minComponentMm3);
+  if (dropped > 0)
+    warnings.push_back(std::to_string(dropped) +
+                       " surface components below surface.minComponentMm3 were left out");
+  if (mesh.triangles.empty())
+    throw NumericError("no surface component is left", "surface",
+                       "lower surface.minComponentMm3 or surface.cellVoxels");
+  result.mesh = std::make_shared<const TriMesh>(std::move(mesh));
+  return result;
+}
+
+QualityResult measure(const RunResult& run, const SplineField& field, const Progress& progress) {
+  QualityResult result;
+  result.marchingCubes =
+      measureQuality(*run.surface->marchingCubes, &field, progress.sub(0.0, 0.33));
+  result.unsmoothed = run.surface->mesh == run.surface->marchingCubes
+                          ? result.marchingCubes
+                          : measureQuality(*run.surface->mesh, &field, progress.sub(0.33, 0.66));
+  result.mesh = run.smoothed == run.surface->mesh
+                    ? result.unsmoothed
+                    : measureQuality(*run.smoothed, &field, progress.sub(0.66, 1.0));
+  return result;
+}
+
+/// One remembered result of a step.
+struct Entry {
+  std::string key;
+  std::shared_ptr<const void> value;
+  StageReport report;
+};
+
+}  // namespace
+
+struct Pipeline::State {
+  /// Undo and redo find their results again; more would keep too many volumes.
+  static constexpr std::size_t kRemembered = 3;
+
+  Source source;
+  mutable std::mutex mutex;
+  std::array<std::list<Entry>, kStepCount> results;  ///< most recent first
+
+  const Entry* find(Step step, const std::string& key) {
+    auto& list = results[static_cast<std::size_t>(step)];
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&key](const Entry& e) { return e.key == key; });
+    if (found == list.end()) return nullptr;
+    list.splice(list.begin(), list, found);
+    return &list.front();
+  }
+
+  void forget(Step step, const std::string& key) {
+    const std::lock_guard lock(mutex);
+    results[static_cast<std::size_t>(step)].remove_if(
+        [&key](const Entry& e) { return e.key == key; });
+  }
+
+  /// The remembered result, or that of `compute(warnings)`, which is then remembered. What follows
+  /// from an evolution that somebody stopped by hand is neither: its key does not tell where it was
+  /// stopped.
+  template <class T, class F>
+  std::shared_ptr<const T> obtain(Step step, const std::string& key, RunResult& run, F compute) {
+    const bool byHand = run.evolve && run.evolve->stopReason == StopReason::Stopped;
+    if (!byHand) {
+      const std::lock_guard lock(mutex);
+      if (const Entry* known = find(step, key)) {
+        run.stages.push_back(known->report);
+        run.stages.back().reused = true;
+        return std::static_pointer_cast<const T>(known->value);
+      }
+    }
+    StageReport report;
+    report.step = step;
+    report.key = key;
+    const Clock::time_point start = Clock::now();
+    const double cpu = cpuSeconds();
+    std::shared_ptr<const T> value = compute(report.warnings);
+    report.seconds = secondsSince(start);
+    report.cpuSeconds = cpuSeconds() - cpu;
+    run.stages.push_back(report);
+    if (byHand) return value;
+    const std::lock_guard lock(mutex);
+    auto& list = results[static_cast<std::size_t>(step)];
+    list.push_front({key, value, report});
+    if (list.size() > kRemembered) list.pop_back();
+    return value;
+  }
+};
+
+Pipeline::Pipeline(Source source) : state_(std::make_unique<State>()) {
+  state_->source = std::move(source);
+}
+
+Pipeline::~Pipeline() = default;
+
+const Source& Pipeline::source() const { return state_->source; }
+
+std::string Pipeline::key(Step step, const Parameters& params) const {
+  std::string text = state_->source.hash;
+  for (std::size_t s = 1; s <= static_cast<std::size_t>(step); ++s) {
+    text += std::string("|") + kStepIds[s] + std::to_string(kStepVersions[s]);
+    for (const Field& field : parameterFields())
+      for (const std::string_view prefix : kStepParams[s])
+        if (field.key.starts_with(prefix))
+          text += ";" + field.key + "=" + fieldText(field.get(params), field);
+  }
+  return hex(XXH3_64bits(text.data(), text.size()));
+}
+
+bool Pipeline::has(Step step, const Parameters& params) const {
+  if (step == Step::Load) return true;
+  const std::string wanted = key(step, params);
+  const std::lock_guard lock(state_->mutex);
+  return state_->find(step, wanted) != nullptr;
+}
+
+RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
+                        const Progress& progress) {
+  validate(params);
+  const Clock::time_point start = Clock::now();
+  const double cpu = cpuSeconds();
+  RunResult run;
+  run.params = params;
+  run.source = state_->source;
+  run.key = state_->source.hash;
+  const auto wanted = [&](Step step) {
+    progress.check();
+    if (step > options.until) return false;
+    run.key = key(step, params);
+    progress.phase(stepId(step));
+    return true;
+  };
+  const auto finished = [&]() -> RunResult&& {
+    progress.report(1.0);
+    run.totalSeconds = secondsSince(start);
+    run.cpuSeconds = cpuSeconds() - cpu;
+    return std::move(run);
+  };
+  using Warnings = std::vector<std::string>;
+
+  if (!wanted(Step::Preprocess)) return finished();
+  run.preprocessed = state_->obtain<Volume<float>>(Step::Preprocess, run.key, run, [&](Warnings&) {
+    return std::make_shared<const Volume<float>>(
+        preprocess(*run.source.image, params.preprocess, progress.sub(0.0, 0.05)));
+  });
+  if (!wanted(Step::Vesselness)) return finished();
+  run.vesselness = state_->obtain<VesselnessResult>(Step::Vesselness, run.key, run, [&](Warnings&) {
+    return std::make_shared<const VesselnessResult>(
+        computeVesselness(*run.preprocessed, params.vesselness, progress.sub(0.05, 0.35)));
+  });
+  if (!wanted(Step::Seeds)) return finished();
+  run.seeds = state_->obtain<SeedsResult>(Step::Seeds, run.key, run, [&](Warnings&) {
+    return std::make_shared<const SeedsResult>(
+        SeedsResult{findSeeds(*run.vesselness->singleScale, params.seeds)});
+  });
+  if (!wanted(Step::Evolve)) return finished();
+  const auto evolveStep = [&](Warnings& warnings) {
+    return std::make_shared<const EvolveResult>(
+        evolve(*run.vesselness, *run.seeds, params, options, progress.sub(0.35, 0.8), warnings));
+  };
+  run.evolve = state_->obtain<EvolveResult>(Step::Evolve, run.key, run, evolveStep);
+  if (run.evolve->stopReason == StopReason::Stopped) state_->forget(Step::Evolve, run.key);
+  if (!wanted(Step::Surface)) return finished();
+  run.surface = state_->obtain<SurfaceResult>(Step::Surface, run.key, run, [&](Warnings& warnings) {
+    return std::make_shared<const SurfaceResult>(
+        makeSurface(*run.evolve, params, progress.sub(0.8, 0.88), warnings));
+  });
+  if (!wanted(Step::Smooth)) return finished();
+  const SplineField field(*run.surface->phi, params.surface.spline);
+  run.smoothed = state_->obtain<TriMesh>(Step::Smooth, run.key, run, [&](Warnings&) {
+    if (params.smooth.method == SmoothMethod::None) return run.surface->mesh;
+    return std::make_shared<const TriMesh>(
+        smoothSurface(*run.surface->mesh, params.smooth, &field, progress.sub(0.88, 0.94)));
+  });
+  if (!wanted(Step::Quality)) return finished();
+  run.quality = state_->obtain<QualityResult>(Step::Quality, run.key, run, [&](Warnings&) {
+    return std::make_shared<const QualityResult>(measure(run, field, progress.sub(0.94, 1.0)));
+  });
+  return finished();
+}
+
+const char* stepId(Step step) { return kStepIds[static_cast<std::size_t>(step)]; }
+
+std::optional<Step> stepFromId(std::string_view id) {
+  for (std::size_t s = 0; s < kStepIds.size(); ++s)
+    if (id == kStepIds[s]) return static_cast<Step>(s);
+  return std::nullopt;
+}
+
+std::string contentHash(const Volume<float>& image) {
+  const Geometry& g = image.geometry;
+  std::vector<double> shape(g.size.begin(), g.size.end());
+  for (int a = 0; a < 3; ++a) {
+    shape.push_back(g.spacing[a]);
+    shape.push_back(g.origin[a]);
+    for (int b = 0; b < 3; ++b) shape.push_back(g.direction(a, b));
+  }
+  const std::uint64_t seed = XXH3_64bits(shape.data(), shape.size() * sizeof(double));
+  return hex(XXH3_64bits_withSeed(image.voxels.data(), image.voxels.size() * sizeof(float), seed));
+}
+
+Source makeSource(Volume<float> image, const std::string& name) {
+  Source source;
+  source.hash = contentHash(image);
+  source.image = std::make_shared<const Volume<float>>(std::move(image));
+  source.name = name;
+  return source;
+}
+
+Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thresholds) {
+  Volume<float> out(vesselness.geometry);
+  parallelFor(0, out.voxels.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      out.voxels[i] =
+          static_cast<float>(vesselSpeed(static_cast<double>(vesselness.voxels[i]), thresholds));
+  });
+  return out;
+}
+
+}  // namespace angiomesh

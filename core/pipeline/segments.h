@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "core/pipeline/pipeline.h"
+
+namespace angiomesh {
+
+/// The components of phi < 0 and which of them go into the surface. `seedsByHand` (LPS) serve keep
+/// = seeded.
+/// @throws NumericError when none is kept
+struct Segments {
+  std::vector<SegmentComponent> components;
+  Volume<std::int32_t> labels;   ///< 1 + index into components; 0 outside
+  std::size_t insideVoxels = 0;  ///< of the kept components
+};
+Segments selectSegments(const Volume<float>& phi, const SegmentationParams& params,
+                        const std::vector<double>& seedsByHand);
+
+/// phi without the components that were not kept, a distance again. Returns phi itself when all
+/// were kept.
+std::shared_ptr<const Volume<float>> withoutDropped(std::shared_ptr<const Volume<float>> phi,
+                                                    const Segments& segments,
+                                                    const Progress& progress);
+
+/// The field sampled on a grid over the same extent whose spacing is about `cellMm`.
+Volume<float> resampleField(const SplineField& field, double cellMm, const Progress& progress);
+
+}  // namespace angiomesh
