@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <cmath>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/pipeline/parameters.h"
+
+using namespace angiomesh;
+
+namespace {
+
+/// A value that the field takes, a function of the seed.
+FieldValue randomValue(const Field& field, std::uint64_t seed) {
+  const double u = randomUniform(seed, 1);
+  if (!field.emptyWord.empty() && randomUniform(seed, 0) < 0.3) return {};
+  const double span = field.maximum - field.minimum;
+  switch (field.kind) {
+    case FieldKind::Boolean:
+      return u < 0.5;
+    case FieldKind::Integer:
+      return static_cast<std::int64_t>(field.minimum + std::floor(u * span));
+    case FieldKind::Real:
+      return field.minimum + u * span;
+    case FieldKind::Choice:
+      return field.choices[static_cast<std::size_t>(u * static_cast<double>(field.choices.size()))];
+    case FieldKind::Numbers: {
+      std::vector<double> numbers;
+      for (std::size_t i = 0; i < field.groupOf; ++i)
+        numbers.push_back(randomNormal(seed, i) * 100.0);
+      return numbers;
+    }
+  }
+  return {};
+}
+
+std::string messageOf(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+class TestParameters : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void keysAreUniqueAndDescribed() {
+    std::set<std::string> keys;
+    for (const Field& field : parameterFields()) {
+      QVERIFY2(keys.insert(field.key).second, field.key.c_str());
+      QVERIFY(!field.help.empty());
+      QVERIFY(field.kind == FieldKind::Choice || field.minimum < field.maximum);
+    }
+  }
+
+  void anyParametersSurviveJsonAndText() {
+    for (std::uint64_t n = 0; n < 50; ++n) {
+      Parameters params;
+      Parameters byText;
+      std::uint64_t counter = 0;
+      for (const Field& field : parameterFields()) {
+        const FieldValue value = randomValue(field, n * 1000 + counter++);
+        setField(params, field.key, value);
+        setFieldFromText(byText, field.key, fieldText(value, field));
+        QVERIFY(field.get(params) == value);
+        QVERIFY2(field.get(byText) == value, field.key.c_str());
+      }
+      const Parameters back = parametersFromJson(parametersToJson(params), Parameters{}, "test");
+      for (const Field& field : parameterFields())
+        QVERIFY2(field.get(back) == field.get(params), field.key.c_str());
+    }
+  }
+
+  void defaultsLieInTheirRanges() {
+    for (const std::string& name : presetNames()) {
+      Parameters params = preset(name);
+      validate(params);
+      for (const Field& field : parameterFields()) setField(params, field.key, field.get(params));
+    }
+  }
+
+  void presetsDifferOnlyWhereTheyShould() {
+    const Parameters own = preset("angiomesh");
+    const Parameters thesis = preset("thesis");
+    std::set<std::string> different;
+    for (const Field& field : parameterFields())
+      if (field.get(own) != field.get(thesis)) different.insert(field.key);
+    const std::set<std::string> expected{"vesselness.scaleRule", "vesselness.contrast",
+                                         "surface.spline", "surface.border", "smooth.method"};
+    QVERIFY(different == expected);
+    QVERIFY_EXCEPTION_THROWN(preset("thesys"), InputError);
+  }
+
+  void wrongInputIsNamed() {
+    Parameters p;
+    const std::string unknown = messageOf([&] { setFieldFromText(p, "levelset.gama", "1"); });
+    QVERIFY2(unknown.find("levelset.gamma") != std::string::npos, unknown.c_str());
+    for (const auto& [key, text] :
+         std::vector<std::pair<const char*, const char*>>{{"levelset.gamma", "1.5"},
+                                                          {"levelset.gamma", "much"},
+                                                          {"levelset.gamma", "0.5x"},
+                                                          {"levelset.gamma", "nan"},
+                                                          {"levelset.gamma", "auto"},
+                                                          {"levelset.checkEvery", "0"},
+                                                          {"levelset.checkEvery", "2.5"},
+                                                          {"vesselness.measure", "best"},
+                                                          {"preprocess.sigmoid.enabled", "maybe"},
+                                                          {"preprocess.roi", "1,2,3"},
+                                                          {"seeds.points", "1,2"},
+                                                          {"seeds.points", "1,,3"}}) {
+      const std::string message = messageOf([&, k = key, t = text] { setFieldFromText(p, k, t); });
+      QVERIFY2(message.find(key) != std::string::npos, key);
+    }
+    for (const char* json : {"{\"levelset\": {\"gama\": 1}}", "{\"levelset\": 3}", "[1]", "{",
+                             "{\"levelset.gamma\": \"0.7\"}", "{\"levelset.gamma\": 7}"})
+      QVERIFY_EXCEPTION_THROWN(parametersFromJson(json, p, "test"), InputError);
+    p.vesselness.sigmaMinMm = 3.0;
+    p.vesselness.sigmaMaxMm = 2.0;
+    QVERIFY_EXCEPTION_THROWN(validate(p), InputError);
+  }
+
+  void dottedAndNestedKeysChangeOnlyWhatTheyName() {
+    const Parameters p =
+        parametersFromJson("{\"levelset.xi\": 31, \"preprocess\": {\"sigmoid\": {\"window\": 5}}}",
+                           preset("thesis"), "test");
+    QCOMPARE(p.levelset.xi, 31.0);
+    QCOMPARE(*p.preprocess.sigmoidWindow, 5.0);
+    QCOMPARE(p.levelset.gamma, 0.7);
+    QVERIFY(p.smooth.method == SmoothMethod::Taubin);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestParameters)
+#include "tst_parameters.moc"

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/image/preprocess.h"
+#include "tests/core/analytic.h"
+
+using namespace angiomesh;
+using namespace angiomesh::analytic;
+
+namespace {
+
+double variance(const Volume<float>& image) {
+  double sum = 0.0;
+  double square = 0.0;
+  for (const float v : image.voxels) {
+    sum += static_cast<double>(v);
+    square += static_cast<double>(v) * static_cast<double>(v);
+  }
+  const auto n = static_cast<double>(image.voxels.size());
+  return square / n - sum / n * (sum / n);
+}
+
+}  // namespace
+
+class TestPreprocess : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void cropKeepsTheVoxelsOfTheBoxInPlace() {
+    const Geometry g = oblique(20, 18, 16);
+    const auto image =
+        sampled(g, [](const Eigen::Vector3d& x) { return x[0] + 10.0 * x[1] - 3.0 * x[2]; });
+    const Eigen::Vector3d a = centreOf(g) - Eigen::Vector3d(1.5, 1.5, 1.5);
+    const Eigen::Vector3d b = centreOf(g) + Eigen::Vector3d(1.5, 1.5, 1.5);
+    // The corners may come in any order.
+    const auto crop = cropToBox(image, {b[0], a[1], b[2], a[0], b[1], a[2]});
+    QVERIFY(crop.voxels.size() < image.voxels.size());
+    for (std::size_t i = 0; i < crop.voxels.size(); ++i) {
+      const Index3 p = crop.geometry.indexOf(i);
+      const Eigen::Vector3d x = crop.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+      QVERIFY(std::fabs(crop.voxels[i] - (x[0] + 10.0 * x[1] - 3.0 * x[2])) < 1e-3);
+    }
+    QVERIFY_EXCEPTION_THROWN(cropToBox(image, {900, 900, 900, 901, 901, 901}), InputError);
+  }
+
+  void resamplingMakesCubicVoxelsAndKeepsTheField() {
+    const Geometry g = oblique(24, 20, 12);
+    QVERIFY(!wantsIsotropic(cube(5)));
+    QVERIFY(wantsIsotropic(g));
+    const auto field = [](const Eigen::Vector3d& x) { return 3.0 * x[0] - x[1] + 0.5 * x[2]; };
+    const auto out = resampleIsotropic(sampled(g, field));
+    QVERIFY(out.geometry.spacing.isApproxToConstant(0.4));
+    QVERIFY((out.geometry.origin - g.origin).norm() < 1e-12);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < out.voxels.size(); ++i) {
+      const Index3 p = out.geometry.indexOf(i);
+      worst = std::max(
+          worst, std::fabs(out.voxels[i] -
+                           field(out.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]}))));
+    }
+    QVERIFY2(worst < 1e-3, qPrintable(QString::number(worst)));
+  }
+
+  void sigmoidKeepsRangeAndOrder() {
+    Volume<float> image(cube(5));
+    for (std::size_t i = 0; i < image.voxels.size(); ++i) image.voxels[i] = static_cast<float>(i);
+    const auto out = sigmoid(image, 60.0, 62.0);
+    QVERIFY(std::is_sorted(out.voxels.begin(), out.voxels.end()));
+    QVERIFY(std::fabs(out.voxels[62] - 62.0F) <
+            1e-3F);  // the level maps to the middle of the range
+    QVERIFY(out.voxels.front() >= 0.0F && out.voxels.back() <= 124.0F);
+    // At one window above the level 1 / (1 + e^-6) of the range is reached.
+    QVERIFY(std::fabs(out.voxels[122] - 124.0 / (1.0 + std::exp(-6.0))) < 1e-2);
+  }
+
+  void curvatureFlowSmoothsNoiseAndKeepsAPlane() {
+    Volume<float> noise(cube(16));
+    for (std::size_t i = 0; i < noise.voxels.size(); ++i)
+      noise.voxels[i] = static_cast<float>(randomNormal(2, i));
+    PreprocessParams params;
+    params.curvatureFlowEnabled = true;
+    QVERIFY(variance(preprocess(noise, params)) < 0.7 * variance(noise));
+    const auto plane =
+        sampled(cube(12), [](const Eigen::Vector3d& x) { return 2.0 * x[0] + x[1]; });
+    const auto out = preprocess(plane, params);
+    QVERIFY(std::fabs(out.at(6, 6, 6) - plane.at(6, 6, 6)) < 1e-3F);
+    const Progress progress;
+    progress.cancel();
+    QVERIFY_EXCEPTION_THROWN(preprocess(noise, params, progress), Cancelled);
+  }
+
+  void unusableVolumesAreRefused() {
+    Volume<float> image(cube(4), 1.0F);
+    QVERIFY_EXCEPTION_THROWN(checkUsable(image, "x"), InputError);
+    image.voxels[3] = 2.0F;
+    checkUsable(image, "x");
+    image.voxels[5] = std::nanf("");
+    QVERIFY_EXCEPTION_THROWN(checkUsable(image, "x"), InputError);
+    Geometry flat = cube(4);
+    flat.size[2] = 1;
+    QVERIFY_EXCEPTION_THROWN(checkUsable(Volume<float>(flat, 1.0F), "x"), InputError);
+  }
+
+  void componentsAreLabelledLargestFirst() {
+    Volume<std::uint8_t> mask(cube(10));
+    mask.at(1, 1, 1) = mask.at(2, 2, 2) = 1;  // touch at a corner
+    for (int i = 5; i < 9; ++i) mask.at(i, 7, 7) = 1;
+    const Components all = connectedComponents(mask);
+    QCOMPARE(all.sizes, (std::vector<std::size_t>{4, 2}));
+    QCOMPARE(all.labels.at(5, 7, 7), 1);
+    QCOMPARE(all.labels.at(2, 2, 2), 2);
+    QCOMPARE(connectedComponents(mask, false).sizes.size(), std::size_t{3});
+  }
+
+  void percentilesInterpolateBetweenRanks() {
+    Geometry g = cube(1);
+    g.size = {5, 1, 1};
+    Volume<float> image(g);
+    image.voxels = {40.0F, 0.0F, 10.0F, 30.0F, 20.0F};
+    const auto p = percentiles(image, {0.0, 0.5, 0.625, 1.0});
+    QVERIFY(p[0] == 0.0 && p[1] == 20.0 && std::fabs(p[2] - 25.0) < 1e-9 && p[3] == 40.0);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestPreprocess)
+#include "tst_preprocess.moc"
