@@ -9,15 +9,11 @@
 
 #include "core/image/volume.h"
 #include "render/pane_axes.h"
+#include "render/slice_raster.h"
 
 class vtkRenderer;
 
 namespace angiomesh {
-
-enum class SlabMode { None, Mip, MinIp, Mean };
-
-/// x0, y0, z0, x1, y1, z1 in mm LPS, each lower bound first.
-using RoiBox = std::array<double, 6>;
 
 /// A level set whose zero contour a slice shows; it may live on another grid than the image.
 struct ContourLayer {
@@ -77,8 +73,8 @@ class SliceScene {
   [[nodiscard]] Eigen::Vector2d displayAt(const Eigen::Vector3d& lps) const;
   /// The slice nearest to `lps`, clamped.
   [[nodiscard]] int sliceAt(const Eigen::Vector3d& lps) const;
-  /// The value shown (that of the slab when one is on) at the voxel of the slice nearest to `lps`,
-  /// and that voxel; nothing outside the image.
+  /// The value shown at the pixel nearest to `lps`, and its voxel: in a MIP or MinIP slab the one
+  /// that holds the extreme value, else that of the slice. Nothing outside the image.
   struct Probe {
     float value = 0.0F;
     Index3 voxel{0, 0, 0};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <QPoint>
+#include <QPointF>
 #include <QString>
 #include <memory>
 #include <optional>
@@ -88,6 +88,15 @@ class SliceView : public VtkView {
   void pixelRatioChanged(double ratio) override;
 
  private:
+  [[nodiscard]] Eigen::Vector2d toDisplay(const QPointF& position) const;
+  [[nodiscard]] std::optional<RoiBox> roiTo(const QPointF& position) const;
+  void moveCrosshair(const QPointF& position);
+  void stepSlices(int towardsHead);
+  void stepSlab(int steps);
+  void dragContrast(const QPointF& moved, bool fine);
+  void pickSeed();
+  void hover(const QPointF& position);
+
   struct State;
   std::unique_ptr<State> state_;
 };

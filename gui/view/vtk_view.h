@@ -45,8 +45,14 @@ class VtkView : public QOpenGLWidget {
   virtual void pixelRatioChanged(double ratio);
   /// Frees VTK's OpenGL resources. Subclasses that own scenes call it first in their destructor.
   void releaseGl();
+  /// Whole notches of the wheel since the last call, away from the user positive.
+  int wheelSteps(const QWheelEvent* event);
 
  private:
+  void syncSize();
+  void setEventPosition(const QPointF& position, Qt::KeyboardModifiers modifiers, int repeat);
+  void forwardKey(const QKeyEvent* event, bool press);
+
   struct Bridge;
   std::unique_ptr<Bridge> bridge_;
 };

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/view/slice_view.h"
+
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace angiomesh {
+
+namespace {
+
+enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi };
+
+constexpr double clickDistance = 3.0;  // Qt pixels: a shorter way is a click, not a drag
+
+}  // namespace
+
+struct SliceView::State {
+  SliceScene scene;
+  Tool tool = Tool::Navigate;
+  MouseScheme scheme = MouseScheme::Radiology;
+  Drag drag = Drag::None;
+  bool mayBeClick = false;
+  QPointF pressed, last;
+  double contrastPerPixel = 1.0;  // change of window or level per Qt pixel of a drag
+  Eigen::Vector3d roiCorner{0.0, 0.0, 0.0};
+  std::optional<RoiBox> roiBefore;
+  SlabMode lastSlabMode = SlabMode::Mip;
+};
+
+SliceView::SliceView(QWidget* parent) : VtkView(parent), state_(std::make_unique<State>()) {
+  renderWindow()->AddRenderer(state_->scene.renderer());
+}
+
+SliceView::~SliceView() { releaseGl(); }
+
+void SliceView::setImage(std::shared_ptr<const Volume<float>> image) {
+  const int before = slice();
+  state_->scene.setImage(std::move(image));
+  if (state_->scene.image()) {
+    const std::array<double, 2> range = displayRange(*state_->scene.image(), 0.01, 0.998);
+    state_->contrastPerPixel = (range[1] - range[0]) / 400.0;
+  }
+  requestRender();
+  if (slice() != before) Q_EMIT sliceChanged(slice());
+}
+
+void SliceView::setPlane(int plane) {
+  const int before = slice();
+  state_->scene.setPlane(plane);
+  requestRender();
+  if (slice() != before) Q_EMIT sliceChanged(slice());
+}
+
+int SliceView::plane() const { return state_->scene.axes().plane; }
+
+void SliceView::setWindowLevel(double window, double level) {
+  if (window == windowWidth() && level == windowLevel()) return;
+  state_->scene.setWindowLevel(window, level);
+  requestRender();
+}
+
+double SliceView::windowWidth() const { return state_->scene.window(); }
+double SliceView::windowLevel() const { return state_->scene.level(); }
+
+void SliceView::setCursor(const Eigen::Vector3d& lps) {
+  const int before = slice();
+  state_->scene.setCursor(lps);
+  state_->scene.setSlice(state_->scene.sliceAt(lps));
+  requestRender();
+  if (slice() != before) Q_EMIT sliceChanged(slice());
+}
+
+Eigen::Vector3d SliceView::cursor() const { return state_->scene.cursor(); }
+
+void SliceView::setCrosshairVisible(bool visible) {
+  state_->scene.setCrosshairVisible(visible);
+  requestRender();
+}
+
+void SliceView::setSlab(SlabMode mode, double thicknessMm) {
+  if (mode != SlabMode::None) state_->lastSlabMode = mode;
+  state_->scene.setSlab(mode, thicknessMm);
+  requestRender();
+}
+
+SlabMode SliceView::slabMode() const { return state_->scene.slabMode(); }
+double SliceView::slabThicknessMm() const { return state_->scene.slabThicknessMm(); }
+
+void SliceView::setContour(std::shared_ptr<const Volume<float>> phi) {
+  std::vector<ContourLayer> layers;
+  if (phi) {
+    layers.emplace_back();
+    layers.back().phi = std::move(phi);
+  }
+  setContours(std::move(layers));
+}
+
+void SliceView::setContours(std::vector<ContourLayer> contours) {
+  state_->scene.setContours(std::move(contours));
+  requestRender();
+}
+
+void SliceView::setSeeds(std::vector<Eigen::Vector3d> lps) {
+  state_->scene.setSeeds(std::move(lps));
+  requestRender();
+}
+
+void SliceView::setRoi(std::optional<RoiBox> roi) {
+  state_->scene.setRoi(roi);
+  requestRender();
+}
+
+void SliceView::setTool(Tool tool) {
+  if (state_->drag == Drag::Roi) setRoi(state_->roiBefore);
+  state_->drag = Drag::None;
+  state_->tool = tool;
+  if (tool == Tool::Navigate)
+    unsetCursor();
+  else
+    QWidget::setCursor(Qt::CrossCursor);
+}
+
+Tool SliceView::tool() const { return state_->tool; }
+void SliceView::setScheme(MouseScheme scheme) { state_->scheme = scheme; }
+MouseScheme SliceView::scheme() const { return state_->scheme; }
+
+void SliceView::resetView() {
+  state_->scene.fit();
+  requestRender();
+}
+
+int SliceView::slice() const { return state_->scene.slice(); }
+int SliceView::sliceCount() const { return state_->scene.sliceCount(); }
+
+void SliceView::setSlice(int slice) {
+  SliceScene& scene = state_->scene;
+  if (!scene.image()) return;
+  const int before = scene.slice();
+  scene.setSlice(slice);
+  if (scene.slice() == before) return;
+  const Geometry& geometry = scene.image()->geometry;
+  Eigen::Vector3d index = geometry.toIndex(scene.cursor());
+  index[scene.axes().across] = scene.slice();
+  const Eigen::Vector3d lps = geometry.toPhysical(index);
+  scene.setCursor(lps);
+  requestRender();
+  Q_EMIT sliceChanged(scene.slice());
+  Q_EMIT cursorMoved(lps[0], lps[1], lps[2]);
+}
+
+Eigen::Vector2d SliceView::toDisplay(const QPointF& position) const {
+  // Mouse positions name a pixel; its centre is half a pixel further.
+  const double ratio = devicePixelRatioF();
+  return {(position.x() + 0.5) * ratio, (height() - position.y() - 0.5) * ratio};
+}
+
+Eigen::Vector3d SliceView::lpsAt(const QPointF& position) const {
+  const Eigen::Vector2d display = toDisplay(position);
+  return state_->scene.lpsAt(display[0], display[1]);
+}
+
+QPointF SliceView::positionOf(const Eigen::Vector3d& lps) const {
+  const Eigen::Vector2d display = state_->scene.displayAt(lps) / devicePixelRatioF();
+  return {display[0] - 0.5, height() - display[1] - 0.5};
+}
+
+void SliceView::pixelRatioChanged(double ratio) { state_->scene.setPixelRatio(ratio); }
+
+void SliceView::moveCrosshair(const QPointF& position) {
+  if (!state_->scene.image()) return;
+  const Eigen::Vector3d lps = lpsAt(position);
+  state_->scene.setCursor(lps);
+  requestRender();
+  Q_EMIT cursorMoved(lps[0], lps[1], lps[2]);
+}
+
+void SliceView::stepSlices(int towardsHead) {
+  // "Up" goes towards the head in axial slices, forward in coronal ones, to the left in sagittal.
+  const PaneAxes& axes = state_->scene.axes();
+  const int rising = (axes.plane == 1) != axes.acrossFlipped ? -1 : 1;
+  setSlice(slice() + towardsHead * rising);
+}
+
+void SliceView::stepSlab(int steps) {
+  SliceScene& scene = state_->scene;
+  if (!scene.image()) return;
+  const double spacing = scene.image()->geometry.spacing[scene.axes().across];
+  const double now = scene.slabMode() == SlabMode::None ? spacing : scene.slabThicknessMm();
+  const double most = spacing * scene.sliceCount();
+  const double thickness = std::min(now + steps * spacing, most);
+  if (thickness > 1.5 * spacing)
+    setSlab(state_->lastSlabMode, thickness);
+  else
+    setSlab(SlabMode::None, 0.0);
+  Q_EMIT slabChanged(scene.slabThicknessMm());
+}
+
+void SliceView::dragContrast(const QPointF& moved, bool fine) {
+  const double step = state_->contrastPerPixel * (fine ? 0.1 : 1.0);
+  const double smallest = 0.1 * state_->contrastPerPixel;
+  const double window = std::max(smallest, windowWidth() + step * moved.x());
+  // Upwards is brighter.
+  const double level = windowLevel() + step * moved.y();
+  state_->scene.setWindowLevel(window, level);
+  requestRender();
+  Q_EMIT windowLevelChanged(window, level);
+}
+
+std::optional<RoiBox> SliceView::roiTo(const QPointF& position) const {
+  const SliceScene& scene = state_->scene;
+  const RoiBox whole = volumeBox(scene.image()->geometry);
+  RoiBox box = state_->roiBefore.value_or(whole);
+  const Eigen::Vector3d other = lpsAt(position);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == scene.axes().plane) continue;
+    const auto a = static_cast<std::size_t>(axis);
+    const double low = std::min(state_->roiCorner[axis], other[axis]);
+    const double high = std::max(state_->roiCorner[axis], other[axis]);
+    box[a] = std::clamp(low, whole[a], whole[a + 3]);
+    box[a + 3] = std::clamp(high, whole[a], whole[a + 3]);
+    if (!(box[a + 3] > box[a])) return std::nullopt;
+  }
+  return box;
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+  State& s = *state_;
+  if (s.drag != Drag::None) return;  // a second button while one is down
+  s.pressed = s.last = event->position();
+  s.mayBeClick = true;
+  if (!s.scene.image()) return;
+  if (event->button() == Qt::MiddleButton) s.drag = Drag::Pan;
+  if (event->button() == Qt::RightButton) s.drag = Drag::Zoom;
+  if (event->button() != Qt::LeftButton) return;
+  if (s.tool == Tool::DrawRoi) {
+    s.drag = Drag::Roi;
+    s.roiCorner = lpsAt(event->position());
+    s.roiBefore = s.scene.roi();
+  } else if (s.scheme == MouseScheme::Engineering && s.tool == Tool::Navigate) {
+    s.drag = Drag::Crosshair;
+    moveCrosshair(event->position());
+  } else {
+    s.drag = Drag::Contrast;
+  }
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+  State& s = *state_;
+  const QPointF position = event->position();
+  const QPointF moved = position - s.last;
+  if ((position - s.pressed).manhattanLength() > clickDistance) s.mayBeClick = false;
+  s.last = position;
+  switch (s.drag) {
+    case Drag::None:
+      if (event->buttons() == Qt::NoButton && event->modifiers().testFlag(Qt::ShiftModifier))
+        moveCrosshair(position);
+      break;
+    case Drag::Contrast:
+      // A seed's click may shake a little without changing the contrast.
+      if (s.tool == Tool::Navigate || !s.mayBeClick)
+        dragContrast(moved, event->modifiers().testFlag(Qt::ControlModifier));
+      break;
+    case Drag::Pan:
+      s.scene.pan(moved.x() * devicePixelRatioF(), -moved.y() * devicePixelRatioF());
+      requestRender();
+      break;
+    case Drag::Zoom: {
+      const Eigen::Vector2d fixed = toDisplay(s.pressed);
+      s.scene.zoom(std::exp(-0.01 * moved.y()), fixed[0], fixed[1]);
+      requestRender();
+      break;
+    }
+    case Drag::Crosshair:
+      moveCrosshair(position);
+      break;
+    case Drag::Roi:
+      if (!s.mayBeClick)
+        if (const std::optional<RoiBox> box = roiTo(position)) setRoi(box);
+      break;
+  }
+  hover(position);
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  State& s = *state_;
+  const bool leftDrag =
+      s.drag == Drag::Contrast || s.drag == Drag::Crosshair || s.drag == Drag::Roi;
+  const Qt::MouseButton held = leftDrag               ? Qt::LeftButton
+                               : s.drag == Drag::Pan  ? Qt::MiddleButton
+                               : s.drag == Drag::Zoom ? Qt::RightButton
+                                                      : Qt::NoButton;
+  if (event->button() != held) return;
+  const Drag ended = s.drag;
+  s.drag = Drag::None;
+  if (ended == Drag::Roi && !s.mayBeClick) {
+    if (const std::optional<RoiBox> box = roiTo(event->position()))
+      Q_EMIT roiDrawn(*box);
+    else
+      setRoi(s.roiBefore);
+  }
+  if (ended == Drag::Contrast && s.tool == Tool::PickSeed && s.mayBeClick) pickSeed();
+}
+
+void SliceView::pickSeed() {
+  const SliceScene& scene = state_->scene;
+  Eigen::Vector3d lps = lpsAt(state_->pressed);
+  const std::optional<SliceScene::Probe> probe = scene.probe(lps);
+  if (!probe) return;
+  // In a slab the seed lies where the shown value comes from.
+  const Geometry& geometry = scene.image()->geometry;
+  const int across = scene.axes().across;
+  Eigen::Vector3d index = geometry.toIndex(lps);
+  index[across] = probe->voxel[static_cast<std::size_t>(across)];
+  lps = geometry.toPhysical(index);
+  Q_EMIT seedPicked(lps[0], lps[1], lps[2]);
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && state_->tool == Tool::Navigate)
+    Q_EMIT maximiseRequested();
+  else
+    mousePressEvent(event);
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+  const int steps = wheelSteps(event);
+  event->accept();
+  if (steps == 0 || !state_->scene.image()) return;
+  if (event->modifiers().testFlag(Qt::ControlModifier)) {
+    const Eigen::Vector2d fixed = toDisplay(event->position());
+    state_->scene.zoom(std::pow(1.15, steps), fixed[0], fixed[1]);
+    requestRender();
+  } else if (event->modifiers().testFlag(Qt::AltModifier)) {
+    stepSlab(steps);
+  } else {
+    stepSlices(steps * (event->modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1));
+  }
+  hover(event->position());
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+  const int steps = event->modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1;
+  switch (event->key()) {
+    case Qt::Key_Up:
+    case Qt::Key_Right:
+      stepSlices(steps);
+      return;
+    case Qt::Key_Down:
+    case Qt::Key_Left:
+      stepSlices(-steps);
+      return;
+    case Qt::Key_R:
+      if (event->modifiers() == Qt::NoModifier) {
+        resetView();
+        return;
+      }
+      break;
+    default:
+      break;
+  }
+  event->ignore();
+}
+
+void SliceView::leaveEvent(QEvent* event) {
+  Q_EMIT hovered(QString());
+  VtkView::leaveEvent(event);
+}
+
+void SliceView::hover(const QPointF& position) {
+  const Eigen::Vector3d lps = lpsAt(position);
+  const std::optional<SliceScene::Probe> probe = state_->scene.probe(lps);
+  if (!probe) {
+    Q_EMIT hovered(QString());
+    return;
+  }
+  const Index3& v = probe->voxel;
+  Q_EMIT hovered(QString("%1, voxel %2,%3,%4, %5")
+                     .arg(QString::number(static_cast<double>(probe->value), 'g', 6))
+                     .arg(v[0])
+                     .arg(v[1])
+                     .arg(v[2])
+                     .arg(QString::fromStdString(positionText(lps))));
+}
+
+}  // namespace angiomesh

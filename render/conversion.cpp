@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/conversion.h"
+
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace angiomesh {
+
+namespace {
+
+/// Sits as an observer on an array, and so lives exactly as long as the array does.
+class KeepAlive : public vtkCommand {
+ public:
+  static KeepAlive* New() { return new KeepAlive; }
+  void Execute(vtkObject*, unsigned long, void*) override {}
+  std::shared_ptr<const void> kept;
+};
+
+}  // namespace
+
+vtkSmartPointer<vtkImageData> toImageData(const std::shared_ptr<const Volume<float>>& volume) {
+  vtkNew<vtkFloatArray> values;
+  // VTK has no read-only arrays; nothing here writes to it.
+  values->SetArray(const_cast<float*>(volume->voxels.data()),
+                   static_cast<vtkIdType>(volume->voxels.size()), 1);
+  vtkNew<KeepAlive> keeper;
+  keeper->kept = volume;
+  values->AddObserver(vtkCommand::DeleteEvent, keeper);
+
+  const Geometry& g = volume->geometry;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(g.size[0], g.size[1], g.size[2]);
+  image->SetSpacing(g.spacing[0], g.spacing[1], g.spacing[2]);
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+vtkSmartPointer<vtkMatrix4x4> patientMatrix(const Geometry& geometry) {
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      matrix->SetElement(row, column, geometry.direction(row, column));
+    matrix->SetElement(row, 3, geometry.origin[row]);
+  }
+  return matrix;
+}
+
+vtkSmartPointer<vtkPolyData> toPolyData(const TriMesh& mesh) {
+  const auto pointCount = static_cast<vtkIdType>(mesh.points.size());
+  const auto faceCount = static_cast<vtkIdType>(mesh.triangles.size());
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(pointCount);
+  float* xyz = coordinates->GetPointer(0);
+  for (const Eigen::Vector3d& point : mesh.points)
+    for (int axis = 0; axis < 3; ++axis) *xyz++ = static_cast<float>(point[axis]);
+
+  vtkNew<vtkTypeInt32Array> corners;
+  corners->SetNumberOfValues(3 * faceCount);
+  vtkNew<vtkTypeInt32Array> offsets;
+  offsets->SetNumberOfValues(faceCount + 1);
+  std::vector<Eigen::Vector3d> normals(mesh.points.size(), Eigen::Vector3d::Zero());
+  vtkTypeInt32* corner = corners->GetPointer(0);
+  vtkTypeInt32* offset = offsets->GetPointer(0);
+  for (vtkIdType face = 0; face < faceCount; ++face) {
+    const auto& triangle = mesh.triangles[static_cast<std::size_t>(face)];
+    const Eigen::Vector3d& a = mesh.points[triangle[0]];
+    const Eigen::Vector3d area = (mesh.points[triangle[1]] - a).cross(mesh.points[triangle[2]] - a);
+    for (const std::uint32_t vertex : triangle) {
+      normals[vertex] += area;
+      *corner++ = static_cast<vtkTypeInt32>(vertex);
+    }
+    *offset++ = static_cast<vtkTypeInt32>(3 * face);
+  }
+  *offset = static_cast<vtkTypeInt32>(3 * faceCount);
+
+  vtkNew<vtkFloatArray> normalArray;
+  normalArray->SetNumberOfComponents(3);
+  normalArray->SetNumberOfTuples(pointCount);
+  float* n = normalArray->GetPointer(0);
+  for (const Eigen::Vector3d& normal : normals) {
+    const double length = std::max(normal.norm(), 1e-300);
+    for (int axis = 0; axis < 3; ++axis) *n++ = static_cast<float>(normal[axis] / length);
+  }
+
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  vtkNew<vtkCellArray> faces;
+  faces->SetData(offsets, corners);
+  vtkNew<vtkPolyData> result;
+  result->SetPoints(points);
+  result->SetPolys(faces);
+  result->GetPointData()->SetNormals(normalArray);
+  return result;
+}
+
+}  // namespace angiomesh

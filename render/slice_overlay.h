@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "render/pane_axes.h"
+
+class vtkRenderer;
+
+namespace angiomesh {
+
+/// A round length (1, 2 or 5 times a power of ten, mm) of at most `longestMm`.
+double scaleBarLengthMm(double longestMm);
+
+/// What lies flat on a pane: direction letters in the middle of the four edges, lines of text in
+/// the upper and lower left and upper right corners, a scale bar in the lower right one.
+class SliceOverlay {
+ public:
+  explicit SliceOverlay(vtkRenderer* renderer);
+  ~SliceOverlay();
+  SliceOverlay(const SliceOverlay&) = delete;
+  SliceOverlay& operator=(const SliceOverlay&) = delete;
+
+  void setVisible(bool visible);
+  void setLetters(const PaneAxes& axes);
+  void setTexts(const std::string& upperLeft, const std::string& upperRight,
+                const std::string& lowerLeft);
+  /// To be called when the zoom or the pane's size has changed.
+  void setScale(double mmPerPixel, int widthPixels, int heightPixels, double pixelRatio);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace angiomesh

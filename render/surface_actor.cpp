@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/surface_actor.h"
+
+#include <vtkActor.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+#include "render/conversion.h"
+
+namespace angiomesh {
+
+struct SurfaceActor::Parts {
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkSmartPointer<vtkPolyData> data;
+  std::vector<float> values;
+  vtkSmartPointer<vtkLookupTable> table;
+  bool visible = true;
+
+  void update();
+};
+
+void SurfaceActor::Parts::update() {
+  const vtkIdType triangles = data ? data->GetNumberOfPolys() : 0;
+  actor->SetVisibility(visible && triangles > 0);
+  if (triangles == 0) return;
+  if (static_cast<vtkIdType>(values.size()) != triangles) values.clear();
+  if (values.empty()) {
+    data->GetCellData()->SetScalars(nullptr);
+    mapper->ScalarVisibilityOff();
+  } else {
+    vtkNew<vtkFloatArray> array;
+    array->SetNumberOfValues(triangles);
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    data->GetCellData()->SetScalars(array);
+    mapper->SetScalarModeToUseCellData();
+    mapper->SetLookupTable(table);
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->ScalarVisibilityOn();
+  }
+  mapper->SetInputData(data);
+}
+
+SurfaceActor::SurfaceActor(const std::array<double, 3>& colour)
+    : parts_(std::make_unique<Parts>()) {
+  parts_->actor->SetMapper(parts_->mapper);
+  parts_->actor->VisibilityOff();
+  vtkProperty* property = parts_->actor->GetProperty();
+  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetInterpolationToPhong();
+  property->SetAmbient(0.12);
+  property->SetDiffuse(0.85);
+  property->SetSpecular(0.25);
+  property->SetSpecularPower(25.0);
+  property->SetEdgeColor(0.08, 0.08, 0.10);
+  // The inside, seen through open ends, must not pass for the outside.
+  vtkNew<vtkProperty> inside;
+  inside->DeepCopy(property);
+  inside->SetColor(0.45 * colour[0] + 0.1, 0.45 * colour[1] + 0.1, 0.45 * colour[2] + 0.1);
+  inside->SetSpecular(0.0);
+  parts_->actor->SetBackfaceProperty(inside);
+}
+
+SurfaceActor::~SurfaceActor() = default;
+
+vtkActor* SurfaceActor::actor() const { return parts_->actor; }
+
+void SurfaceActor::setMesh(const std::shared_ptr<const TriMesh>& mesh) {
+  parts_->data = mesh && !mesh->triangles.empty() ? toPolyData(*mesh) : nullptr;
+  if (!parts_->data) parts_->values.clear();
+  parts_->update();
+}
+
+bool SurfaceActor::empty() const { return !parts_->data; }
+
+void SurfaceActor::setVisible(bool visible) {
+  parts_->visible = visible;
+  parts_->update();
+}
+
+void SurfaceActor::setEdgesVisible(bool visible) {
+  parts_->actor->GetProperty()->SetEdgeVisibility(visible);
+}
+
+void SurfaceActor::setTriangleValues(std::vector<float> values, vtkLookupTable* table) {
+  parts_->values = std::move(values);
+  parts_->table = table;
+  parts_->update();
+}
+
+bool SurfaceActor::coloured() const { return parts_->visible && !parts_->values.empty(); }
+
+}  // namespace angiomesh

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/surface/tri_mesh.h"
+
+class vtkActor;
+class vtkLookupTable;
+
+namespace angiomesh {
+
+/// A triangle mesh as a lit actor, in one colour or coloured per triangle.
+class SurfaceActor {
+ public:
+  /// @param colour RGB, 0..1, of the outside
+  explicit SurfaceActor(const std::array<double, 3>& colour);
+  ~SurfaceActor();
+  SurfaceActor(const SurfaceActor&) = delete;
+  SurfaceActor& operator=(const SurfaceActor&) = delete;
+
+  [[nodiscard]] vtkActor* actor() const;
+  /// Null or an empty mesh shows nothing. Colours of another number of triangles are dropped.
+  void setMesh(const std::shared_ptr<const TriMesh>& mesh);
+  [[nodiscard]] bool empty() const;
+  void setVisible(bool visible);
+  void setEdgesVisible(bool visible);
+  /// Empty: one colour again.
+  void setTriangleValues(std::vector<float> values, vtkLookupTable* table);
+  [[nodiscard]] bool coloured() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/surface_scene.h"
+
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkLightKit.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkOutlineSource.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProp3D.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/direction_cube.h"
+#include "render/projection_volume.h"
+#include "render/surface_actor.h"
+
+namespace angiomesh {
+
+namespace {
+
+/// Red (bad) over pale yellow to blue (good): told apart with any kind of colour vision.
+void fillTable(vtkLookupTable* table, double lo, double hi) {
+  constexpr std::array<std::array<double, 3>, 3> stops{
+      {{0.80, 0.10, 0.12}, {0.98, 0.90, 0.60}, {0.16, 0.42, 0.72}}};
+  constexpr int count = 256;
+  table->SetNumberOfTableValues(count);
+  for (int k = 0; k < count; ++k) {
+    const double position = 2.0 * k / (count - 1);
+    const auto from = static_cast<std::size_t>(std::min(position, 1.0));
+    const double t = position - static_cast<double>(from);
+    std::array<double, 3> rgb{};
+    for (std::size_t c = 0; c < 3; ++c)
+      rgb[c] = (1.0 - t) * stops[from][c] + t * stops[from + 1][c];
+    table->SetTableValue(k, rgb[0], rgb[1], rgb[2], 1.0);
+  }
+  table->SetTableRange(lo, hi);
+}
+
+bool isSoftware(vtkRenderer* renderer) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window == nullptr) return false;
+  const std::string& name = window->GetState()->GetRenderer();
+  for (const char* software : {"llvmpipe", "softpipe", "swrast", "Software"})
+    if (name.find(software) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+struct SurfaceScene::Parts {
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkLightKit> lights;
+  vtkNew<vtkCallbackCommand> beforeFrame;
+  DirectionCube cube;
+  ProjectionVolume projection;
+  SurfaceActor surface{{0.86, 0.28, 0.22}};
+  SurfaceActor comparison{{0.45, 0.62, 0.80}};
+  vtkNew<vtkLookupTable> table;
+  vtkNew<vtkScalarBarActor> colourBar;
+  vtkNew<vtkPolyData> seedData;
+  vtkNew<vtkActor> seedActor;
+  vtkNew<vtkOutlineSource> roiSource;
+  vtkNew<vtkActor> roiActor;
+  vtkRenderWindow* window = nullptr;
+
+  std::shared_ptr<const Volume<float>> image;
+  bool mipVisible = true, interactive = false, software = false, softwareKnown = false;
+  bool fittedOnce = false;
+  double pixelRatio = 1.0;
+
+  Parts();
+  ~Parts() { renderer->RemoveObserver(beforeFrame); }
+  void prepareFrame();
+  void chooseQuality();
+  void showColourBar();
+  void fitOnce();
+  void fit();
+};
+
+SurfaceScene::Parts::Parts() {
+  renderer->SetBackground(0.05, 0.06, 0.08);
+  renderer->SetBackground2(0.13, 0.15, 0.19);
+  renderer->GradientBackgroundOn();
+  renderer->AutomaticLightCreationOff();
+  lights->SetKeyLightIntensity(0.95);
+  lights->SetKeyToFillRatio(2.5);
+  lights->SetKeyToBackRatio(4.0);
+  lights->AddLightsToRenderer(renderer);
+
+  renderer->AddActor(surface.actor());
+  renderer->AddActor(comparison.actor());
+  renderer->AddViewProp(projection.prop());
+
+  vtkNew<vtkPolyDataMapper> seedMapper;
+  seedMapper->SetInputData(seedData);
+  seedActor->SetMapper(seedMapper);
+  seedActor->GetProperty()->SetColor(0.24, 0.90, 0.47);
+  seedActor->GetProperty()->RenderPointsAsSpheresOn();
+  seedActor->GetProperty()->SetPointSize(9.0F);
+  seedActor->VisibilityOff();
+  renderer->AddActor(seedActor);
+
+  vtkNew<vtkPolyDataMapper> roiMapper;
+  roiMapper->SetInputConnection(roiSource->GetOutputPort());
+  roiActor->SetMapper(roiMapper);
+  roiActor->GetProperty()->SetColor(0.35, 0.80, 1.0);
+  roiActor->GetProperty()->LightingOff();
+  roiActor->VisibilityOff();
+  renderer->AddActor(roiActor);
+
+  colourBar->SetLookupTable(table);
+  colourBar->SetNumberOfLabels(5);
+  colourBar->SetMaximumWidthInPixels(90);
+  colourBar->SetPosition(0.86, 0.12);
+  colourBar->SetWidth(0.12);
+  colourBar->SetHeight(0.7);
+  colourBar->SetUnconstrainedFontSize(true);
+  for (vtkTextProperty* text :
+       {colourBar->GetTitleTextProperty(), colourBar->GetLabelTextProperty()}) {
+    text->SetFontFamilyToArial();
+    text->SetFontSize(12);
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
+    text->SetColor(0.93, 0.93, 0.93);
+  }
+  colourBar->VisibilityOff();
+  renderer->AddViewProp(colourBar);
+
+  beforeFrame->SetClientData(this);
+  beforeFrame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+    static_cast<Parts*>(self)->prepareFrame();
+  });
+  renderer->AddObserver(vtkCommand::StartEvent, beforeFrame);
+}
+
+void SurfaceScene::Parts::prepareFrame() {
+  if (!softwareKnown) {
+    softwareKnown = true;
+    software = isSoftware(renderer);
+    projection.setSoftware(software);
+    chooseQuality();
+  }
+  renderer->ResetCameraClippingRange();
+  const int* size = window != nullptr ? window->GetSize() : renderer->GetSize();
+  cube.follow(renderer->GetActiveCamera(), size[0], size[1], pixelRatio);
+}
+
+void SurfaceScene::Parts::chooseQuality() {
+  projection.prop()->SetVisibility(mipVisible && image != nullptr);
+  // Software OpenGL draws a coarse projection some four times as fast.
+  projection.setCoarseness(!interactive ? 1.0 : software ? 3.0 : 1.5);
+}
+
+void SurfaceScene::Parts::showColourBar() {
+  colourBar->SetVisibility(surface.coloured() || comparison.coloured());
+}
+
+void SurfaceScene::Parts::fit() {
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  if (bounds[0] > bounds[1]) return;
+  renderer->ResetCamera(bounds);
+  // ResetCamera() fits the sphere around the bounds, which leaves much empty space.
+  renderer->GetActiveCamera()->Zoom(1.25);
+  renderer->GetActiveCamera()->SetViewAngle(30.0);
+}
+
+void SurfaceScene::Parts::fitOnce() {
+  if (fittedOnce || (!image && surface.empty())) return;
+  fittedOnce = true;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.0, -1.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  fit();
+}
+
+SurfaceScene::SurfaceScene() : parts_(std::make_unique<Parts>()) {}
+
+SurfaceScene::~SurfaceScene() { detach(); }
+
+void SurfaceScene::attach(vtkRenderWindow* window) {
+  detach();
+  parts_->window = window;
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(parts_->renderer);
+  window->AddRenderer(parts_->cube.renderer());
+}
+
+void SurfaceScene::detach() {
+  if (parts_->window == nullptr) return;
+  parts_->window->RemoveRenderer(parts_->renderer);
+  parts_->window->RemoveRenderer(parts_->cube.renderer());
+  parts_->window = nullptr;
+}
+
+vtkRenderer* SurfaceScene::renderer() const { return parts_->renderer; }
+
+void SurfaceScene::setImage(std::shared_ptr<const Volume<float>> image) {
+  Parts& p = *parts_;
+  const bool sameGrid = image && p.image && image->geometry == p.image->geometry;
+  p.image = std::move(image);
+  p.projection.setImage(p.image);
+  if (p.image) {
+    // The upper half of the range: background and noise stay dark where many voxels line up.
+    const std::array<double, 2> range = displayRange(*p.image, 0.90, 0.9995);
+    p.projection.setWindow(range[0], range[1]);
+  }
+  p.chooseQuality();
+  if (!sameGrid) p.fittedOnce = false;
+  p.fitOnce();
+}
+
+void SurfaceScene::setMipVisible(bool visible) {
+  parts_->mipVisible = visible;
+  parts_->chooseQuality();
+}
+
+void SurfaceScene::setMipWindow(double from, double to) { parts_->projection.setWindow(from, to); }
+
+void SurfaceScene::setInteractive(bool interactive) {
+  parts_->interactive = interactive;
+  parts_->chooseQuality();
+}
+
+bool SurfaceScene::softwareOpenGl() const { return parts_->software; }
+
+void SurfaceScene::setSurface(std::shared_ptr<const TriMesh> mesh) {
+  parts_->surface.setMesh(mesh);
+  parts_->showColourBar();
+  parts_->fitOnce();
+}
+
+void SurfaceScene::setComparison(std::shared_ptr<const TriMesh> mesh) {
+  parts_->comparison.setMesh(mesh);
+  parts_->showColourBar();
+}
+
+void SurfaceScene::setSurfaceVisible(bool visible) {
+  parts_->surface.setVisible(visible);
+  parts_->showColourBar();
+}
+
+void SurfaceScene::setComparisonVisible(bool visible) {
+  parts_->comparison.setVisible(visible);
+  parts_->showColourBar();
+}
+
+void SurfaceScene::setEdgesVisible(bool visible) {
+  parts_->surface.setEdgesVisible(visible);
+  parts_->comparison.setEdgesVisible(visible);
+}
+
+void SurfaceScene::setSurfaceColours(std::vector<float> perTriangle, const std::string& title,
+                                     double lo, double hi) {
+  fillTable(parts_->table, lo, hi);
+  parts_->colourBar->SetTitle(title.c_str());
+  parts_->surface.setTriangleValues(std::move(perTriangle), parts_->table);
+  parts_->showColourBar();
+}
+
+void SurfaceScene::setComparisonColours(std::vector<float> perTriangle) {
+  parts_->comparison.setTriangleValues(std::move(perTriangle), parts_->table);
+  parts_->showColourBar();
+}
+
+void SurfaceScene::clearSurfaceColours() {
+  parts_->surface.setTriangleValues({}, nullptr);
+  parts_->comparison.setTriangleValues({}, nullptr);
+  parts_->showColourBar();
+}
+
+void SurfaceScene::setSeeds(std::vector<Eigen::Vector3d> lps) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> dots;
+  for (const Eigen::Vector3d& seed : lps)
+    dots->InsertNextCell({points->InsertNextPoint(seed[0], seed[1], seed[2])});
+  parts_->seedData->SetPoints(points);
+  parts_->seedData->SetVerts(dots);
+  parts_->seedActor->SetVisibility(!lps.empty());
+}
+
+void SurfaceScene::setRoi(const std::optional<RoiBox>& roi) {
+  parts_->roiActor->SetVisibility(roi.has_value());
+  if (roi) {
+    const RoiBox& b = *roi;
+    parts_->roiSource->SetBounds(b[0], b[3], b[1], b[4], b[2], b[5]);
+  }
+}
+
+void SurfaceScene::viewFrom(char side) {
+  Eigen::Vector3d from;
+  Eigen::Vector3d up(0.0, 0.0, 1.0);
+  switch (side) {
+    case 'A':
+      from = {0.0, -1.0, 0.0};
+      break;
+    case 'P':
+      from = {0.0, 1.0, 0.0};
+      break;
+    case 'L':
+      from = {1.0, 0.0, 0.0};
+      break;
+    case 'R':
+      from = {-1.0, 0.0, 0.0};
+      break;
+    case 'S':
+      from = {0.0, 0.0, 1.0};
+      up = {0.0, -1.0, 0.0};
+      break;
+    case 'I':
+      from = {0.0, 0.0, -1.0};
+      up = {0.0, -1.0, 0.0};
+      break;
+    default:
+      return;
+  }
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  double f[3];
+  camera->GetFocalPoint(f);
+  camera->SetPosition(f[0] + from[0], f[1] + from[1], f[2] + from[2]);
+  camera->SetViewUp(up[0], up[1], up[2]);
+  parts_->fit();
+}
+
+void SurfaceScene::fit() { parts_->fit(); }
+
+void SurfaceScene::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  double direction[3];
+  camera->GetDirectionOfProjection(direction);
+  const double halfAngle = 0.5 * camera->GetViewAngle() * M_PI / 180.0;
+  const double distance = std::max(radiusMm, 1e-3) / std::sin(halfAngle);
+  camera->SetFocalPoint(lps.data());
+  camera->SetPosition(lps[0] - distance * direction[0], lps[1] - distance * direction[1],
+                      lps[2] - distance * direction[2]);
+}
+
+void SurfaceScene::setPixelRatio(double ratio) {
+  parts_->pixelRatio = ratio;
+  parts_->seedActor->GetProperty()->SetPointSize(static_cast<float>(9.0 * ratio));
+  parts_->roiActor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * ratio));
+  parts_->colourBar->SetMaximumWidthInPixels(static_cast<int>(90 * ratio));
+}
+
+}  // namespace angiomesh
