@@ -26,7 +26,7 @@ DirectionCube::DirectionCube() : parts_(std::make_unique<Parts>()) {
   cube->SetZMinusFaceText("I");
   // Upright letters for a viewer whose up is the patient's head, or the front for S and I.
   cube->SetXFaceTextRotation(90);
-  cube->SetYFaceTextRotation(180);
+  cube->SetYFaceTextRotation(0);
   cube->SetZFaceTextRotation(-90);
   cube->SetFaceTextScale(0.62);
   cube->GetCubeProperty()->SetColor(0.28, 0.33, 0.40);

@@ -21,8 +21,8 @@ namespace angiomesh {
 namespace {
 
 constexpr double textMargin = 8.0;  // design pixels
-constexpr int textSize = 13;
-constexpr int letterSize = 16;
+constexpr int textSize = 14;
+constexpr int letterSize = 18;
 
 void style(vtkTextActor* actor, int size, bool centredAcross, bool rightAligned,
            bool centredUpwards, bool top) {
@@ -31,6 +31,7 @@ void style(vtkTextActor* actor, int size, bool centredAcross, bool rightAligned,
   property->SetFontSize(size);
   property->SetColor(0.93, 0.90, 0.72);
   property->SetShadow(1);
+  property->SetLineSpacing(1.15);
   if (centredAcross) property->SetJustificationToCentered();
   if (rightAligned) property->SetJustificationToRight();
   if (centredUpwards) property->SetVerticalJustificationToCentered();

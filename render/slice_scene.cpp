@@ -123,7 +123,7 @@ SliceScene::Parts::Parts() {
   roiLine.colour(0.35, 0.80, 1.0);
   crosshair.colour(0.95, 0.85, 0.25);
   crosshair.actor->GetProperty()->SetOpacity(0.6);
-  seedDots.actor->VisibilityOff();
+  seedDots.actor->GetProperty()->RenderPointsAsSpheresOn();
   for (Layer* layer : {&roiLine, &crosshair, &seedDots}) {
     layer->actor->VisibilityOff();
     renderer->AddActor(layer->actor);

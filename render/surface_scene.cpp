@@ -20,6 +20,7 @@
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -48,6 +49,8 @@ void fillTable(vtkLookupTable* table, double lo, double hi) {
   }
   table->SetTableRange(lo, hi);
 }
+
+constexpr double viewAngleDegrees = 30.0;
 
 bool isSoftware(vtkRenderer* renderer) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -170,13 +173,33 @@ void SurfaceScene::Parts::showColourBar() {
 }
 
 void SurfaceScene::Parts::fit() {
-  double bounds[6];
-  renderer->ComputeVisiblePropBounds(bounds);
-  if (bounds[0] > bounds[1]) return;
-  renderer->ResetCamera(bounds);
-  // ResetCamera() fits the sphere around the bounds, which leaves much empty space.
-  renderer->GetActiveCamera()->Zoom(1.25);
-  renderer->GetActiveCamera()->SetViewAngle(30.0);
+  double b[6];
+  renderer->ComputeVisiblePropBounds(b);
+  if (b[0] > b[1]) return;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetViewAngle(viewAngleDegrees);
+  Eigen::Vector3d forward, up;
+  camera->GetDirectionOfProjection(forward.data());
+  camera->OrthogonalizeViewUp();
+  camera->GetViewUp(up.data());
+  const Eigen::Vector3d right = forward.cross(up);
+  const int* size = renderer->GetRenderWindow() != nullptr ? renderer->GetSize() : nullptr;
+  const double aspect =
+      size != nullptr && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
+  const double slope = std::tan(0.5 * viewAngleDegrees * M_PI / 180.0);
+  // Near enough that every corner of the bounds is just inside the view; ResetCamera() fits a
+  // sphere around them, which leaves much of a wide pane empty.
+  const Eigen::Vector3d middle(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]));
+  double distance = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d d =
+        Eigen::Vector3d(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2 & 1)]) - middle;
+    const double needed = std::max(std::abs(d.dot(up)), std::abs(d.dot(right)) / aspect) / slope;
+    distance = std::max(distance, needed - d.dot(forward));
+  }
+  const Eigen::Vector3d position = middle - 1.04 * std::max(distance, 1e-3) * forward;
+  camera->SetFocalPoint(middle.data());
+  camera->SetPosition(position.data());
 }
 
 void SurfaceScene::Parts::fitOnce() {
@@ -343,7 +366,7 @@ void SurfaceScene::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   double direction[3];
   camera->GetDirectionOfProjection(direction);
-  const double halfAngle = 0.5 * camera->GetViewAngle() * M_PI / 180.0;
+  const double halfAngle = 0.5 * viewAngleDegrees * M_PI / 180.0;
   const double distance = std::max(radiusMm, 1e-3) / std::sin(halfAngle);
   camera->SetFocalPoint(lps.data());
   camera->SetPosition(lps[0] - distance * direction[0], lps[1] - distance * direction[1],

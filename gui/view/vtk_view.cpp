@@ -116,13 +116,17 @@ VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), bridge_(std::make_uni
   bridge_->contextEvents->SetCallback(
       [](vtkObject*, unsigned long event, void* self, void* answer) {
         auto* view = static_cast<VtkView*>(self);
-        if (event == vtkCommand::WindowMakeCurrentEvent)
-          view->makeCurrent();
-        else if (event == vtkCommand::WindowIsCurrentEvent)
-          *static_cast<bool*>(answer) =
-              view->context() != nullptr && QOpenGLContext::currentContext() == view->context();
-        else
+        const bool current =
+            view->context() != nullptr && QOpenGLContext::currentContext() == view->context();
+        // The widget's makeCurrent() also binds its framebuffer, behind VTK's back: never while
+        // VTK is drawing.
+        if (event == vtkCommand::WindowMakeCurrentEvent) {
+          if (!current) view->makeCurrent();
+        } else if (event == vtkCommand::WindowIsCurrentEvent) {
+          *static_cast<bool*>(answer) = current;
+        } else {
           *static_cast<int*>(answer) = 1;
+        }
       });
   for (const unsigned long event :
        {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent,
