@@ -11,6 +11,7 @@
 #include "core/base/random.h"
 #include "core/phantom/rasterise.h"
 #include "core/phantom/shape.h"
+#include "core/phantom/vascular_tree.h"
 
 namespace angiomesh {
 namespace {
@@ -19,6 +20,8 @@ constexpr std::uint8_t kSubvoxelsOfTruth = 4;  // 4 * 32 = 128 is more than 127
 
 Shape makeShape(const PhantomParams& params, const Progress& progress) {
   progress.phase("phantom: shape");
+  if (params.kind == PhantomKind::Tree)
+    return vascularTree(params, phantomGeometry(params), progress);
   return analyticShape(params);
 }
 

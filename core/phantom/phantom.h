@@ -11,14 +11,15 @@
 
 namespace angiomesh {
 
-/// `radius` = r, a = half the volume's shortest side, all centred in the volume along `axis`.
-/// Tube, Stenosis, Aneurysm, Bifurcation and Kissing leave the volume at their ends.
-/// Stenosis: narrows to r/2 within 3 r on either side of the centre. Aneurysm: a ball of radius 2 r
-/// at 2.5 r beside the axis, blended over r/2. Bifurcation: daughters of equal radius by Murray's
-/// law at 35 degrees, blended over r/2. Kissing: parallel along 4 r, then bent away by 35 degrees
-/// at radius 6 r. Torus: centre circle of radius a/2 around the axis. Helix: coil radius a/2, pitch
-/// 5 r, ball ends inside the volume. CapsuleTree: ten tapering capsules, radii 1.5 r to 0.375 r,
-/// blended over 2 voxels, one of them a bridge (genus 1), inside the volume.
+/// Tree: see vascular_tree.h. The others: `radius` = r, a = half the volume's shortest side, all
+/// centred in the volume along `axis`. Tube, Stenosis, Aneurysm, Bifurcation and Kissing leave the
+/// volume at their ends. Stenosis: narrows to r/2 within 3 r on either side of the centre.
+/// Aneurysm: a ball of radius 2 r at 2.5 r beside the axis, blended over r/2. Bifurcation:
+/// daughters of equal radius by Murray's law at 35 degrees, blended over r/2. Kissing: parallel
+/// along 4 r, then bent away by 35 degrees at radius 6 r. Torus: centre circle of radius a/2 around
+/// the axis. Helix: coil radius a/2, pitch 5 r, ball ends inside the volume. CapsuleTree: ten
+/// tapering capsules, radii 1.5 r to 0.375 r, blended over 2 voxels, one of them a bridge (genus
+/// 1), inside the volume.
 enum class PhantomKind {
   Tree,
   Tube,

@@ -68,6 +68,25 @@ int eulerCharacteristic(const Volume<std::uint8_t>& mask) {
   return euler;
 }
 
+double segmentDistance(const CentreLineSegment& s, const CentreLineSegment& t) {
+  double least = 1e9;
+  const int steps = 40;
+  for (int i = 0; i <= steps; ++i) {
+    const Vector3d p = s.from + (s.to - s.from) * i / steps;
+    const Vector3d d = t.to - t.from;
+    const double at = std::clamp((p - t.from).dot(d) / d.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (p - t.from - at * d).norm());
+  }
+  return least;
+}
+
+PhantomParams treeParams(const Index3& size, std::uint64_t seed) {
+  PhantomParams params;
+  params.size = size;
+  params.randomSeed = seed;
+  return params;
+}
+
 }  // namespace
 
 class TestPhantom : public QObject {
@@ -276,6 +295,110 @@ class TestPhantom : public QObject {
     QVERIFY(*std::max_element(one.image.voxels.begin(), one.image.voxels.end()) > 290.0F);
   }
 
+  void treeMeetsItsShareAndRadii_data() {
+    QTest::addColumn<QVector<int>>("size");
+    QTest::addColumn<double>("zSpacing");
+    QTest::newRow("32") << QVector<int>{32, 32, 32} << 1.0;
+    QTest::newRow("64") << QVector<int>{64, 64, 64} << 1.0;
+    QTest::newRow("128") << QVector<int>{128, 128, 128} << 1.0;
+    QTest::newRow("flat") << QVector<int>{150, 100, 50} << 1.0;
+    QTest::newRow("slices") << QVector<int>{96, 96, 60} << 1.5;
+  }
+  void treeMeetsItsShareAndRadii() {
+    QFETCH(QVector<int>, size);
+    QFETCH(double, zSpacing);
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      PhantomParams params = treeParams({size[0], size[1], size[2]}, seed);
+      params.spacingMm = {0.6, 0.6, 0.6 * zSpacing};
+      const Phantom phantom = makePhantom(params);
+      const double share =
+          truthVolume(phantom.truth) / (static_cast<double>(phantom.truth.voxels.size()) *
+                                        phantom.truth.geometry.voxelVolumeMm3());
+      QVERIFY2(std::fabs(share / 0.0077 - 1.0) < 0.02, QByteArray::number(share));
+      const auto& lines = phantom.centreLines;
+      QVERIFY(!lines.empty());
+      std::vector<double> cubes(lines.size(), 0.0);
+      std::vector<int> children(lines.size(), 0);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        const CentreLineSegment& s = lines[i];
+        QCOMPARE(s.radiusFromMm, s.radiusToMm);
+        QVERIFY(s.radiusFromMm > 0.6 * (0.8 - 1e-9) && s.radiusFromMm < 0.6 * (8.0 + 1e-9));
+        QVERIFY(s.parent < static_cast<int>(i));
+        if (s.parent < 0) continue;
+        const auto parent = static_cast<std::size_t>(s.parent);
+        QVERIFY((lines[parent].to - s.from).norm() < 1e-9);
+        cubes[parent] += std::pow(s.radiusFromMm, 3);
+        ++children[parent];
+      }
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        QVERIFY(children[i] == 0 || children[i] == 2);
+        if (children[i] == 2)
+          QVERIFY(std::fabs(cubes[i] / std::pow(lines[i].radiusToMm, 3) - 1.0) < 1e-12);
+      }
+      if (zSpacing == 1.0)
+        QCOMPARE(connectedComponents(phantom.truth).sizes.size(), std::size_t{1});
+    }
+  }
+
+  void vesselsOfATreeKeepClearOfOneAnotherAndSpanTheVolume() {
+    const Phantom phantom = makePhantom(treeParams({128, 128, 128}, 4));
+    const auto& lines = phantom.centreLines;
+    int pairs = 0;
+    int touching = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (std::size_t j = i + 1; j < lines.size(); ++j) {
+        const bool joined = (lines[i].from - lines[j].to).norm() < 1e-9 ||
+                            (lines[i].from - lines[j].from).norm() < 1e-9 ||
+                            (lines[i].to - lines[j].from).norm() < 1e-9;
+        if (joined) continue;
+        ++pairs;
+        if (segmentDistance(lines[i], lines[j]) < lines[i].radiusToMm + lines[j].radiusToMm)
+          ++touching;
+      }
+    QVERIFY(pairs > 1000);
+    QVERIFY2(touching <= 2, QByteArray::number(touching));
+    Vector3d low = lines[0].from;
+    Vector3d high = lines[0].from;
+    for (const CentreLineSegment& s : lines) {
+      low = low.cwiseMin(s.to);
+      high = high.cwiseMax(s.to);
+    }
+    for (int a = 0; a < 3; ++a) QVERIFY(low[a] < 20.0 && high[a] > 107.0);
+  }
+
+  void treesDependOnTheSeedAndNotOnTheThreads() {
+    PhantomParams params = treeParams({64, 64, 48}, 5);
+    params.noiseSigma = 20.0;
+    setThreads(1);
+    const Phantom one = makePhantom(params);
+    setThreads(2);
+    const Phantom two = makePhantom(params);
+    QVERIFY(one.image.voxels == two.image.voxels);
+    QVERIFY(truthJson(params, one) == truthJson(params, two));
+    params.randomSeed = 6;
+    QVERIFY(makePhantom(params).truth.voxels != one.truth.voxels);
+  }
+
+  void treeFieldAgreesWithTheTruth() {
+    const PhantomParams params = treeParams({96, 64, 64}, 7);
+    const Volume<float> field = phantomField(params);
+    const Phantom phantom = makePhantom(params);
+    for (std::size_t i = 0; i < field.voxels.size(); ++i) {
+      if (field.voxels[i] < -0.45F) QCOMPARE(phantom.truth.voxels[i], std::uint8_t{1});
+      if (field.voxels[i] > 0.45F) QCOMPARE(phantom.truth.voxels[i], std::uint8_t{0});
+    }
+    const CentreLineSegment& last = phantom.centreLines.back();
+    const Vector3d middle = phantom.image.geometry.toIndex(0.5 * (last.from + last.to));
+    QVERIFY(interpolateLinear(field, middle) < 0.0);
+  }
+
+  void theNumberOfTerminalsCanBeGiven() {
+    PhantomParams params = treeParams({64, 64, 64}, 1);
+    params.terminals = 9;
+    const Phantom phantom = makePhantom(params);
+    QCOMPARE(phantom.centreLines.size(), std::size_t{17});
+  }
+
   void parametersThatCannotBeMetAreRefused() {
     const auto refused = [](const std::function<void(PhantomParams&)>& change) {
       PhantomParams params = paramsOf(PhantomKind::Tube, 32);
@@ -298,6 +421,19 @@ class TestPhantom : public QObject {
     QVERIFY(refused([](PhantomParams& p) { p.axis.setZero(); }));
     QVERIFY(refused([](PhantomParams& p) { p.noiseSigma = -1.0; }));
     QVERIFY(refused([](PhantomParams& p) { p.offset[0] = 1e9; }));
+    const auto treeRefused = [&](const std::function<void(PhantomParams&)>& change) {
+      return refused([&](PhantomParams& p) {
+        p = treeParams({48, 48, 48}, 1);
+        change(p);
+      });
+    };
+    QVERIFY(!treeRefused([](PhantomParams&) {}));
+    QVERIFY(treeRefused([](PhantomParams& p) { p.size = {16, 64, 64}; }));
+    QVERIFY(treeRefused([](PhantomParams& p) { p.radiusMin = 3.0, p.radiusMax = 2.0; }));
+    QVERIFY(treeRefused([](PhantomParams& p) { p.radiusMin = 6.0; }));
+    QVERIFY(treeRefused([](PhantomParams& p) { p.volumePercent = 60.0; }));
+    QVERIFY(treeRefused([](PhantomParams& p) { p.terminals = -1; }));
+    QVERIFY(treeRefused([](PhantomParams& p) { p.terminals = 15000; }));
     for (const PhantomKind kind : {PhantomKind::Torus, PhantomKind::Helix, PhantomKind::Aneurysm,
                                    PhantomKind::CapsuleTree, PhantomKind::Kissing})
       QVERIFY(refused([&](PhantomParams& p) {
