@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/quality/mesh_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/quality/self_intersection.h"
+#include "core/quality/triangle_intersection.h"
+#include "core/quality/triangle_shape.h"
+#include "core/surface/mesh_edges.h"
+#include "core/surface/triangle_tree.h"
+
+namespace angiomesh {
+namespace {
+
+constexpr std::size_t blockSize = 4096;
+constexpr std::size_t listedPairs = 1000;
+
+void checkMesh(const TriMesh& mesh) {
+  for (const auto& t : mesh.triangles) {
+    for (const std::uint32_t v : t) {
+      if (v >= mesh.points.size()) {
+        throw InputError("a triangle names vertex " + std::to_string(v) + " of " +
+                             std::to_string(mesh.points.size()),
+                         "mesh", "repair or re-export the mesh file");
+      }
+    }
+  }
+  for (const auto& p : mesh.points) {
+    if (!p.allFinite()) {
+      throw InputError("a vertex is not a number", "mesh", "repair or re-export the mesh file");
+    }
+  }
+}
+
+// Value of the sorted sample at a fraction of its ranks, linear between ranks.
+double atFraction(const std::vector<double>& sorted, double fraction) {
+  if (sorted.empty()) return 0.0;
+  const double rank = fraction * static_cast<double>(sorted.size() - 1);
+  const auto low = static_cast<std::size_t>(rank);
+  const std::size_t high = std::min(low + 1, sorted.size() - 1);
+  return sorted[low] + (rank - static_cast<double>(low)) * (sorted[high] - sorted[low]);
+}
+
+double meanOf(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+// Corner k of triangle t is 3 t + k. A fan is a set of corners at one vertex whose triangles hang
+// together by edges; a manifold vertex has one.
+struct Fans {
+  DisjointSets ofCorners;
+  std::vector<char> vertexUsed, vertexManifold;
+  std::size_t usedVertices = 0;
+};
+
+std::uint32_t cornerAt(const TriMesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
+  const auto& t = mesh.triangles[triangle];
+  return 3 * triangle + (t[0] == vertex ? 0U : t[1] == vertex ? 1U : 2U);
+}
+
+Fans findFans(const TriMesh& mesh, const std::vector<EdgeSide>& sides) {
+  Fans fans{DisjointSets(3 * mesh.triangles.size()), std::vector<char>(mesh.points.size(), 0),
+            std::vector<char>(mesh.points.size(), 1), 0};
+  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
+    const std::size_t end = edgeRunEnd(sides, i);
+    for (const std::uint32_t vertex : {sides[i].low, sides[i].high}) {
+      fans.vertexUsed[vertex] = 1;
+      if (end - i > 2) fans.vertexManifold[vertex] = 0;
+      for (std::size_t j = i + 1; j < end; ++j) {
+        fans.ofCorners.join(cornerAt(mesh, sides[i].triangle, vertex),
+                            cornerAt(mesh, sides[j].triangle, vertex));
+      }
+    }
+  }
+  for (const char used : fans.vertexUsed) fans.usedVertices += used != 0 ? 1 : 0;
+  return fans;
+}
+
+struct ComponentCount {
+  std::size_t fans = 0, edges = 0, faces = 0, loops = 0;
+};
+
+// Boundary loops by component: two boundary edges follow one another when they end in one fan.
+void countLoops(const TriMesh& mesh, const std::vector<EdgeSide>& sides, Fans& fans,
+                const MeshComponents& components, std::vector<ComponentCount>& counts) {
+  DisjointSets loops(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> ends;
+  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
+    if (edgeRunEnd(sides, i) != i + 1) continue;
+    const std::uint32_t triangle = sides[i].triangle;
+    const std::uint32_t a = fans.ofCorners.find(cornerAt(mesh, triangle, sides[i].low));
+    loops.join(a, fans.ofCorners.find(cornerAt(mesh, triangle, sides[i].high)));
+    ends.push_back(a);
+  }
+  std::set<std::uint32_t> roots;
+  for (const std::uint32_t end : ends) {
+    const std::uint32_t root = loops.find(end);
+    if (roots.insert(root).second) ++counts[components.label[root / 3]].loops;
+  }
+}
+
+void countTopology(const TriMesh& mesh, MeshQuality& q) {
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  const MeshComponents components = meshComponents(mesh);
+  std::vector<ComponentCount> counts(components.count);
+  Fans fans = findFans(mesh, sides);
+
+  std::size_t edges = 0;
+  bool consistent = true;
+  for (std::size_t i = 0; i < sides.size(); ++edges) {
+    const std::size_t end = edgeRunEnd(sides, i);
+    if (end - i == 1) ++q.boundaryEdges;
+    if (end - i > 2) ++q.nonManifoldEdges;
+    consistent =
+        consistent && end - i <= 2 && (end - i == 1 || sides[i].forward != sides[i + 1].forward);
+    ++counts[components.label[sides[i].triangle]].edges;
+    i = end;
+  }
+  std::vector<std::uint32_t> fanOf(mesh.points.size(), 0xffffffffU);
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    const auto& t = mesh.triangles[corner / 3];
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    const std::uint32_t vertex = t[corner % 3], fan = fans.ofCorners.find(corner);
+    if (fan == corner) ++counts[components.label[corner / 3]].fans;
+    if (fanOf[vertex] == 0xffffffffU) fanOf[vertex] = fan;
+    if (fanOf[vertex] != fan) fans.vertexManifold[vertex] = 0;
+    if (corner % 3 == 0) ++counts[components.label[corner / 3]].faces;
+  }
+  countLoops(mesh, sides, fans, components, counts);
+
+  std::size_t faces = 0;
+  for (const ComponentCount& c : counts) {
+    if (c.faces == 0) continue;
+    ++q.components;
+    faces += c.faces;
+    q.boundaryLoops += c.loops;
+    const long euler =
+        static_cast<long>(c.fans) - static_cast<long>(c.edges) + static_cast<long>(c.faces);
+    q.genus += static_cast<int>(std::max(0L, (2 - euler - static_cast<long>(c.loops)) / 2));
+  }
+  for (const char manifold : fans.vertexManifold) q.nonManifoldVertices += manifold == 0 ? 1 : 0;
+  q.euler = static_cast<int>(static_cast<long>(fans.usedVertices) - static_cast<long>(edges) +
+                             static_cast<long>(faces));
+  q.closed = faces > 0 && q.boundaryEdges == 0 && q.nonManifoldEdges == 0;
+  q.areaMm2 = surfaceAreaMm2(mesh);
+  q.volumeMm3 = q.closed ? enclosedVolumeMm3(mesh) : 0.0;
+  q.oriented = faces > 0 && consistent && (!q.closed || q.volumeMm3 > 0.0);
+
+  double sum = 0.0;
+  std::size_t counted = 0;
+  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i), ++counted) {
+    const double length = (mesh.points[sides[i].high] - mesh.points[sides[i].low]).norm();
+    q.edgeMinMm = counted == 0 ? length : std::min(q.edgeMinMm, length);
+    q.edgeMaxMm = std::max(q.edgeMaxMm, length);
+    sum += length;
+  }
+  q.edgeMeanMm = counted == 0 ? 0.0 : sum / static_cast<double>(counted);
+}
+
+std::vector<TriangleShape> shapesOf(const TriMesh& mesh) {
+  std::vector<TriangleShape> shapes(mesh.triangles.size());
+  parallelFor(0, shapes.size(), blockSize, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Triangle3 t = cornersOf(mesh, static_cast<std::uint32_t>(i));
+      if (!isDegenerate(t)) shapes[i] = triangleShape(t[0], t[1], t[2]);
+    }
+  });
+  return shapes;
+}
+
+void measureShapes(const TriMesh& mesh, MeshQuality& q) {
+  const std::vector<TriangleShape> shapes = shapesOf(mesh);
+  if (shapes.empty()) return;
+  std::vector<double> smallest, largest, ratios;
+  std::size_t below20 = 0, below30 = 0;
+  for (const TriangleShape& s : shapes) {
+    smallest.push_back(s.minAngle);
+    largest.push_back(s.maxAngle);
+    ratios.push_back(s.radiusRatio);
+    if (s.minAngle < 20.0) ++below20;
+    if (s.minAngle < 30.0) ++below30;
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (isDegenerate(cornersOf(mesh, static_cast<std::uint32_t>(i)))) ++q.degenerateTriangles;
+  }
+  q.minAngleMean = meanOf(smallest);
+  q.radiusRatioMean = meanOf(ratios);
+  for (auto* values : {&smallest, &largest, &ratios}) std::sort(values->begin(), values->end());
+  q.minAngleMin = smallest.front();
+  q.minAngleP01 = atFraction(smallest, 0.01);
+  q.maxAngleMax = largest.back();
+  q.maxAngleP99 = atFraction(largest, 0.99);
+  q.radiusRatioMin = ratios.front();
+  q.radiusRatioP01 = atFraction(ratios, 0.01);
+  const auto count = static_cast<double>(shapes.size());
+  q.below20Percent = 100.0 * static_cast<double>(below20) / count;
+  q.below30Percent = 100.0 * static_cast<double>(below30) / count;
+}
+
+// Caps lie outside the outermost voxel centres, where phi has no zero set.
+bool inGrid(const Geometry& g, const Eigen::Vector3d& pointLps) {
+  const Eigen::Vector3d index = g.toIndex(pointLps);
+  constexpr double rounding = 1e-6;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (index[axis] < -rounding ||
+        index[axis] > g.size[static_cast<std::size_t>(axis)] - 1 + rounding) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class PointAt>
+std::optional<DeviationStats> deviation(std::size_t count, PointAt pointAt, const SplineField& phi,
+                                        const Progress& progress) {
+  std::vector<double> moved(count, -1.0);
+  parallelFor(0, count, 512, [&](std::size_t first, std::size_t last) {
+    progress.check();
+    for (std::size_t i = first; i < last; ++i) {
+      const Eigen::Vector3d start = pointAt(i);
+      if (!inGrid(phi.geometry(), start)) continue;
+      Eigen::Vector3d onWall = start;
+      // A point that finds no zero counts with the way it went.
+      static_cast<void>(phi.projectToZero(onWall));
+      moved[i] = (onWall - start).norm();
+    }
+  });
+  moved.erase(std::remove(moved.begin(), moved.end(), -1.0), moved.end());
+  if (moved.empty()) return std::nullopt;
+  DeviationStats stats;
+  stats.meanMm = meanOf(moved);
+  std::sort(moved.begin(), moved.end());
+  stats.p99Mm = atFraction(moved, 0.99);
+  stats.maxMm = moved.back();
+  return stats;
+}
+
+}  // namespace
+
+MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Progress& progress) {
+  progress.report(0.0);
+  checkMesh(mesh);
+  MeshQuality q;
+  q.vertices = mesh.points.size();
+  q.triangles = mesh.triangles.size();
+  countTopology(mesh, q);
+  progress.report(0.2);
+  measureShapes(mesh, q);
+  progress.report(0.3);
+  q.intersectingPairs = selfIntersections(mesh, progress.sub(0.3, phi == nullptr ? 1.0 : 0.6));
+  q.selfIntersections = q.intersectingPairs.size();
+  if (q.intersectingPairs.size() > listedPairs) q.intersectingPairs.resize(listedPairs);
+  if (phi != nullptr) {
+    q.vertexDeviation = deviation(
+        mesh.points.size(), [&](std::size_t i) { return mesh.points[i]; }, *phi, progress);
+    progress.report(0.75);
+    q.centroidDeviation = deviation(
+        mesh.triangles.size(),
+        [&](std::size_t i) -> Eigen::Vector3d {
+          const Triangle3 t = cornersOf(mesh, static_cast<std::uint32_t>(i));
+          return (t[0] + t[1] + t[2]) / 3.0;
+        },
+        *phi, progress);
+  }
+  progress.report(1.0);
+  return q;
+}
+
+std::vector<float> minAngles(const TriMesh& mesh) {
+  std::vector<float> angles;
+  for (const TriangleShape& s : shapesOf(mesh)) angles.push_back(static_cast<float>(s.minAngle));
+  return angles;
+}
+
+std::vector<float> radiusRatios(const TriMesh& mesh) {
+  std::vector<float> ratios;
+  for (const TriangleShape& s : shapesOf(mesh)) ratios.push_back(static_cast<float>(s.radiusRatio));
+  return ratios;
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace angiomesh {
+
+/// Angles in degrees and 2 * inradius / circumradius of one triangle. A triangle without area has
+/// the angles 0 and 180 and the ratio 0.
+struct TriangleShape {
+  double minAngle = 0.0, maxAngle = 180.0, radiusRatio = 0.0;
+};
+
+TriangleShape triangleShape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                            const Eigen::Vector3d& c);
+
+/// The angle of the vector (x, y), y >= 0, in degrees, 0..180; the same bits on every processor.
+double angleDegrees(double y, double x);
+
+}  // namespace angiomesh

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/tri_mesh.h"
+
+namespace angiomesh {
+
+/// A binary tree of bounding boxes over the triangles of a mesh, which must outlive it.
+class TriangleTree {
+ public:
+  using Box = Eigen::AlignedBox3d;
+
+  /// @throws Cancelled
+  explicit TriangleTree(const TriMesh& mesh, const Progress& progress = {});
+
+  /// Calls visit(triangle) for each triangle whose box meets `box`, in an order that depends on the
+  /// mesh only.
+  template <class Visit>
+  void forEachMeeting(const Box& box, Visit visit) const {
+    if (nodes_.empty()) return;
+    std::array<std::uint32_t, 64> stack{};
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const std::uint32_t at = stack[--depth];
+      const Node& node = nodes_[at];
+      if (!node.box.intersects(box)) continue;
+      if (node.count == 0) {
+        stack[depth++] = node.start;
+        stack[depth++] = at + 1;
+        continue;
+      }
+      for (std::uint32_t i = node.start; i < node.start + node.count; ++i) {
+        if (boxes_[i].intersects(box)) visit(order_[i]);
+      }
+    }
+  }
+
+  struct Closest {
+    std::uint32_t triangle = 0;
+    Eigen::Vector3d point{0.0, 0.0, 0.0};
+    Eigen::Vector3d weights{0.0, 0.0, 0.0};  ///< barycentric coordinates of the point
+    double distance = 0.0;
+  };
+
+  /// The point of the surface closest to `point`; the mesh must not be empty.
+  [[nodiscard]] Closest closest(const Eigen::Vector3d& point) const;
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t start = 0;  ///< leaf: first triangle; else the right child (left one follows)
+    std::uint32_t count = 0;  ///< leaf: number of triangles; else 0
+  };
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t last,
+                      const std::vector<Eigen::Vector3d>& centres, const Progress& progress);
+
+  const TriMesh& mesh_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;  ///< triangles as the leaves hold them
+  std::vector<Box> boxes_;            ///< of the triangles, in that order
+};
+
+/// The corners of a triangle of the mesh.
+std::array<Eigen::Vector3d, 3> cornersOf(const TriMesh& mesh, std::uint32_t triangle);
+
+/// The barycentric coordinates of the point of a triangle closest to `point` (Ericson 2005, 5.1.5).
+Eigen::Vector3d closestWeights(const std::array<Eigen::Vector3d, 3>& triangle,
+                               const Eigen::Vector3d& point);
+
+}  // namespace angiomesh
