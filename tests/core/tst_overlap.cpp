@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <QTest>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/quality/overlap.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+Geometry gridOf(const Index3& size, const Vector3d& spacing = Vector3d::Ones()) {
+  Geometry g;
+  g.size = size;
+  g.spacing = spacing;
+  return g;
+}
+
+/// A grid that is anisotropic, rotated and away from the origin.
+Geometry obliqueGrid() {
+  Geometry g = gridOf({30, 26, 22}, {0.5, 0.8, 1.2});
+  g.origin = {-40.0, 13.0, 7.0};
+  g.direction = (Eigen::AngleAxisd(0.5, Vector3d(1, 2, 3).normalized())).toRotationMatrix();
+  return g;
+}
+
+Volume<std::uint8_t> boxMask(const Geometry& g, const Index3& first, const Index3& last) {
+  Volume<std::uint8_t> mask(g);
+  for (int k = first[2]; k < last[2]; ++k)
+    for (int j = first[1]; j < last[1]; ++j)
+      for (int i = first[0]; i < last[0]; ++i) mask.at(i, j, k) = 1;
+  return mask;
+}
+
+Volume<float> ballField(const Geometry& g, const Vector3d& centreLps, double radius) {
+  Volume<float> phi(g);
+  for (std::size_t n = 0; n < phi.voxels.size(); ++n) {
+    const Index3 at = g.indexOf(n);
+    const Vector3d p = g.toPhysical(Vector3d(at[0], at[1], at[2]));
+    phi.voxels[n] = static_cast<float>((p - centreLps).norm() - radius);
+  }
+  return phi;
+}
+
+bool near(double a, double b, double tolerance = 1e-9) { return std::fabs(a - b) < tolerance; }
+
+}  // namespace
+
+class TestOverlap : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() { setThreads(0); }
+
+  void equalMasksAgreeFully() {
+    const auto mask = boxMask(obliqueGrid(), {5, 6, 7}, {15, 16, 12});
+    const OverlapMeasures m = compareMasks(mask, mask);
+    QVERIFY(near(m.overlap, 100.0) && near(m.sensitivity, 1.0) && near(m.precision, 1.0));
+    QVERIFY(near(m.assdMm, 0.0) && near(m.hd95Mm, 0.0));
+  }
+
+  void aBoxShiftedByTwoVoxels() {
+    const Geometry g = obliqueGrid();
+    const auto truth = boxMask(g, {5, 5, 5}, {15, 15, 15});
+    const auto result = boxMask(g, {7, 5, 5}, {17, 15, 15});
+    const OverlapMeasures m = compareMasks(result, truth);
+    QVERIFY(near(m.overlap, 80.0));
+    QVERIFY(near(m.sensitivity, 0.8));
+    QVERIFY(near(m.precision, 0.8));
+    QVERIFY(near(m.hd95Mm, 1.0));  // two voxels of 0.5 mm
+  }
+
+  void sensitivityAndPrecisionAreNotMixedUp() {
+    const Geometry g = gridOf({20, 20, 20});
+    const OverlapMeasures m =
+        compareMasks(boxMask(g, {5, 5, 5}, {15, 15, 15}), boxMask(g, {5, 5, 5}, {15, 15, 10}));
+    QVERIFY(near(m.sensitivity, 1.0));
+    QVERIFY(near(m.precision, 0.5));
+    QVERIFY(near(m.overlap, 100.0 * 2.0 / 3.0));
+  }
+
+  void parallelSheetsAreTheirDistanceApart() {
+    // Sheets one voxel thick across the volume: every distance is 7 slices of 1.2 mm.
+    const Geometry g = obliqueGrid();
+    const OverlapMeasures m =
+        compareMasks(boxMask(g, {0, 0, 4}, {30, 26, 5}), boxMask(g, {0, 0, 11}, {30, 26, 12}));
+    QVERIFY(near(m.overlap, 0.0));
+    QVERIFY(near(m.assdMm, 7 * 1.2, 1e-6));
+    QVERIFY(near(m.hd95Mm, 7 * 1.2, 1e-6));
+  }
+
+  void theBorderOfTheVolumeIsNoSurface() {
+    // Half spaces have one flat surface each, though they touch five faces of the volume.
+    const Geometry g = gridOf({16, 16, 16}, {1.0, 1.0, 0.5});
+    const OverlapMeasures m =
+        compareMasks(boxMask(g, {0, 0, 0}, {16, 16, 6}), boxMask(g, {0, 0, 0}, {16, 16, 9}));
+    QVERIFY(near(m.assdMm, 1.5));
+    QVERIFY(near(m.hd95Mm, 1.5));
+  }
+
+  void fewOutliersDoNotCountInThe95thPercentile() {
+    const Geometry g = gridOf({40, 40, 40});
+    const auto truth = boxMask(g, {5, 5, 5}, {15, 15, 15});
+    auto result = truth;
+    result.at(38, 38, 38) = 1;
+    const OverlapMeasures m = compareMasks(result, truth);
+    QVERIFY(near(m.hd95Mm, 0.0));
+    const double outlier = std::sqrt(3.0) * 24.0;
+    const double surface = 1000.0 - 512.0;
+    QVERIFY(near(m.assdMm, outlier / (2.0 * surface + 1.0)));
+  }
+
+  void ballsOfDifferentRadii() {
+    const Geometry g = gridOf({64, 64, 64}, {0.5, 0.5, 0.5});
+    const Vector3d centre(15.8, 15.9, 16.1);
+    const OverlapMeasures m = compareMasks(insideMask(ballField(g, centre, 12.0)),
+                                           insideMask(ballField(g, centre, 10.0)));
+    const double ratio = std::pow(10.0 / 12.0, 3);
+    QVERIFY(near(m.sensitivity, 1.0));
+    QVERIFY(near(m.precision, ratio, 0.005));
+    QVERIFY(near(m.overlap, 100.0 * 2.0 * ratio / (1.0 + ratio), 0.3));
+    QVERIFY(near(m.assdMm, 2.0, 0.1));
+    QVERIFY(near(m.hd95Mm, 2.0, 0.4));
+  }
+
+  void emptyResultIsNotAnError() {
+    const Geometry g = gridOf({8, 8, 8});
+    const OverlapMeasures m =
+        compareMasks(Volume<std::uint8_t>(g), boxMask(g, {2, 2, 2}, {5, 5, 5}));
+    QVERIFY(near(m.overlap, 0.0) && near(m.sensitivity, 0.0) && near(m.precision, 0.0));
+    QVERIFY(std::isnan(m.assdMm) && std::isnan(m.hd95Mm));
+  }
+
+  void badInputIsRefused() {
+    const Geometry g = gridOf({8, 8, 8});
+    const auto box = boxMask(g, {2, 2, 2}, {5, 5, 5});
+    QVERIFY_EXCEPTION_THROWN(compareMasks(box, Volume<std::uint8_t>(g)), InputError);
+    const Volume<std::uint8_t> other(gridOf({8, 8, 9}), 1);
+    QVERIFY_EXCEPTION_THROWN(compareMasks(box, other), InputError);
+  }
+
+  void measuresDoNotDependOnTheThreads() {
+    const Geometry g = obliqueGrid();
+    const Vector3d centre = g.toPhysical({15.0, 12.0, 11.0});
+    const auto a = insideMask(ballField(g, centre, 6.0));
+    const auto b = insideMask(ballField(g, centre + Vector3d(1.3, 0.4, -0.2), 5.0));
+    setThreads(1);
+    const OverlapMeasures one = compareMasks(a, b);
+    setThreads(2);
+    const OverlapMeasures two = compareMasks(a, b);
+    QCOMPARE(one.assdMm, two.assdMm);
+    QCOMPARE(one.hd95Mm, two.hd95Mm);
+  }
+
+  void alignedGridsReproduceTheSignOfPhi() {
+    const Geometry g = obliqueGrid();
+    Volume<float> phi(g);
+    for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+      phi.voxels[i] = static_cast<float>(static_cast<int>(i * 2654435761U % 7U) - 3) * 1e-30F;
+    QVERIFY(maskOnGrid(phi, g).voxels == insideMask(phi).voxels);
+
+    Geometry crop = g;  // starts at voxel (4, 3, 2) and is 5 voxels larger at the far end
+    crop.origin = g.toPhysical({4.0, 3.0, 2.0}) + Vector3d::Constant(1e-6);
+    crop.size = {31, 28, 25};
+    const auto mask = maskOnGrid(phi, crop);
+    for (int k = 0; k < crop.size[2]; ++k)
+      for (int j = 0; j < crop.size[1]; ++j)
+        for (int i = 0; i < crop.size[0]; ++i) {
+          const bool inside = g.contains(i + 4, j + 3, k + 2) && phi.at(i + 4, j + 3, k + 2) < 0.0F;
+          QCOMPARE(mask.at(i, j, k), static_cast<std::uint8_t>(inside ? 1 : 0));
+        }
+  }
+
+  void aBallIsFoundOnAnotherGrid() {
+    const Geometry fine = gridOf({60, 60, 60}, {0.4, 0.4, 0.4});
+    const Vector3d centre(12.0, 11.5, 12.2);
+    const Volume<float> phi = ballField(fine, centre, 7.0);
+    Geometry grid = obliqueGrid();
+    grid.origin = centre - grid.direction * grid.spacing.cwiseProduct(Vector3d(15, 13, 11));
+    const auto mask = maskOnGrid(phi, grid);
+    for (std::size_t n = 0; n < mask.voxels.size(); ++n) {
+      const Index3 at = grid.indexOf(n);
+      const double d = (grid.toPhysical(Vector3d(at[0], at[1], at[2])) - centre).norm() - 7.0;
+      if (std::fabs(d) > 0.01) QCOMPARE(mask.voxels[n], static_cast<std::uint8_t>(d < 0.0 ? 1 : 0));
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(TestOverlap)
+#include "tst_overlap.moc"
