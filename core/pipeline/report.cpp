@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/report.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/parallel.h"
+
+namespace angiomesh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 1;
+constexpr int kIndent = 2;
+
+Json gridBlock(const Geometry& geometry) {
+  return {{"size", geometry.size},
+          {"spacing_mm", {geometry.spacing.x(), geometry.spacing.y(), geometry.spacing.z()}}};
+}
+
+Json deviationBlock(const DeviationStats& stats) {
+  return {{"mean_mm", stats.meanMm}, {"p99_mm", stats.p99Mm}, {"max_mm", stats.maxMm}};
+}
+
+Json meshBlock(const MeshQuality& q) {
+  Json block{{"vertices", q.vertices},
+             {"triangles", q.triangles},
+             {"components", q.components},
+             {"boundary_edges", q.boundaryEdges},
+             {"boundary_loops", q.boundaryLoops},
+             {"non_manifold_edges", q.nonManifoldEdges},
+             {"non_manifold_vertices", q.nonManifoldVertices},
+             {"degenerate_triangles", q.degenerateTriangles},
+             {"self_intersections", q.selfIntersections},
+             {"euler", q.euler},
+             {"genus", q.genus},
+             {"closed", q.closed},
+             {"oriented", q.oriented},
+             {"area_mm2", q.areaMm2}};
+  // The volume of an open surface would depend on where the origin lies.
+  if (q.closed) block["volume_mm3"] = q.volumeMm3;
+  if (q.triangles > 0) {
+    block["min_angle_deg"] = {
+        {"min", q.minAngleMin}, {"p01", q.minAngleP01}, {"mean", q.minAngleMean}};
+    block["max_angle_deg"] = {{"max", q.maxAngleMax}, {"p99", q.maxAngleP99}};
+    block["radius_ratio"] = {
+        {"min", q.radiusRatioMin}, {"p01", q.radiusRatioP01}, {"mean", q.radiusRatioMean}};
+    block["edge_length_mm"] = {{"min", q.edgeMinMm}, {"mean", q.edgeMeanMm}, {"max", q.edgeMaxMm}};
+    block["below_20_deg_percent"] = q.below20Percent;
+    block["below_30_deg_percent"] = q.below30Percent;
+  }
+  if (q.vertexDeviation) block["deviation"]["vertex"] = deviationBlock(*q.vertexDeviation);
+  if (q.centroidDeviation) block["deviation"]["centroid"] = deviationBlock(*q.centroidDeviation);
+  return block;
+}
+
+Json overlapBlock(const OverlapMeasures& m) {
+  Json block{{"overlap", m.overlap}, {"sensitivity", m.sensitivity}, {"precision", m.precision}};
+  // Without a voxel in the result there is no distance to it.
+  if (std::isfinite(m.assdMm)) block["assd_mm"] = m.assdMm;
+  if (std::isfinite(m.hd95Mm)) block["hd95_mm"] = m.hd95Mm;
+  return block;
+}
+
+const char* stopReasonText(StopReason reason) {
+  switch (reason) {
+    case StopReason::Converged:
+      return "converged";
+    case StopReason::Settled:
+      return "settled";
+    case StopReason::Limit:
+      return "limit";
+    case StopReason::Running:
+    case StopReason::Stopped:
+      break;
+  }
+  return "stopped";
+}
+
+Json segmentationBlock(const RunResult& result) {
+  const EvolveResult& evolve = *result.evolve;
+  Json block{{"iterations", evolve.iterations},
+             {"converged", evolve.converged},
+             {"stop_reason", stopReasonText(evolve.stopReason)}};
+  if (result.surface) {
+    std::size_t kept = 0;
+    for (const SegmentComponent& component : result.surface->components) kept += component.kept;
+    block["inside_voxels"] = result.surface->insideVoxels;
+    block["components"] = kept;
+  } else {
+    const Components parts = connectedComponents(insideMask(*evolve.phi));
+    std::size_t inside = 0;
+    for (const std::size_t size : parts.sizes) inside += size;
+    block["inside_voxels"] = inside;
+    block["components"] = parts.sizes.size();
+  }
+  block["thresholds"] = {{"a", evolve.thresholds.a},
+                         {"b", evolve.thresholds.b},
+                         {"v_avg", evolve.thresholds.vAverage},
+                         {"clamped", evolve.thresholds.clamped}};
+  if (result.seeds) block["seeds"] = result.seeds->pointsLps.size();
+  return block;
+}
+
+std::optional<double> peakMemoryMb() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return std::nullopt;
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts in units of 1024 bytes
+}
+
+}  // namespace
+
+std::string runReportJson(const RunResult& result, const std::optional<OverlapMeasures>& truth) {
+  Json report{{"schema", kSchema},
+              {"version", versionText()},
+              {"key", result.key},
+              {"threads", threads()},
+              {"total_seconds", result.totalSeconds},
+              {"cpu_seconds", result.cpuSeconds}};
+  if (const auto memory = peakMemoryMb()) report["peak_rss_mb"] = *memory;
+  report["parameters"] = Json::parse(parametersToJson(result.params));
+  report["warnings"] = Json::array();
+  for (const StageReport& stage : result.stages)
+    for (const std::string& warning : stage.warnings) report["warnings"].push_back(warning);
+
+  if (result.source.image) report["input"] = gridBlock(result.source.image->geometry);
+  if (result.preprocessed) report["working"] = gridBlock(result.preprocessed->geometry);
+  report["stages"] = Json::array();
+  for (const StageReport& stage : result.stages)
+    report["stages"].push_back({{"name", stepId(stage.step)},
+                                {"seconds", stage.seconds},
+                                {"cpu_seconds", stage.cpuSeconds}});
+
+  if (result.evolve) report["segmentation"] = segmentationBlock(result);
+  if (truth) report["truth"] = overlapBlock(*truth);
+  if (result.quality) {
+    report["mesh"] = meshBlock(result.quality->mesh);
+    report["mesh_unsmoothed"] = meshBlock(result.quality->unsmoothed);
+    report["marching_cubes"] = meshBlock(result.quality->marchingCubes);
+  }
+  return report.dump(kIndent) + "\n";
+}
+
+std::string meshQualityJson(const MeshQuality& quality) {
+  return Json{{"schema", kSchema}, {"mesh", meshBlock(quality)}}.dump(kIndent) + "\n";
+}
+
+std::string overlapJson(const OverlapMeasures& measures) {
+  return Json{{"schema", kSchema}, {"truth", overlapBlock(measures)}}.dump(kIndent) + "\n";
+}
+
+const char* versionText() { return ANGIOMESH_VERSION; }
+
+}  // namespace angiomesh
