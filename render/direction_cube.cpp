@@ -25,7 +25,7 @@ DirectionCube::DirectionCube() : parts_(std::make_unique<Parts>()) {
   cube->SetZPlusFaceText("S");
   cube->SetZMinusFaceText("I");
   // Upright letters for a viewer whose up is the patient's head, or the front for S and I.
-  cube->SetXFaceTextRotation(90);
+  cube->SetXFaceTextRotation(0);
   cube->SetYFaceTextRotation(0);
   cube->SetZFaceTextRotation(-90);
   cube->SetFaceTextScale(0.62);

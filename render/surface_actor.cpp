@@ -55,8 +55,8 @@ SurfaceActor::SurfaceActor(const std::array<double, 3>& colour)
   vtkProperty* property = parts_->actor->GetProperty();
   property->SetColor(colour[0], colour[1], colour[2]);
   property->SetInterpolationToPhong();
-  property->SetAmbient(0.12);
-  property->SetDiffuse(0.85);
+  property->SetAmbient(0.08);
+  property->SetDiffuse(0.9);
   property->SetSpecular(0.25);
   property->SetSpecularPower(25.0);
   property->SetEdgeColor(0.08, 0.08, 0.10);

@@ -5,7 +5,6 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
-#include <vtkLightKit.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -20,12 +19,12 @@
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "render/direction_cube.h"
 #include "render/projection_volume.h"
+#include "render/stage.h"
 #include "render/surface_actor.h"
 
 namespace angiomesh {
@@ -50,8 +49,6 @@ void fillTable(vtkLookupTable* table, double lo, double hi) {
   table->SetTableRange(lo, hi);
 }
 
-constexpr double viewAngleDegrees = 30.0;
-
 bool isSoftware(vtkRenderer* renderer) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (window == nullptr) return false;
@@ -65,11 +62,10 @@ bool isSoftware(vtkRenderer* renderer) {
 
 struct SurfaceScene::Parts {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkLightKit> lights;
   vtkNew<vtkCallbackCommand> beforeFrame;
   DirectionCube cube;
   ProjectionVolume projection;
-  SurfaceActor surface{{0.86, 0.28, 0.22}};
+  SurfaceActor surface{{0.84, 0.27, 0.21}};
   SurfaceActor comparison{{0.45, 0.62, 0.80}};
   vtkNew<vtkLookupTable> table;
   vtkNew<vtkScalarBarActor> colourBar;
@@ -82,6 +78,9 @@ struct SurfaceScene::Parts {
   std::shared_ptr<const Volume<float>> image;
   bool mipVisible = true, interactive = false, software = false, softwareKnown = false;
   bool fittedOnce = false;
+  // Camera position and pane size of the last fit: a camera still there follows the pane's size.
+  Eigen::Vector3d fittedAt{0.0, 0.0, 0.0};
+  std::array<int, 2> fittedSize{0, 0};
   double pixelRatio = 1.0;
 
   Parts();
@@ -91,18 +90,11 @@ struct SurfaceScene::Parts {
   void showColourBar();
   void fitOnce();
   void fit();
+  void followSize();
 };
 
 SurfaceScene::Parts::Parts() {
-  renderer->SetBackground(0.05, 0.06, 0.08);
-  renderer->SetBackground2(0.13, 0.15, 0.19);
-  renderer->GradientBackgroundOn();
-  renderer->AutomaticLightCreationOff();
-  lights->SetKeyLightIntensity(0.95);
-  lights->SetKeyToFillRatio(2.5);
-  lights->SetKeyToBackRatio(4.0);
-  lights->AddLightsToRenderer(renderer);
-
+  setStage(renderer);
   renderer->AddActor(surface.actor());
   renderer->AddActor(comparison.actor());
   renderer->AddViewProp(projection.prop());
@@ -157,6 +149,7 @@ void SurfaceScene::Parts::prepareFrame() {
     projection.setSoftware(software);
     chooseQuality();
   }
+  followSize();
   renderer->ResetCameraClippingRange();
   const int* size = window != nullptr ? window->GetSize() : renderer->GetSize();
   cube.follow(renderer->GetActiveCamera(), size[0], size[1], pixelRatio);
@@ -173,33 +166,21 @@ void SurfaceScene::Parts::showColourBar() {
 }
 
 void SurfaceScene::Parts::fit() {
-  double b[6];
-  renderer->ComputeVisiblePropBounds(b);
-  if (b[0] > b[1]) return;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetViewAngle(viewAngleDegrees);
-  Eigen::Vector3d forward, up;
-  camera->GetDirectionOfProjection(forward.data());
-  camera->OrthogonalizeViewUp();
-  camera->GetViewUp(up.data());
-  const Eigen::Vector3d right = forward.cross(up);
-  const int* size = renderer->GetRenderWindow() != nullptr ? renderer->GetSize() : nullptr;
-  const double aspect =
-      size != nullptr && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
-  const double slope = std::tan(0.5 * viewAngleDegrees * M_PI / 180.0);
-  // Near enough that every corner of the bounds is just inside the view; ResetCamera() fits a
-  // sphere around them, which leaves much of a wide pane empty.
-  const Eigen::Vector3d middle(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]));
-  double distance = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d d =
-        Eigen::Vector3d(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2 & 1)]) - middle;
-    const double needed = std::max(std::abs(d.dot(up)), std::abs(d.dot(right)) / aspect) / slope;
-    distance = std::max(distance, needed - d.dot(forward));
+  if (!fitCamera(renderer)) {
+    if (!image) return;
+    const RoiBox box = volumeBox(image->geometry);
+    fitCamera(renderer, {box[0], box[3], box[1], box[4], box[2], box[5]});
   }
-  const Eigen::Vector3d position = middle - 1.04 * std::max(distance, 1e-3) * forward;
-  camera->SetFocalPoint(middle.data());
-  camera->SetPosition(position.data());
+  fittedAt = Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition());
+  const int* size = renderer->GetRenderWindow() != nullptr ? renderer->GetSize() : nullptr;
+  if (size != nullptr) fittedSize = {size[0], size[1]};
+}
+
+void SurfaceScene::Parts::followSize() {
+  const int* size = renderer->GetSize();
+  const Eigen::Vector3d position(renderer->GetActiveCamera()->GetPosition());
+  const bool resized = size[0] != fittedSize[0] || size[1] != fittedSize[1];
+  if (fittedOnce && resized && position == fittedAt) fit();
 }
 
 void SurfaceScene::Parts::fitOnce() {
@@ -355,7 +336,9 @@ void SurfaceScene::viewFrom(char side) {
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   double f[3];
   camera->GetFocalPoint(f);
-  camera->SetPosition(f[0] + from[0], f[1] + from[1], f[2] + from[2]);
+  const double distance = camera->GetDistance();
+  camera->SetPosition(f[0] + distance * from[0], f[1] + distance * from[1],
+                      f[2] + distance * from[2]);
   camera->SetViewUp(up[0], up[1], up[2]);
   parts_->fit();
 }

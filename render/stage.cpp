@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/stage.h"
+
+#include <vtkCamera.h>
+#include <vtkLightKit.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace angiomesh {
+
+void setStage(vtkRenderer* renderer) {
+  renderer->SetBackground(0.05, 0.06, 0.08);
+  renderer->SetBackground2(0.13, 0.15, 0.19);
+  renderer->GradientBackgroundOn();
+  renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.85);
+  lights->SetKeyToFillRatio(3.0);
+  lights->SetKeyToHeadRatio(4.0);
+  lights->SetKeyToBackRatio(4.0);
+  lights->AddLightsToRenderer(renderer);
+}
+
+bool fitCamera(vtkRenderer* renderer) {
+  std::array<double, 6> bounds{};
+  renderer->ComputeVisiblePropBounds(bounds.data());
+  if (bounds[0] > bounds[1]) return false;
+  fitCamera(renderer, bounds);
+  return true;
+}
+
+void fitCamera(vtkRenderer* renderer, const std::array<double, 6>& bounds) {
+  const std::array<double, 6>& b = bounds;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetViewAngle(viewAngleDegrees);
+  Eigen::Vector3d forward;
+  Eigen::Vector3d up;
+  camera->GetDirectionOfProjection(forward.data());
+  camera->OrthogonalizeViewUp();
+  camera->GetViewUp(up.data());
+  const Eigen::Vector3d right = forward.cross(up);
+  const int* size = renderer->GetRenderWindow() != nullptr ? renderer->GetSize() : nullptr;
+  const double aspect =
+      size != nullptr && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
+  const double slope = std::tan(0.5 * viewAngleDegrees * M_PI / 180.0);
+  // Near enough that every corner of the bounds is just inside the view; ResetCamera() fits a
+  // sphere around them, which leaves much of a wide pane empty.
+  const Eigen::Vector3d middle(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]));
+  double distance = 1e-3;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d d = Eigen::Vector3d(corner & 1 ? b[1] : b[0], corner & 2 ? b[3] : b[2],
+                                              corner & 4 ? b[5] : b[4]) -
+                              middle;
+    const double needed = std::max(std::abs(d.dot(up)), std::abs(d.dot(right)) / aspect) / slope;
+    distance = std::max(distance, needed - d.dot(forward));
+  }
+  const Eigen::Vector3d position = middle - 1.04 * distance * forward;
+  camera->SetFocalPoint(middle.data());
+  camera->SetPosition(position.data());
+  renderer->ResetCameraClippingRange();
+}
+
+}  // namespace angiomesh
