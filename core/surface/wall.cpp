@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/wall.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface/mesh_edges.h"
+
+namespace angiomesh {
+
+Wall::Sample ZeroSetWall::at(const Eigen::Vector3d& pointLps) const {
+  const SplineField::Jet jet = phi_.at(pointLps);
+  const double slope = jet.gradient.norm();
+  if (!(slope > 0.0) || !std::isfinite(slope)) return {};
+  // Where phi flattens, one step must not leave the neighbourhood.
+  const double reach = 0.5 * unitMm();
+  return {jet.gradient / slope, std::clamp(jet.value / slope, -reach, reach)};
+}
+
+MeshWall::MeshWall(const TriMesh& mesh, double bulgeInUnits, const Progress& progress)
+    : mesh_(mesh), tree_(mesh, progress), normals_(vertexNormals(mesh)) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i), ++count) {
+    sum += (mesh.points[sides[i].high] - mesh.points[sides[i].low]).norm();
+  }
+  if (count > 0) unitMm_ = sum / static_cast<double>(count);
+  bulgeMm_ = bulgeInUnits * unitMm_;
+}
+
+Wall::Sample MeshWall::at(const Eigen::Vector3d& pointLps) const {
+  const TriangleTree::Closest closest = tree_.closest(pointLps);
+  const auto& t = mesh_.triangles[closest.triangle];
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double bulge = 0.0;
+  for (int k = 0; k < 3; ++k)
+    normal += closest.weights[k] * normals_[t[static_cast<std::size_t>(k)]];
+  const double length = normal.norm();
+  if (!(length > 0.1)) return {};
+  normal /= length;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d& n = normals_[t[k]];
+    const double below = n.dot(mesh_.points[t[k]] - closest.point);
+    bulge += 0.75 * closest.weights[static_cast<int>(k)] * below * n.dot(normal);
+  }
+  const Eigen::Vector3d away = pointLps - closest.point;
+  const double side = away.dot(normal);
+  const double distance = side < 0.0 ? -closest.distance : closest.distance;
+  return {normal, distance - std::clamp(bulge, -bulgeMm_, bulgeMm_)};
+}
+
+std::vector<Eigen::Vector3d> vertexNormals(const TriMesh& mesh) {
+  std::vector<Eigen::Vector3d> normals(mesh.points.size(), Eigen::Vector3d::Zero());
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.points[t[0]];
+    const Eigen::Vector3d n = (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a);
+    for (const std::uint32_t v : t) normals[v] += n;
+  }
+  for (auto& n : normals) {
+    const double length = n.norm();
+    if (length > 0.0) n /= length;
+  }
+  return normals;
+}
+
+}  // namespace angiomesh

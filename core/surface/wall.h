@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/spline_field.h"
+#include "core/surface/tri_mesh.h"
+#include "core/surface/triangle_tree.h"
+
+namespace angiomesh {
+
+/// The surface that a smoothed mesh has to stay on.
+class Wall {
+ public:
+  struct Sample {
+    Eigen::Vector3d normal{0.0, 0.0, 0.0};  ///< outward, unit; 0 where the wall is unknown
+    double offset = 0.0;                    ///< signed distance to first order, mm, < 0 inside
+  };
+
+  virtual ~Wall() = default;
+  [[nodiscard]] virtual Sample at(const Eigen::Vector3d& pointLps) const = 0;
+  /// The length that bounds are given in, mm.
+  [[nodiscard]] virtual double unitMm() const = 0;
+
+ protected:
+  Wall() = default;
+  Wall(const Wall&) = default;
+  Wall& operator=(const Wall&) = default;
+};
+
+/// The zero set of phi; the unit is phi's voxel. phi must outlive it.
+class ZeroSetWall : public Wall {
+ public:
+  explicit ZeroSetWall(const SplineField& phi) : phi_(phi) {}
+  [[nodiscard]] Sample at(const Eigen::Vector3d& pointLps) const override;
+  [[nodiscard]] double unitMm() const override { return phi_.geometry().voxelMm(); }
+
+ private:
+  const SplineField& phi_;
+};
+
+/// A mesh, bulging between its vertices as their normals say (Phong tessellation, Boubekeur and
+/// Alexa 2008), so that a vertex that slides over it does not cut the corner; at most `bulgeMm`
+/// from the triangles. The unit is the mean edge length. The mesh must outlive it.
+class MeshWall : public Wall {
+ public:
+  MeshWall(const TriMesh& mesh, double bulgeInUnits, const Progress& progress);
+  [[nodiscard]] Sample at(const Eigen::Vector3d& pointLps) const override;
+  [[nodiscard]] double unitMm() const override { return unitMm_; }
+
+ private:
+  const TriMesh& mesh_;
+  TriangleTree tree_;
+  std::vector<Eigen::Vector3d> normals_;
+  double unitMm_ = 1.0;
+  double bulgeMm_ = 0.0;
+};
+
+/// Unit normals of the vertices, triangles weighted by their area; 0 where there is none.
+std::vector<Eigen::Vector3d> vertexNormals(const TriMesh& mesh);
+
+}  // namespace angiomesh

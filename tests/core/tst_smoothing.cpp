@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/LU>
+#include <QTest>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/quality/mesh_quality.h"
+#include "core/quality/self_intersection.h"
+#include "core/surface/half_edges.h"
+#include "core/surface/marching_cubes.h"
+#include "core/surface/smoothing.h"
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+// Mean distance from the z axis of the vertices in the middle third of the tube's rings.
+double middleRadius(const TriMesh& tube, int around, int rings) {
+  double sum = 0.0;
+  int count = 0;
+  for (int v = around * (rings / 3); v < around * (2 * rings / 3); ++v, ++count) {
+    sum += tube.points[static_cast<std::size_t>(v)].head<2>().norm();
+  }
+  return sum / count;
+}
+
+struct Scene {
+  Volume<float> phi;
+  TriMesh mesh;
+  std::unique_ptr<SplineField> field;
+
+  template <class F>
+  Scene(const Geometry& g, F f, SurfaceBorder border = SurfaceBorder::Cap)
+      : phi(shapes::sampled(g, f)),
+        mesh(marchingCubes(phi, border)),
+        field(std::make_unique<SplineField>(phi, SplineKind::InterpolatingBspline)) {}
+};
+
+// A tube through an oblique grid, along its third axis; distances in mm.
+Scene tubeScene(double radiusVoxels, SurfaceBorder border = SurfaceBorder::Cap) {
+  const int n = static_cast<int>(2.0 * radiusVoxels) + 9;
+  Geometry g = shapes::obliqueGeometry({n, n + 1, 24});
+  g.spacing.setConstant(0.5);
+  const Vector3d centre = g.toPhysical({n / 2.0 + 0.13, n / 2.0 - 0.21, 0.0});
+  const Vector3d axis = g.direction.col(2);
+  return {g,
+          [=](const Vector3d& p) {
+            const Vector3d d = p - centre;
+            return std::min(2.5, (d - d.dot(axis) * axis).norm() - 0.5 * radiusVoxels);
+          },
+          border};
+}
+
+// Two balls, joined; anisotropic and mirrored.
+Scene dumbbellScene() {
+  const Geometry g = shapes::obliqueGeometry({40, 26, 20}, true);
+  const Vector3d one = g.toPhysical({13.2, 12.7, 9.6}), other = g.toPhysical({25.6, 12.2, 9.1});
+  return {g, [=](const Vector3d& p) {
+            const double a = (p - one).norm() - 3.1, b = (p - other).norm() - 2.4;
+            const double h = std::max(1.0 - std::abs(a - b), 0.0);
+            return std::min(a, b) - h * h / 4.0;
+          }};
+}
+
+double furthestFromWall(const TriMesh& mesh, const SplineField& field) {
+  const MeshQuality q = measureQuality(mesh, &field);
+  return q.vertexDeviation->maxMm / field.geometry().voxelMm();
+}
+
+}  // namespace
+
+class TestSmoothing : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void taubinScalesTubes_data() {
+    QTest::addColumn<int>("around");
+    QTest::addColumn<double>("expected");
+    QTest::newRow("6") << 6 << 0.69;
+    QTest::newRow("8") << 8 << 1.00;
+    QTest::newRow("12") << 12 << 1.08;
+    QTest::newRow("16") << 16 << 1.06;
+    QTest::newRow("24") << 24 << 1.03;
+  }
+
+  void taubinScalesTubes() {
+    QFETCH(int, around);
+    QFETCH(double, expected);
+    // 100 steps reach 100 rings in from the rim.
+    const int rings = 330;
+    const TriMesh tube = shapes::openTube(around, rings, 2.0);
+    const TriMesh smooth = taubinSmooth(tube, {SmoothMethod::Taubin});
+    const double factor = middleRadius(smooth, around, rings) / 2.0;
+    // The radius is an eigenmode of the uniform Laplacian: two neighbours on the ring, four on the
+    // next rings half an edge aside.
+    const double k =
+        1.0 - (2.0 * std::cos(2.0 * shapes::pi / around) + 4.0 * std::cos(shapes::pi / around)) / 6;
+    const double exact = std::pow((1.0 - 0.5 * k) * (1.0 + 0.54 * k), 50);
+    QVERIFY2(std::abs(factor - exact) < 1e-9, qPrintable(QString::number(factor)));
+    QVERIFY2(std::abs(factor - expected) < 6e-3, qPrintable(QString::number(factor)));
+  }
+
+  void keepWallKeepsTubes_data() { taubinScalesTubes_data(); }
+
+  void keepWallKeepsTubes() {
+    QFETCH(int, around);
+    const int rings = 45;
+    const TriMesh tube = shapes::openTube(around, rings, 2.0);
+    const TriMesh smooth = keepWallSmooth(tube, {});
+    QVERIFY(std::abs(middleRadius(smooth, around, rings) / 2.0 - 1.0) < 0.01);
+    QCOMPARE(smooth.points.size(), tube.points.size());
+    QVERIFY(measureQuality(smooth).minAngleMin > 55.0);
+  }
+
+  void taubinKeepsRimsInTheirPlane() {
+    const TriMesh tube = shapes::openTube(12, 30, 2.0);
+    const TriMesh smooth = taubinSmooth(tube, {SmoothMethod::Taubin});
+    const double length = tube.points.back().z();
+    for (std::size_t v = 0; v < 12; ++v) {
+      QCOMPARE(smooth.points[v].z(), 0.0);
+      QVERIFY(std::abs(smooth.points[smooth.points.size() - 1 - v].z() - length) < 1e-12);
+    }
+  }
+
+  void noneAndNoIterationsChangeNothing() {
+    const TriMesh mesh = shapes::torus(12, 8, 3.0, 1.0);
+    SmoothParams params;
+    params.method = SmoothMethod::None;
+    QVERIFY(smoothSurface(mesh, params).points == mesh.points);
+    params.iterations = 0;
+    for (const SmoothMethod method : {SmoothMethod::KeepWall, SmoothMethod::Taubin}) {
+      params.method = method;
+      QVERIFY(smoothSurface(mesh, params).points == mesh.points);
+    }
+    QVERIFY(smoothSurface(TriMesh(), SmoothParams()).triangles.empty());
+  }
+
+  void keepWallKeepsTheRadius_data() {
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<bool>("withPhi");
+    for (const double r : {2.0, 4.0, 8.0}) QTest::addRow("%g phi", r) << r << true;
+    for (const double r : {1.0, 2.0, 4.0, 8.0}) QTest::addRow("%g", r) << r << false;
+  }
+
+  void keepWallKeepsTheRadius() {
+    QFETCH(double, radius);
+    QFETCH(bool, withPhi);
+    const Scene scene = tubeScene(radius);
+    const TriMesh smooth = keepWallSmooth(scene.mesh, {}, withPhi ? scene.field.get() : nullptr);
+    const double ratio = std::sqrt(enclosedVolumeMm3(smooth) / enclosedVolumeMm3(scene.mesh));
+    QVERIFY2(std::abs(ratio - 1.0) < 0.01, qPrintable(QString::number(ratio)));
+    const MeshQuality before = measureQuality(scene.mesh), after = measureQuality(smooth);
+    QVERIFY(after.closed && after.oriented);
+    QCOMPARE(after.selfIntersections, std::size_t{0});
+    QCOMPARE(after.euler, before.euler);
+    QCOMPARE(after.vertices, before.vertices);
+    QCOMPARE(after.triangles, before.triangles);
+    QVERIFY2(after.minAngleP01 > 25.0, qPrintable(QString::number(after.minAngleP01)));
+    QVERIFY(after.radiusRatioMean > 0.9);
+  }
+
+  void thinTubesComeCloserToTheWall() {
+    // Marching cubes cuts a tube of one voxel by more than the bound: it may only grow towards
+    // the wall.
+    const Scene scene = tubeScene(1.0);
+    const TriMesh smooth = keepWallSmooth(scene.mesh, {}, scene.field.get());
+    const double truth = shapes::pi * 0.25 * 24.0 * 0.5;
+    QVERIFY(enclosedVolumeMm3(smooth) > enclosedVolumeMm3(scene.mesh));
+    QVERIFY(enclosedVolumeMm3(smooth) < truth);
+    QVERIFY(furthestFromWall(smooth, *scene.field) <= 0.05);
+  }
+
+  void verticesStayNearTheWall() {
+    const Scene scene = dumbbellScene();
+    const TriMesh smooth = keepWallSmooth(scene.mesh, {}, scene.field.get());
+    QVERIFY(furthestFromWall(smooth, *scene.field) <= 0.05);
+    QVERIFY(std::abs(enclosedVolumeMm3(smooth) / enclosedVolumeMm3(scene.mesh) - 1.0) < 0.01);
+    for (const auto& t : smooth.triangles) {
+      const Vector3d& a = smooth.points[t[0]];
+      const Vector3d n = (smooth.points[t[1]] - a).cross(smooth.points[t[2]] - a).normalized();
+      QVERIFY(n.dot(scene.field->at(a).gradient.normalized()) > 0.5);
+    }
+    SmoothParams tight;
+    tight.wallBoundVoxels = 0.001;
+    QVERIFY(furthestFromWall(keepWallSmooth(scene.mesh, tight, scene.field.get()), *scene.field) <=
+            0.001);
+  }
+
+  void capsStayFlat() {
+    const Scene scene = tubeScene(4.0);
+    const Geometry& g = scene.phi.geometry;
+    const TriMesh smooth = keepWallSmooth(scene.mesh, {}, scene.field.get());
+    int onCaps = 0;
+    for (std::size_t v = 0; v < smooth.points.size(); ++v) {
+      const double before = g.toIndex(scene.mesh.points[v]).z();
+      const double after = g.toIndex(smooth.points[v]).z();
+      if (before < -0.25 || before > g.size[2] - 0.75) {
+        QVERIFY(std::abs(after - before) < 1e-9);
+        ++onCaps;
+      } else {
+        QVERIFY(after > -0.5 && after < g.size[2] - 0.5);
+      }
+    }
+    QVERIFY(onCaps > 50);
+  }
+
+  void openRimsStayInTheirPlane() {
+    const Scene scene = tubeScene(3.0, SurfaceBorder::Open);
+    const Geometry& g = scene.phi.geometry;
+    const TriMesh smooth = keepWallSmooth(scene.mesh, {}, scene.field.get());
+    const HalfEdges edges(smooth);
+    int rim = 0;
+    for (std::uint32_t v = 0; v < smooth.points.size(); ++v) {
+      const double k = g.toIndex(smooth.points[v]).z();
+      if (!edges.onRim(v)) continue;
+      QVERIFY(std::abs(k) < 1e-9 || std::abs(k - (g.size[2] - 1)) < 1e-9);
+      ++rim;
+    }
+    QVERIFY(rim > 20);
+    QCOMPARE(measureQuality(smooth).boundaryLoops, std::size_t{2});
+    QVERIFY(furthestFromWall(smooth, *scene.field) <= 0.05);
+  }
+
+  void noiseStaysSound() {
+    const Volume<float> phi = shapes::noise({12, 12, 12}, 5);
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
+    const TriMesh mesh = marchingCubes(phi);
+    for (const SplineField* wall : {&field, static_cast<const SplineField*>(nullptr)}) {
+      const TriMesh smooth = keepWallSmooth(mesh, {}, wall);
+      const MeshQuality q = measureQuality(smooth);
+      QVERIFY(q.closed && q.oriented);
+      QCOMPARE(q.nonManifoldEdges + q.nonManifoldVertices, std::size_t{0});
+      QCOMPARE(q.selfIntersections, std::size_t{0});
+      QCOMPARE(q.euler, measureQuality(mesh).euler);
+    }
+  }
+
+  void flipsKeepTheAdjacency() {
+    const TriMesh mesh = shapes::icosphere(2);
+    HalfEdges edges(mesh);
+    int flipped = 0;
+    for (std::uint32_t n = 0; n < 400; ++n) {
+      const auto h = static_cast<std::uint32_t>(randomBits(3, n) % (3 * mesh.triangles.size()));
+      if (!edges.canFlip(h)) continue;
+      edges.flip(h);
+      ++flipped;
+    }
+    QVERIFY(flipped > 200);
+    const MeshQuality q = measureQuality({mesh.points, edges.triangles()});
+    QVERIFY(q.closed);
+    QCOMPARE(q.euler, 2);
+    const HalfEdges fresh({mesh.points, edges.triangles()});
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+      QVERIFY(!fresh.irregular(v));
+      QCOMPARE(edges.valence(v), fresh.valence(v));
+    }
+    for (std::uint32_t h = 0; h < 3 * mesh.triangles.size(); ++h) {
+      QCOMPARE(edges.twin(h), fresh.twin(h));
+    }
+    // A tetrahedron has every edge already.
+    const HalfEdges tetrahedron(shapes::tetrahedron());
+    for (std::uint32_t h = 0; h < 12; ++h) QVERIFY(!tetrahedron.canFlip(h));
+  }
+
+  void threadsDoNotMatter() {
+    const Scene scene = dumbbellScene();
+    setThreads(1);
+    const TriMesh one = keepWallSmooth(scene.mesh, {}, scene.field.get());
+    const TriMesh taubinOne = taubinSmooth(scene.mesh, {});
+    setThreads(4);
+    const TriMesh four = keepWallSmooth(scene.mesh, {}, scene.field.get());
+    const TriMesh taubinFour = taubinSmooth(scene.mesh, {});
+    setThreads(0);
+    QVERIFY(one.points == four.points && one.triangles == four.triangles);
+    QVERIFY(taubinOne.points == taubinFour.points);
+  }
+
+  void cancels() {
+    const Progress progress;
+    progress.cancel();
+    const TriMesh mesh = shapes::torus(12, 8, 3.0, 1.0);
+    for (const SmoothMethod method : {SmoothMethod::KeepWall, SmoothMethod::Taubin}) {
+      SmoothParams params;
+      params.method = method;
+      QVERIFY_EXCEPTION_THROWN(smoothSurface(mesh, params, nullptr, progress),
+                               angiomesh::Cancelled);
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestSmoothing)
+#include "tst_smoothing.moc"
