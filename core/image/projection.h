@@ -15,15 +15,20 @@ struct Picture {
 };
 
 /// Largest value along grid axis 0, 1 or 2. Result: the two other axes in order, x fastest.
+/// @throws InputError for another axis or an empty volume
 struct Projection {
   int width = 0, height = 0;
   std::vector<float> values;
 };
 Projection maximumProjection(const Volume<float>& image, int axis);
 
-/// The pictures of preview.png: MIPs along the three grid axes in patient orientation (anterior
-/// view and so on, pixels square), of the image in the upper row and of the vessels (depth-shaded)
-/// in the lower row. `phi` may live on another grid than `image`.
+/// The pictures of preview.png: coronal from the front, sagittal from the patient's left, axial
+/// from the feet, each along the grid axis that is nearest, pixels square, one scale for all, the
+/// longest side 480 pixels. Upper row: MIP of the image from the 1st to the 99.8th percentile;
+/// lower row: the vessels (phi < 0) shaded, nearer ones lighter. Letters name the sides: patient's
+/// right on the left, anterior on the left, head or anterior up. `phi` may live on another grid
+/// than `image`.
+/// @throws InputError when either is empty
 Picture previewPicture(const Volume<float>& image, const Volume<float>& phi);
 
 }  // namespace angiomesh

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <QTest>
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/image/projection.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+struct Ball {
+  Vector3d centre;  // LPS mm
+  double radius;
+};
+
+/// A bright ball on dark ground, and its distance.
+Volume<float> imageOf(const Geometry& g, const Ball& ball) {
+  Volume<float> image(g);
+  for (std::size_t n = 0; n < image.voxels.size(); ++n) {
+    const Index3 at = g.indexOf(n);
+    const double d = (g.toPhysical(Vector3d(at[0], at[1], at[2])) - ball.centre).norm();
+    image.voxels[n] = d < ball.radius ? 200.0F : 0.0F;
+  }
+  return image;
+}
+
+Volume<float> fieldOf(const Geometry& g, const Ball& ball) {
+  Volume<float> phi(g);
+  for (std::size_t n = 0; n < phi.voxels.size(); ++n) {
+    const Index3 at = g.indexOf(n);
+    const double d = (g.toPhysical(Vector3d(at[0], at[1], at[2])) - ball.centre).norm();
+    phi.voxels[n] = static_cast<float>(d - ball.radius);
+  }
+  return phi;
+}
+
+/// A cube of 48 mm around the patient's origin whose grid axes are columns of `direction`.
+Geometry cubeGrid(const Eigen::Matrix3d& direction, const Vector3d& spacing) {
+  Geometry g;
+  g.direction = direction;
+  g.spacing = spacing;
+  for (int a = 0; a < 3; ++a) g.size[a] = static_cast<int>(std::lround(48.0 / spacing[a]));
+  g.origin =
+      -direction *
+      (0.5 * (Vector3d(g.size[0], g.size[1], g.size[2]) - Vector3d::Ones())).cwiseProduct(spacing);
+  return g;
+}
+
+struct Region {
+  int left, top, width, height;
+};
+
+/// Centre of the light pixels of a tile, each as a fraction of its sides; letters do not count
+/// (their blue is much lower than their red).
+Vector3d centreOfLight(const Picture& p, const Region& r) {
+  double sum = 0.0;
+  Vector3d centre = Vector3d::Zero();
+  for (int y = 0; y < r.height; ++y)
+    for (int x = 0; x < r.width; ++x) {
+      const std::size_t at =
+          3 * (static_cast<std::size_t>(r.top + y) * static_cast<std::size_t>(p.width) +
+               static_cast<std::size_t>(r.left + x));
+      const int red = p.rgb[at];
+      const int blue = p.rgb[at + 2];
+      if (red < 40 || blue < red / 2) continue;
+      sum += 1.0;
+      centre += Vector3d((x + 0.5) / r.width, (y + 0.5) / r.height, 0.0);
+    }
+  return sum > 0.0 ? Vector3d(centre / sum + Vector3d(0, 0, sum)) : Vector3d::Zero();
+}
+
+/// The six tiles of a cube's preview: coronal, sagittal, axial above, their vessels below.
+std::array<Region, 6> tilesOf(const Picture& p) {
+  const int gap = (p.width - 3 * 480) / 4;
+  std::array<Region, 6> tiles{};
+  for (int i = 0; i < 6; ++i)
+    tiles[static_cast<std::size_t>(i)] = {gap + i % 3 * (480 + gap), gap + i / 3 * (480 + gap), 480,
+                                          480};
+  return tiles;
+}
+
+}  // namespace
+
+class TestProjection : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() { setThreads(0); }
+
+  void projectionsHoldTheLargestValueOnEachLine() {
+    Geometry g;
+    g.size = {4, 5, 6};
+    Volume<float> image(g, -1.0F);
+    image.at(1, 2, 3) = 10.0F;
+    image.at(3, 0, 5) = 7.0F;
+    const int width[3] = {5, 4, 4};
+    const int height[3] = {6, 6, 5};
+    const int peak[3] = {2 + 5 * 3, 1 + 4 * 3, 1 + 4 * 2};
+    const int second[3] = {0 + 5 * 5, 3 + 4 * 5, 3 + 4 * 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Projection p = maximumProjection(image, axis);
+      QCOMPARE(p.width, width[axis]);
+      QCOMPARE(p.height, height[axis]);
+      QCOMPARE(p.values.size(), static_cast<std::size_t>(p.width * p.height));
+      for (int i = 0; i < p.width * p.height; ++i) {
+        const float expected = i == peak[axis] ? 10.0F : i == second[axis] ? 7.0F : -1.0F;
+        QCOMPARE(p.values[static_cast<std::size_t>(i)], expected);
+      }
+    }
+    QVERIFY_EXCEPTION_THROWN(maximumProjection(image, 3), InputError);
+    QVERIFY_EXCEPTION_THROWN(maximumProjection(Volume<float>(), 0), InputError);
+  }
+
+  void tilesAreInPatientOrientation_data() {
+    QTest::addColumn<int>("turn");
+    QTest::addColumn<double>("thickness");
+    for (int turn = 0; turn < 5; ++turn)
+      QTest::addRow("turn %d", turn) << turn << (turn % 2 == 0 ? 1.0 : 2.0);
+  }
+  void tilesAreInPatientOrientation() {
+    QFETCH(int, turn);
+    QFETCH(double, thickness);
+    Eigen::Matrix3d direction = Eigen::Matrix3d::Identity();
+    if (turn == 1) direction << -1, 0, 0, 0, -1, 0, 0, 0, 1;  // RAS
+    if (turn == 2) direction << 0, 0, 1, 1, 0, 0, 0, -1, 0;   // sagittal slices, S to I
+    if (turn == 3) direction << 1, 0, 0, 0, 0, 1, 0, -1, 0;   // coronal slices
+    if (turn == 4)                                            // oblique by 10 degrees
+      direction = Eigen::AngleAxisd(0.175, Vector3d(1, 1, 1).normalized()).toRotationMatrix();
+    const Geometry g = cubeGrid(direction, {1.0, 1.0, thickness});
+    // To the patient's left, in front, and high.
+    const Ball ball{Vector3d(12.0, -9.0, 14.0), 5.0};
+    // Another grid than the image's for the field.
+    const Geometry other = cubeGrid(Eigen::Matrix3d::Identity(), {0.8, 1.2, 0.8});
+    const Picture p = previewPicture(imageOf(g, ball), fieldOf(other, ball));
+    QCOMPARE(p.rgb.size(), static_cast<std::size_t>(3 * p.width * p.height));
+    const std::array<Region, 6> tiles = tilesOf(p);
+    const double u[3] = {0.5 + 12.0 / 48.0, 0.5 - 9.0 / 48.0, 0.5 + 12.0 / 48.0};
+    const double v[3] = {0.5 - 14.0 / 48.0, 0.5 - 14.0 / 48.0, 0.5 - 9.0 / 48.0};
+    const double tolerance = turn == 4 ? 0.09 : 0.02;
+    const double area = M_PI * 25.0 / (48.0 * 48.0) * 480.0 * 480.0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const Vector3d centre = centreOfLight(p, tiles[i]);
+      QVERIFY(std::fabs(centre[0] - u[i % 3]) < tolerance);
+      QVERIFY(std::fabs(centre[1] - v[i % 3]) < tolerance);
+      if (i >= 3) QVERIFY(std::fabs(centre[2] / area - 1.0) < 0.06);
+    }
+  }
+
+  void nearVesselsAreLighterAndHideThoseBehind() {
+    const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {1.0, 1.0, 1.0});
+    const Ball front{Vector3d(-10.0, -15.0, 0.0), 4.0};  // anterior, on the patient's right
+    const Ball back{Vector3d(10.0, 15.0, 0.0), 4.0};
+    Volume<float> phi = fieldOf(g, front);
+    const Volume<float> second = fieldOf(g, back);
+    for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+      phi.voxels[i] = std::min(phi.voxels[i], second.voxels[i]);
+    const Picture p = previewPicture(imageOf(g, front), phi);
+    const Region coronal = tilesOf(p)[3];
+    const auto red = [&](double u, double v) {
+      const auto x = static_cast<std::size_t>(coronal.left + u * coronal.width);
+      const auto y = static_cast<std::size_t>(coronal.top + v * coronal.height);
+      return static_cast<int>(p.rgb[3 * (y * static_cast<std::size_t>(p.width) + x)]);
+    };
+    const int near = red(0.5 - 10.0 / 48.0, 0.5);
+    const int far = red(0.5 + 10.0 / 48.0, 0.5);
+    QVERIFY(near > 200);
+    QVERIFY(far > 60 && far < near - 60);
+    QCOMPARE(red(0.5, 0.2), 0);
+  }
+
+  void pixelsAreSquareAndTilesLimited() {
+    Geometry g;
+    g.size = {40, 30, 10};
+    g.spacing = {0.5, 1.0, 3.0};  // 20 x 30 x 30 mm
+    const Ball ball{g.toPhysical({20.0, 15.0, 5.0}), 4.0};
+    const Picture p = previewPicture(imageOf(g, ball), fieldOf(g, ball));
+    QCOMPARE(p.width - (320 + 480 + 320), 4 * 8);
+    QCOMPARE(p.height - 2 * 480, 3 * 8);
+  }
+
+  void aFieldElsewhereOrEmptyGivesDarkTiles() {
+    const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {1.0, 1.0, 1.0});
+    const Ball ball{Vector3d::Zero(), 6.0};
+    Geometry elsewhere = g;
+    elsewhere.origin += Vector3d(500.0, 0.0, 0.0);
+    const Ball there{Vector3d(500.0, 0.0, 0.0), 6.0};
+    for (const Volume<float>& phi : {Volume<float>(g, 5.0F), fieldOf(elsewhere, there)}) {
+      const Picture p = previewPicture(imageOf(g, ball), phi);
+      for (std::size_t i = 3; i < 6; ++i) QCOMPARE(centreOfLight(p, tilesOf(p)[i]).norm(), 0.0);
+    }
+    QVERIFY_EXCEPTION_THROWN(previewPicture(Volume<float>(), Volume<float>()), InputError);
+  }
+
+  void picturesDoNotDependOnTheThreads() {
+    const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {1.5, 1.5, 1.5});
+    const Ball ball{Vector3d(3.0, 2.0, 1.0), 8.0};
+    setThreads(1);
+    const Picture one = previewPicture(imageOf(g, ball), fieldOf(g, ball));
+    setThreads(2);
+    QVERIFY(one.rgb == previewPicture(imageOf(g, ball), fieldOf(g, ball)).rgb);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestProjection)
+#include "tst_projection.moc"
