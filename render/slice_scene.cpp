@@ -231,9 +231,7 @@ void SliceScene::Parts::showCrosshair() {
   crosshair.actor->SetVisibility(visible);
   if (!visible) return;
   const Eigen::Vector2d c = plane.fromLps(cursor).head<2>();
-  // The lines end before the letters on the edges.
-  const Eigen::Vector2d half =
-      mmPerPixel * (0.5 * size().array() - 30.0 * pixelRatio).max(0.0).matrix();
+  const Eigen::Vector2d half = 0.5 * mmPerPixel * size();
   const Eigen::Vector2d low = centre - half;
   const Eigen::Vector2d high = centre + half;
   const double gap = 10.0 * pixelRatio * mmPerPixel;  // the spot itself stays visible

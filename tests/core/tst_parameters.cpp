@@ -92,8 +92,7 @@ class TestParameters : public QObject {
     for (const Field& field : parameterFields())
       if (field.get(own) != field.get(thesis)) different.insert(field.key);
     const std::set<std::string> expected{"vesselness.scaleRule", "vesselness.contrast",
-                                         "levelset.bRule",       "surface.spline",
-                                         "surface.border",       "smooth.method"};
+                                         "surface.spline", "surface.border", "smooth.method"};
     QVERIFY(different == expected);
     QVERIFY_EXCEPTION_THROWN(preset("thesys"), InputError);
   }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QString>
+#include <string>
+
+#include "core/base/parallel.h"
+#include "core/pipeline/report.h"
+#include "gui/main_window.h"
+#include "gui/view/open_gl.h"
+
+int main(int argc, char** argv) {
+  using namespace angiomesh;
+  prepareOpenGl();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Angiomesh");
+  QApplication::setApplicationName("Angiomesh");
+  QApplication::setApplicationVersion(versionText());
+  QApplication::setDesktopFileName("angiomesh");
+
+  CLI::App cli("The vessel surface of an angiography volume.", "angiomesh");
+  std::string input;
+  bool sample = false;
+  bool run = false;
+  int threadCount = 0;
+  cli.add_option("INPUT", input, "a volume (.mha, .nrrd, .nii, DICOM) or a folder with a series");
+  cli.add_flag("--sample", sample, "open the built-in sample, a noisy vascular tree");
+  cli.add_flag("--run", run, "run the pipeline once the input is loaded");
+  cli.add_option("--threads", threadCount, "number of threads; 0: all cores")
+      ->check(CLI::Range(0, 1024));
+  cli.set_version_flag("--version", versionText());
+  try {
+    // Qt has taken its own options out of argc and argv.
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& wrong) {
+    return cli.exit(wrong) == 0 ? 0 : 2;
+  }
+  setThreads(threadCount);
+
+  MainWindow window;
+  window.show();
+  if (!input.empty()) {
+    window.open(QString::fromStdString(input), run);
+  } else if (sample || run) {
+    window.openSample(run);
+  }
+  return QApplication::exec();
+}

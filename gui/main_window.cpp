@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/main_window.h"
+
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QUrl>
+
+#include "gui/model/step_text.h"
+#include "gui/model/view_state.h"
+#include "gui/panel/inspector_panel.h"
+#include "gui/panel/log_panel.h"
+#include "gui/panel/pipeline_panel.h"
+#include "gui/panel/plot_widget.h"
+#include "gui/panel/view_grid.h"
+
+namespace angiomesh {
+
+namespace {
+
+constexpr int kMostRecent = 10;
+constexpr double kThickestSlabMm = 200.0;
+
+QAction* actionOf(const QObject* parent, const char* name) {
+  return parent->findChild<QAction*>(QLatin1String(name));
+}
+
+void enable(const QObject* parent, std::initializer_list<const char*> names, bool on) {
+  for (const char* name : names) {
+    actionOf(parent, name)->setEnabled(on);
+  }
+}
+
+void check(const QObject* parent, const char* name, bool on) {
+  actionOf(parent, name)->setChecked(on);
+}
+
+}  // namespace
+
+MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
+    : QMainWindow(parent),
+      options_(std::move(options)),
+      controller_(new CaseController(options_.makeRunner, this)),
+      state_(new ViewState(*controller_, this)),
+      views_(new ViewGrid(*controller_, *state_, this)) {
+  setObjectName("mainWindow");
+  setAcceptDrops(true);
+  resize(1500, 940);
+  setCentralWidget(views_);
+  buildDocks();
+  buildMenus();
+  buildToolBar();
+  buildStatusBar();
+  connect(controller_, &CaseController::caseChanged, this, &MainWindow::refreshTitle);
+  connect(controller_, &CaseController::statesChanged, this, &MainWindow::refreshActions);
+  connect(controller_, &CaseController::resultsChanged, this, &MainWindow::refreshActions);
+  connect(controller_, &CaseController::parametersChanged, this, &MainWindow::refreshActions);
+  connect(controller_, &CaseController::snapshotArrived, this, &MainWindow::refreshActions);
+  connect(controller_, &CaseController::progressChanged, this, &MainWindow::showProgress);
+  connect(controller_, &CaseController::opened, this, &MainWindow::remember);
+  connect(state_, &ViewState::changed, this, &MainWindow::refreshViewActions);
+  connect(views_, &ViewGrid::hovered, hover_, &QLabel::setText);
+  refreshTitle();
+  refreshActions();
+  refreshViewActions();
+  refreshRecent();
+}
+
+MainWindow::~MainWindow() {
+  // The panels listen to the controller: it goes first, with its workers, and says nothing more.
+  controller_->disconnect();
+  delete controller_;
+  controller_ = nullptr;
+}
+
+void MainWindow::buildDocks() {
+  const auto dock = [this](const char* name, const QString& title, Qt::DockWidgetArea area,
+                           QWidget* content) {
+    auto* widget = new QDockWidget(title, this);
+    widget->setObjectName(QLatin1String(name));
+    widget->setWidget(content);
+    addDockWidget(area, widget);
+    return widget;
+  };
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  dock("pipelineDock", tr("Pipeline"), Qt::LeftDockWidgetArea,
+       new PipelinePanel(*controller_, this));
+  dock("inspectorDock", tr("Mesh inspector"), Qt::RightDockWidgetArea,
+       new InspectorPanel(*controller_, *state_, this));
+  QDockWidget* log =
+      dock("logDock", tr("Log"), Qt::BottomDockWidgetArea, new LogPanel(*controller_, this));
+  QDockWidget* plot = dock("convergenceDock", tr("Convergence"), Qt::BottomDockWidgetArea,
+                           new ConvergencePlot(*controller_, this));
+  splitDockWidget(log, plot, Qt::Horizontal);
+  resizeDocks({log, plot}, {150, 150}, Qt::Vertical);
+}
+
+void MainWindow::buildToolBar() {
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName("toolBar");
+  bar->setMovable(false);
+  const auto add = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+      bar->addAction(actionOf(this, name));
+    }
+    bar->addSeparator();
+  };
+  add({"open", "export"});
+  add({"undo", "redo"});
+  add({"runAll", "cancelRun"});
+  add({"toolNavigate", "toolSeed", "toolRoi"});
+  bar->addWidget(new QLabel(tr(" Layer "), bar));
+  layer_ = new QComboBox(bar);
+  layer_->setObjectName("layer");
+  for (int i = 0; i < kLayerCount; ++i) {
+    layer_->addItem(layerTitle(static_cast<Layer>(i)));
+  }
+  bar->addWidget(layer_);
+  bar->addWidget(new QLabel(tr("  Slab "), bar));
+  slab_ = new QComboBox(bar);
+  slab_->setObjectName("slab");
+  slab_->addItems({tr("off"), tr("MIP"), tr("MinIP"), tr("mean")});
+  bar->addWidget(slab_);
+  thickness_ = new QDoubleSpinBox(bar);
+  thickness_->setObjectName("thickness");
+  thickness_->setRange(0.1, kThickestSlabMm);
+  thickness_->setDecimals(1);
+  thickness_->setSuffix(tr(" mm"));
+  thickness_->setKeyboardTracking(false);
+  bar->addWidget(thickness_);
+  bar->addSeparator();
+  for (const char* name : {"contours", "mip", "surface", "edges"}) {
+    bar->addAction(actionOf(this, name));
+  }
+  connect(layer_, &QComboBox::activated, this,
+          [this](int layer) { state_->setLayer(static_cast<Layer>(layer)); });
+  connect(slab_, &QComboBox::activated, this, [this](int mode) {
+    state_->setSlab(static_cast<SlabMode>(mode), state_->slabThicknessMm());
+  });
+  connect(thickness_, &QDoubleSpinBox::valueChanged, this,
+          [this](double mm) { state_->setSlab(state_->slabMode(), mm); });
+}
+
+void MainWindow::buildStatusBar() {
+  hover_ = new QLabel(this);
+  hover_->setObjectName("hover");
+  work_ = new QLabel(this);
+  work_->setObjectName("work");
+  progress_ = new QProgressBar(this);
+  progress_->setRange(0, 1000);
+  progress_->setMaximumWidth(180);
+  progress_->setTextVisible(false);
+  statusBar()->addWidget(hover_, 1);
+  statusBar()->addPermanentWidget(work_);
+  statusBar()->addPermanentWidget(progress_);
+}
+
+void MainWindow::open(const QString& path, bool thenRun) {
+  if (thenRun) {
+    runOnceLoaded();
+  }
+  controller_->open(path);
+}
+
+void MainWindow::openSample(bool thenRun) {
+  if (thenRun) {
+    runOnceLoaded();
+  }
+  controller_->openSample();
+}
+
+void MainWindow::runOnceLoaded() {
+  auto* once = new QObject(this);
+  connect(controller_, &CaseController::caseChanged, once, [this, once] {
+    once->deleteLater();
+    QMetaObject::invokeMethod(
+        controller_, [this] { controller_->run(); }, Qt::QueuedConnection);
+  });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (!urls.isEmpty() && urls.first().isLocalFile()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.isEmpty() || !urls.first().isLocalFile()) {
+    return;
+  }
+  event->acceptProposedAction();
+  open(urls.first().toLocalFile());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  controller_->cancel();
+  event->accept();
+}
+
+void MainWindow::refreshTitle() {
+  setWindowTitle(controller_->hasCase() ? tr("%1 — Angiomesh").arg(controller_->caseName())
+                                        : tr("Angiomesh"));
+}
+
+void MainWindow::refreshActions() {
+  const bool idle = !controller_->running();
+  const bool evolving = controller_->evolving();
+  const bool any = controller_->hasCase();
+  enable(this, {"runAll"}, any && idle);
+  enable(this, {"cancelRun"}, !idle || controller_->loading());
+  enable(this, {"pauseRun", "finishRun"}, evolving);
+  enable(this, {"stepRun"}, evolving && controller_->paused());
+  actionOf(this, "pauseRun")->setText(controller_->paused() ? tr("Resume") : tr("Pause"));
+  const bool mesh =
+      controller_->mesh(MeshKind::Exported) || controller_->mesh(MeshKind::Unsmoothed);
+  enable(this, {"export"}, mesh);
+  enable(this, {"surface", "edges"}, mesh || controller_->liveSurface());
+  enable(this, {"contours"}, mesh || controller_->phi());
+  enable(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "resetWindow"}, any);
+  enable(this, {"clearSeeds"}, !controller_->seeds().empty());
+  enable(this, {"clearRoi"}, controller_->parameters().preprocess.roi.has_value());
+  layer_->setEnabled(any);
+  slab_->setEnabled(any);
+  thickness_->setEnabled(any && state_->slabMode() != SlabMode::None);
+  const RunResult& results = controller_->results();
+  const std::array<bool, kLayerCount> there{any, results.preprocessed != nullptr,
+                                            results.vesselness != nullptr,
+                                            results.vesselness != nullptr};
+  auto* items = qobject_cast<QStandardItemModel*>(layer_->model());
+  for (int i = 0; i < kLayerCount; ++i) {
+    items->item(i)->setEnabled(there[static_cast<std::size_t>(i)]);
+  }
+  showProgress();
+}
+
+void MainWindow::refreshViewActions() {
+  const QSignalBlocker quietLayer(layer_);
+  const QSignalBlocker quietSlab(slab_);
+  const QSignalBlocker quietThickness(thickness_);
+  layer_->setCurrentIndex(static_cast<int>(state_->layer()));
+  slab_->setCurrentIndex(static_cast<int>(state_->slabMode()));
+  thickness_->setValue(state_->slabThicknessMm());
+  thickness_->setEnabled(controller_->hasCase() && state_->slabMode() != SlabMode::None);
+  check(this, "contours", state_->contours());
+  check(this, "mip", state_->mip());
+  check(this, "surface", state_->surface());
+  check(this, "edges", state_->edges());
+  check(this, "toolNavigate", state_->tool() == Tool::Navigate);
+  check(this, "toolSeed", state_->tool() == Tool::PickSeed);
+  check(this, "toolRoi", state_->tool() == Tool::DrawRoi);
+  check(this, "engineering", state_->scheme() == MouseScheme::Engineering);
+}
+
+void MainWindow::showProgress() {
+  QString text;
+  double fraction = -1.0;
+  if (controller_->loading()) {
+    text = tr("Loading");
+    fraction = controller_->loadFraction();
+  } else if (controller_->running()) {
+    for (int i = static_cast<int>(Step::Preprocess); i < kStepCount; ++i) {
+      const Step step = static_cast<Step>(i);
+      if (controller_->state(step) == StepState::Running) {
+        text = step == Step::Evolve
+                   ? tr("%1: iteration %2").arg(stepTitle(step)).arg(controller_->iterations())
+                   : stepTitle(step);
+        fraction = controller_->runFraction();
+      }
+    }
+  }
+  work_->setText(text);
+  progress_->setVisible(fraction >= 0.0);
+  progress_->setValue(static_cast<int>(1000.0 * fraction));
+}
+
+void MainWindow::remember(const QString& path) {
+  QSettings settings;
+  QStringList paths = settings.value("recent").toStringList();
+  paths.removeAll(path);
+  paths.prepend(path);
+  settings.setValue("recent", QStringList(paths.mid(0, kMostRecent)));
+  refreshRecent();
+}
+
+void MainWindow::refreshRecent() {
+  recent_->clear();
+  const QStringList paths = QSettings().value("recent").toStringList();
+  for (const QString& path : paths) {
+    recent_->addAction(QFileInfo(path).fileName(), this, [this, path] { open(path); });
+  }
+  recent_->menuAction()->setVisible(!paths.isEmpty());
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QMainWindow>
+#include <functional>
+
+#include "gui/model/job_runner.h"
+#include "gui/panel/export_dialog.h"
+
+class QActionGroup;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QToolBar;
+
+namespace angiomesh {
+
+class CaseController;
+class ViewGrid;
+class ViewState;
+
+/// What the window takes from outside, so that tests can answer for the user and run in line.
+struct MainWindowOptions {
+  JobRunnerFactory makeRunner = makeThreadedJobRunner;
+  PathChooser chooser = dialogPathChooser();
+};
+
+/// The one window: four panes, the pipeline on the left, the mesh inspector on the right, log and
+/// convergence plot at the bottom.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(MainWindowOptions options = {}, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] CaseController& controller() { return *controller_; }
+  [[nodiscard]] ViewState& viewState() { return *state_; }
+  [[nodiscard]] ViewGrid& views() { return *views_; }
+
+  /// Opens a file or folder and, with `thenRun`, runs the pipeline once it is loaded.
+  void open(const QString& path, bool thenRun = false);
+  void openSample(bool thenRun = false);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QAction* addAction(QMenu* menu, const char* name, const QString& text,
+                     const QKeySequence& shortcut, const std::function<void()>& slot);
+  QAction* addToggle(QMenu* menu, const char* name, const QString& text,
+                     const QKeySequence& shortcut, const std::function<void(bool)>& slot);
+  void buildDocks();
+  void buildMenus();
+  void buildFileMenu();
+  void buildRunMenu();
+  void buildViewMenu();
+  void buildToolMenu();
+  void buildToolBar();
+  void buildStatusBar();
+  void runOnceLoaded();
+  void refreshTitle();
+  void refreshActions();
+  void refreshViewActions();
+  void refreshRecent();
+  void showProgress();
+  void showExport();
+  void showShortcuts();
+  void showAbout();
+  void remember(const QString& path);
+
+  MainWindowOptions options_;
+  CaseController* controller_;
+  ViewState* state_;
+  ViewGrid* views_;
+  QMenu* recent_ = nullptr;
+  QMenu* panels_ = nullptr;
+  QComboBox* layer_ = nullptr;
+  QComboBox* slab_ = nullptr;
+  QDoubleSpinBox* thickness_ = nullptr;
+  QLabel* hover_ = nullptr;
+  QLabel* work_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/model/case_controller.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/error.h"
+#include "gui/model/change_parameters.h"
+#include "gui/model/component_points.h"
+#include "gui/model/step_text.h"
+
+namespace angiomesh {
+
+namespace {
+
+constexpr int kPollMilliseconds = 33;
+
+/// The file's name without extensions. A folder's name often is a patient's, so it is not used.
+QString nameOf(const QString& path) {
+  const QFileInfo info(path);
+  if (info.isDir()) {
+    return QStringLiteral("DICOM series");
+  }
+  QString name = info.completeBaseName();
+  if (name.endsWith(QLatin1String(".nii"))) {
+    name.chop(4);
+  }
+  return name;
+}
+
+/// Of two fields that bound each other, the other one follows.
+void pushPartner(Parameters& params, const std::string& key) {
+  VesselnessParams& v = params.vesselness;
+  LevelSetParams& l = params.levelset;
+  if (key == "vesselness.sigmaMinMm" && v.sigmaMinMm && v.sigmaMaxMm) {
+    v.sigmaMaxMm = std::max(*v.sigmaMaxMm, *v.sigmaMinMm);
+  } else if (key == "vesselness.sigmaMaxMm" && v.sigmaMinMm && v.sigmaMaxMm) {
+    v.sigmaMinMm = std::min(*v.sigmaMinMm, *v.sigmaMaxMm);
+  } else if (key == "levelset.bMin") {
+    l.bMax = std::max(l.bMax, l.bMin);
+  } else if (key == "levelset.bMax") {
+    l.bMin = std::min(l.bMin, l.bMax);
+  }
+}
+
+/// Places, unlike the rest, mean something in one image only.
+void copyPlaces(const Parameters& from, Parameters& to) {
+  to.preprocess.roi = from.preprocess.roi;
+  to.seeds.points = from.seeds.points;
+  to.segmentation.drop = from.segmentation.drop;
+}
+
+}  // namespace
+
+CaseController::CaseController(const JobRunnerFactory& makeRunner, QObject* parent)
+    : QObject(parent),
+      runRunner_(makeRunner()),
+      loadRunner_(makeRunner()),
+      exportRunner_(makeRunner()),
+      speedRunner_(makeRunner()),
+      params_(preset("angiomesh")) {
+  timer_.setInterval(kPollMilliseconds);
+  connect(&timer_, &QTimer::timeout, this, &CaseController::poll);
+}
+
+CaseController::~CaseController() {
+  undo_.disconnect(this);
+  if (run_) {
+    run_->cancel();
+  }
+  if (load_) {
+    load_->progress().cancel();
+  }
+  for (JobRunner* runner :
+       {runRunner_.get(), loadRunner_.get(), exportRunner_.get(), speedRunner_.get()}) {
+    runner->wait();
+  }
+}
+
+void CaseController::say(Severity severity, const QString& text) {
+  Q_EMIT message(severity, text.simplified());
+}
+
+void CaseController::open(const QString& path) {
+  startLoad(std::make_shared<LoadJob>(QFileInfo(path).absoluteFilePath().toStdString(),
+                                      nameOf(path).toStdString()));
+}
+
+void CaseController::openSample() {
+  startLoad(std::make_shared<LoadJob>(std::filesystem::path(), "sample"));
+}
+
+void CaseController::take(Source source) {
+  startLoad(std::make_shared<LoadJob>(std::move(source)));
+}
+
+void CaseController::startLoad(std::shared_ptr<LoadJob> job) {
+  if (load_) {
+    load_->progress().cancel();
+    nextLoad_ = std::move(job);
+    return;
+  }
+  load_ = std::move(job);
+  loadRunner_->start([load = load_] { load->execute(); });
+  timer_.start();
+  Q_EMIT statesChanged();
+  poll();
+}
+
+void CaseController::finishLoad() {
+  const bool usable = !load_->cancelled() && load_->error().empty();
+  if (usable && run_) {
+    // The new case begins once the old one's run has let go.
+    runAgain_.reset();
+    run_->cancel();
+    return;
+  }
+  const std::shared_ptr<LoadJob> job = std::exchange(load_, nullptr);
+  if (usable) {
+    clearResults();
+    pipeline_ = job->pipeline();
+    name_ = QString::fromStdString(pipeline_->source().name);
+    window_ = job->window();
+    level_ = job->level();
+    undo_.clear();
+    copyPlaces(Parameters(), params_);
+    const Geometry& grid = image()->geometry;
+    say(Severity::Info, tr("Opened %1: %2 × %3 × %4 voxels of %5 × %6 × %7 mm%8.")
+                            .arg(name_)
+                            .arg(grid.size[0])
+                            .arg(grid.size[1])
+                            .arg(grid.size[2])
+                            .arg(grid.spacing[0], 0, 'g', 4)
+                            .arg(grid.spacing[1], 0, 'g', 4)
+                            .arg(grid.spacing[2], 0, 'g', 4)
+                            .arg(job->info().modality.empty()
+                                     ? QString()
+                                     : tr(", ") + QString::fromStdString(job->info().modality)));
+    for (const std::string& warning : job->info().warnings) {
+      say(Severity::Warning, QString::fromStdString(warning));
+    }
+    Q_EMIT caseChanged();
+    Q_EMIT parametersChanged();
+    Q_EMIT resultsChanged();
+    if (!job->path().empty()) {
+      Q_EMIT opened(QString::fromStdString(job->path().string()));
+    }
+  } else if (!job->cancelled()) {
+    say(Severity::Error, tr("Cannot open: %1").arg(QString::fromStdString(job->error())));
+  }
+  Q_EMIT statesChanged();
+  if (nextLoad_) {
+    startLoad(std::exchange(nextLoad_, nullptr));
+  }
+}
+
+QString CaseController::caseName() const { return name_; }
+
+std::shared_ptr<const Volume<float>> CaseController::image() const {
+  return pipeline_ ? pipeline_->source().image : nullptr;
+}
+
+void CaseController::setField(const QString& key, const FieldValue& value, bool continued) {
+  Parameters after = params_;
+  try {
+    angiomesh::setField(after, key.toStdString(), value);
+    pushPartner(after, key.toStdString());
+    if (stepOfField(findField(key.toStdString())) != Step::Seeds) {
+      validate(after);
+    }
+  } catch (const Error& failure) {
+    say(Severity::Error, QString::fromStdString(failure.what()));
+    Q_EMIT parametersChanged();
+    return;
+  }
+  change(after, tr("change %1").arg(key), key, continued);
+}
+
+FieldValue CaseController::suggestedValue(const Field& field) const {
+  double value = field.logarithmic && field.minimum > 0.0 ? std::sqrt(field.minimum * field.maximum)
+                                                          : 0.5 * (field.minimum + field.maximum);
+  const double voxel = image() ? image()->geometry.voxelMm() : 1.0;
+  const auto& v = params_.vesselness;
+  if (field.key == "vesselness.sigmaMinMm") {
+    value = std::min(voxel, v.sigmaMaxMm.value_or(voxel));
+  } else if (field.key == "vesselness.sigmaMaxMm") {
+    value = std::max(6.0 * voxel, v.sigmaMinMm.value_or(voxel));
+  } else if (field.key == "vesselness.k") {
+    value = 2.0 * v.sigmaMinMm.value_or(voxel);
+  } else if (field.key == "vesselness.scales") {
+    value = shown_.vesselness ? static_cast<double>(shown_.vesselness->scalesMm.size()) : 6.0;
+  } else if (field.key == "vesselness.c") {
+    value = shown_.vesselness ? shown_.vesselness->c : window_ * v.cFraction;
+  } else if (field.key == "levelset.b") {
+    value = shown_.evolve ? shown_.evolve->thresholds.b
+                          : 0.5 * (params_.levelset.bMin + params_.levelset.bMax);
+  } else if (field.key == "preprocess.sigmoid.window") {
+    value = window_;
+  } else if (field.key == "preprocess.sigmoid.level") {
+    value = level_;
+  }
+  value = std::clamp(value, field.minimum, field.maximum);
+  switch (field.kind) {
+    case FieldKind::Integer:
+      return static_cast<std::int64_t>(std::lround(value));
+    case FieldKind::Real:
+      return value;
+    case FieldKind::Boolean:
+      return true;
+    case FieldKind::Choice:
+      return field.choices.empty() ? std::string() : field.choices.front();
+    case FieldKind::Numbers:
+      break;
+  }
+  return std::vector<double>();
+}
+
+void CaseController::applyPreset(const QString& name) {
+  Parameters after = preset(name.toStdString());
+  copyPlaces(params_, after);
+  change(after, tr("preset %1").arg(name));
+}
+
+QString CaseController::presetName() const {
+  for (const std::string& name : presetNames()) {
+    Parameters candidate = preset(name);
+    copyPlaces(params_, candidate);
+    if (parametersToJson(candidate) == parametersToJson(params_)) {
+      return QString::fromStdString(name);
+    }
+  }
+  return {};
+}
+
+std::vector<Eigen::Vector3d> CaseController::seeds() const {
+  std::vector<Eigen::Vector3d> points;
+  const std::vector<double>& numbers = params_.seeds.points;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+    points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  }
+  return points;
+}
+
+void CaseController::addSeed(const Eigen::Vector3d& lps) {
+  std::vector<double> points = params_.seeds.points;
+  points.insert(points.end(), {lps[0], lps[1], lps[2]});
+  Parameters after = params_;
+  after.seeds.points = points;
+  change(after, tr("add a seed"));
+}
+
+void CaseController::removeSeed(int index) {
+  Parameters after = params_;
+  std::vector<double>& points = after.seeds.points;
+  const auto at = static_cast<std::ptrdiff_t>(index) * 3;
+  if (index < 0 || at + 3 > static_cast<std::ptrdiff_t>(points.size())) {
+    return;
+  }
+  points.erase(points.begin() + at, points.begin() + at + 3);
+  change(after, tr("remove a seed"));
+}
+
+void CaseController::setRoi(const std::optional<std::array<double, 6>>& roi) {
+  if (roi && image()) {
+    try {
+      (void)cropToBox(*image(), *roi);
+    } catch (const Error& failure) {
+      say(Severity::Error, QString::fromStdString(failure.what()));
+      return;
+    }
+  }
+  Parameters after = params_;
+  after.preprocess.roi = roi;
+  change(after, roi ? tr("draw the region of interest") : tr("clear the region of interest"));
+}
+
+void CaseController::change(const Parameters& after, const QString& text, const QString& mergeKey,
+                            bool continued) {
+  if (parametersToJson(after) == parametersToJson(params_)) {
+    Q_EMIT parametersChanged();
+    return;
+  }
+  undo_.push(new ChangeParameters(*this, params_, after, text, mergeKey, continued));
+}
+
+void CaseController::replaceParameters(const Parameters& params) {
+  params_ = params;
+  interruptRun();
+  Q_EMIT parametersChanged();
+  refreshFromCache();
+  Q_EMIT statesChanged();
+}
+
+std::vector<std::size_t> CaseController::dropsIn(const SegmentComponent& component,
+                                                 const Parameters& params) const {
+  const std::vector<double>& drop = params.segmentation.drop;
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i + 2 < drop.size(); i += 3) {
+    if (Eigen::Vector3d(drop[i], drop[i + 1], drop[i + 2]).isApprox(component.innerPointLps)) {
+      found.push_back(i / 3);
+    }
+  }
+  // Points from an earlier evolution or another program may lie elsewhere in the component.
+  if (found.empty() && !component.kept && !drop.empty() && meshRun_ && meshRun_->evolve) {
+    return pointsInComponent(*meshRun_->evolve->phi, component.innerPointLps, drop);
+  }
+  return found;
+}
+
+std::vector<ComponentRow> CaseController::components() const {
+  std::vector<ComponentRow> rows;
+  if (!meshRun_ || !meshRun_->surface) {
+    return rows;
+  }
+  for (const SegmentComponent& component : meshRun_->surface->components) {
+    ComponentRow row;
+    row.voxels = component.voxels;
+    row.volumeMm3 = component.volumeMm3;
+    row.byRule = !component.kept && dropsIn(component, meshRun_->params).empty();
+    row.ticked = !row.byRule && dropsIn(component, params_).empty();
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+void CaseController::setComponentTicked(int index, bool ticked) {
+  if (!meshRun_ || !meshRun_->surface || index < 0 ||
+      index >= static_cast<int>(meshRun_->surface->components.size())) {
+    return;
+  }
+  const SegmentComponent& component =
+      meshRun_->surface->components[static_cast<std::size_t>(index)];
+  Parameters after = params_;
+  std::vector<double>& drop = after.segmentation.drop;
+  const std::vector<std::size_t> known = dropsIn(component, params_);
+  if (ticked) {
+    for (auto i = known.rbegin(); i != known.rend(); ++i) {
+      const auto at = drop.begin() + static_cast<std::ptrdiff_t>(3 * *i);
+      drop.erase(at, at + 3);
+    }
+  } else if (known.empty()) {
+    const Eigen::Vector3d& p = component.innerPointLps;
+    drop.insert(drop.end(), {p[0], p[1], p[2]});
+  }
+  change(after, ticked ? tr("tick a part on") : tr("tick a part off"));
+}
+
+}  // namespace angiomesh

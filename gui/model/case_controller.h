@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <QUndoStack>
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "gui/model/file_jobs.h"
+#include "gui/model/job_runner.h"
+#include "gui/model/run_job.h"
+
+namespace angiomesh {
+
+enum class StepState { Empty, Fresh, Running, Stale, Failed };
+enum class Layer { Source, Preprocessed, Vesselness, Speed };
+constexpr int kLayerCount = 4;
+enum class Severity { Info, Warning, Error };
+
+/// A row of the components table.
+struct ComponentRow {
+  std::size_t voxels = 0;
+  double volumeMm3 = 0.0;
+  bool ticked = true;
+  bool byRule = false;  ///< left out by segmentation.keep or .minVolumeMm3: a tick has no say
+};
+
+/// Owns the case: source, parameters, undo stack, jobs and results. Every edit is a change of the
+/// parameters, and goes through the undo stack; results are derived data, valid as long as their
+/// key is. Work runs on workers and is polled at 30 Hz; nothing here blocks.
+class CaseController : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CaseController(const JobRunnerFactory& makeRunner = makeThreadedJobRunner,
+                          QObject* parent = nullptr);
+  /// Cancels what runs and waits for it.
+  ~CaseController() override;
+
+  // The case.
+  void open(const QString& path);
+  void openSample();
+  /// Takes a source that is at hand already.
+  void take(Source source);
+  [[nodiscard]] bool hasCase() const { return pipeline_ != nullptr; }
+  [[nodiscard]] bool loading() const { return load_ != nullptr; }
+  [[nodiscard]] double loadFraction() const { return load_ ? load_->progress().fraction() : 0.0; }
+  [[nodiscard]] QString caseName() const;
+  [[nodiscard]] std::shared_ptr<const Volume<float>> image() const;
+  /// Window and level that suit a layer.
+  [[nodiscard]] std::pair<double, double> windowLevel(Layer layer) const;
+
+  // Edits: each one is undoable.
+  [[nodiscard]] const Parameters& parameters() const { return params_; }
+  [[nodiscard]] QUndoStack* undoStack() { return &undo_; }
+  /// @param continued merges with the last change of the same field, as while a slider is dragged
+  void setField(const QString& key, const FieldValue& value, bool continued = false);
+  /// Where a field that was empty begins when it gets a value.
+  [[nodiscard]] FieldValue suggestedValue(const Field& field) const;
+  /// The part of a field's range that is worth a slider in this image.
+  [[nodiscard]] std::pair<double, double> sliderRange(const Field& field) const;
+  void applyPreset(const QString& name);
+  /// The preset that the parameters, edits aside, are equal to; empty: none.
+  [[nodiscard]] QString presetName() const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> seeds() const;
+  void addSeed(const Eigen::Vector3d& lps);
+  void removeSeed(int index);
+  void setRoi(const std::optional<std::array<double, 6>>& roi);
+  [[nodiscard]] std::vector<ComponentRow> components() const;
+  void setComponentTicked(int index, bool ticked);
+
+  // Runs.
+  void run(Step until = Step::Quality);
+  void cancel();
+  void setPaused(bool paused);
+  void stepEvolution(int iterations = 1);
+  void finishEvolution();
+  [[nodiscard]] bool running() const { return run_ != nullptr; }
+  [[nodiscard]] bool evolving() const;
+  [[nodiscard]] bool paused() const;
+  [[nodiscard]] bool busy() const { return run_ || load_ || export_ || speedRun_; }
+
+  [[nodiscard]] StepState state(Step step) const;
+  /// Of the run, and of the step in work: 0..1.
+  [[nodiscard]] double runFraction() const;
+  [[nodiscard]] double stepFraction() const;
+  /// Why a step failed; empty where it did not.
+  [[nodiscard]] QString failure(Step step) const;
+  /// Computing time of a result, seconds; negative without one.
+  [[nodiscard]] double seconds(Step step) const;
+  [[nodiscard]] int iterations() const { return iterations_; }
+  /// Last change of the evolution; negative without one.
+  [[nodiscard]] double change() const;
+  /// Iterations and change at the checks of the evolution shown.
+  [[nodiscard]] const std::vector<std::pair<int, double>>& history() const { return history_; }
+
+  // Results.
+  /// Null while it is not there; the speed is made on demand, resultsChanged() tells when.
+  [[nodiscard]] std::shared_ptr<const Volume<float>> layer(Layer layer);
+  [[nodiscard]] std::shared_ptr<const VesselnessResult> vesselnessResult() const;
+  [[nodiscard]] std::shared_ptr<const SeedsResult> seedsResult() const { return shown_.seeds; }
+  /// phi to outline: the evolving one, else that of the kept components, else the evolution's.
+  [[nodiscard]] std::shared_ptr<const Volume<float>> phi() const;
+  /// The evolving surface; null when no evolution runs.
+  [[nodiscard]] std::shared_ptr<const TriMesh> liveSurface() const { return liveSurface_; }
+  [[nodiscard]] std::shared_ptr<const TriMesh> mesh(MeshKind kind) const;
+  [[nodiscard]] const MeshQuality* quality(MeshKind kind) const;
+  [[nodiscard]] std::shared_ptr<const MeshFacts> facts() const { return facts_; }
+  /// Whether the mesh at hand belongs to the present parameters.
+  [[nodiscard]] bool meshFresh() const;
+  [[nodiscard]] const RunResult& results() const { return shown_; }
+
+  /// Writes the exported mesh; `report` adds NAME.report.json.
+  void exportMesh(MeshKind kind, const QString& path, LengthUnit unit, Frame frame, bool report);
+
+ Q_SIGNALS:
+  void caseChanged();
+  void parametersChanged();
+  void resultsChanged();
+  void statesChanged();    ///< of the steps, of running, loading and pausing
+  void progressChanged();  ///< at most 30 times per second
+  void snapshotArrived();  ///< phi() and liveSurface() moved on
+  void message(angiomesh::Severity severity, const QString& text);
+  void exported(const QString& path);
+  void opened(const QString& path);  ///< a file or folder was loaded
+
+ private:
+  friend class ChangeParameters;
+  struct SpeedJob;
+
+  void say(Severity severity, const QString& text);
+  void startLoad(std::shared_ptr<LoadJob> job);
+  void finishLoad();
+  void replaceParameters(const Parameters& params);
+  void change(const Parameters& after, const QString& text, const QString& mergeKey = {},
+              bool continued = false);
+  void startRun(Step until);
+  void fail(Step step, const Parameters& params, const std::string& reason);
+  void interruptRun();
+  void refreshFromCache();
+  void finishRun();
+  void finishExport();
+  void accept(const StepResult& result);
+  void poll();
+  void pollRun();
+  void requestSpeed();
+  void finishSpeed();
+  [[nodiscard]] std::string speedKey() const;
+  void clearResults();
+  [[nodiscard]] std::vector<std::size_t> dropsIn(const SegmentComponent& component,
+                                                 const Parameters& params) const;
+
+  QUndoStack undo_;
+  QTimer timer_;
+  std::unique_ptr<JobRunner> runRunner_, loadRunner_, exportRunner_, speedRunner_;
+
+  Parameters params_;
+  std::shared_ptr<Pipeline> pipeline_;
+  QString name_;
+  double window_ = 1.0, level_ = 0.5;
+
+  std::shared_ptr<LoadJob> load_;
+  std::shared_ptr<LoadJob> nextLoad_;
+  std::shared_ptr<ExportJob> export_;
+  std::shared_ptr<RunJob> run_;
+  bool quietRun_ = false;               ///< a look into the cache, not worth a line in the log
+  std::optional<Step> polledStep_;      ///< of the run, when last looked at
+  std::optional<Step> interruptAfter_;  ///< this step the run is of no more use
+  std::optional<Step> runAgain_;        ///< once the present run has ended
+  std::shared_ptr<SpeedJob> speedRun_;
+
+  RunResult shown_;
+  std::array<std::string, kStepCount> keys_;  ///< of the results shown
+  std::shared_ptr<const RunResult> meshRun_;  ///< the run that the meshes shown come from
+  std::shared_ptr<const MeshFacts> facts_;
+  std::shared_ptr<const Volume<float>> speed_;
+  std::string speedKey_;
+  std::shared_ptr<const Volume<float>> livePhi_;
+  std::shared_ptr<const TriMesh> liveSurface_;
+  std::string failedKey_;
+  Step failedStep_ = Step::Load;
+  QString failedText_;
+  int iterations_ = 0;
+  double change_ = -1.0;
+  std::vector<std::pair<int, double>> history_;
+};
+
+}  // namespace angiomesh

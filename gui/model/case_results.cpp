@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
+
+#include "gui/model/case_controller.h"
+#include "gui/model/step_text.h"
+
+namespace angiomesh {
+
+void CaseController::clearResults() {
+  shown_ = RunResult();
+  keys_.fill({});
+  meshRun_.reset();
+  facts_.reset();
+  livePhi_.reset();
+  liveSurface_.reset();
+  speed_.reset();
+  speedKey_.clear();
+  failedKey_.clear();
+  iterations_ = 0;
+  change_ = -1.0;
+  history_.clear();
+}
+
+StepState CaseController::state(Step step) const {
+  const std::string& key = keys_[static_cast<std::size_t>(step)];
+  if (!pipeline_) {
+    return StepState::Empty;
+  }
+  const std::string now = pipeline_->key(step, params_);
+  if (run_ && !quietRun_ && run_->step() == step && key != now) {
+    return StepState::Running;
+  }
+  if (!failedKey_.empty() && step == failedStep_ && failedKey_ == now) {
+    return StepState::Failed;
+  }
+  if (key.empty()) {
+    return StepState::Empty;
+  }
+  return key == now ? StepState::Fresh : StepState::Stale;
+}
+
+std::pair<double, double> CaseController::sliderRange(const Field& field) const {
+  double low = field.minimum;
+  double high = field.maximum;
+  const double voxel = image() ? image()->geometry.voxelMm() : 1.0;
+  if (field.key == "vesselness.sigmaMinMm" || field.key == "vesselness.sigmaMaxMm" ||
+      field.key == "vesselness.k") {
+    low = 0.4 * voxel;
+    high = 30.0 * voxel;
+  } else if (field.key == "preprocess.sigmoid.window") {
+    low = 0.01 * window_;
+    high = 3.0 * window_;
+  } else if (field.key == "preprocess.sigmoid.level") {
+    low = level_ - window_;
+    high = level_ + 2.0 * window_;
+  } else if (field.key == "segmentation.minVolumeMm3" || field.key == "surface.minComponentMm3") {
+    high = image() ? 0.01 * static_cast<double>(image()->geometry.voxelCount()) *
+                         image()->geometry.voxelVolumeMm3()
+                   : 1e4;
+  } else if (field.key == "levelset.maxIterations") {
+    high = 20000.0;
+  } else if (field.key == "levelset.checkEvery" || field.key == "smooth.iterations") {
+    high = 500.0;
+  }
+  return {std::max(low, field.minimum), std::min(high, field.maximum)};
+}
+
+double CaseController::runFraction() const { return run_ ? run_->fraction() : 0.0; }
+
+double CaseController::stepFraction() const { return run_ ? run_->stepFraction() : 0.0; }
+
+QString CaseController::failure(Step step) const {
+  return state(step) == StepState::Failed ? failedText_ : QString();
+}
+
+double CaseController::seconds(Step step) const {
+  const auto i = static_cast<std::size_t>(step);
+  return keys_[i].empty() || i >= shown_.stages.size() ? -1.0 : shown_.stages[i].seconds;
+}
+
+double CaseController::change() const { return change_; }
+
+std::pair<double, double> CaseController::windowLevel(Layer layer) const {
+  switch (layer) {
+    case Layer::Vesselness:
+      return {0.6, 0.3};
+    case Layer::Speed:
+      return {2.0, 0.0};
+    case Layer::Source:
+    case Layer::Preprocessed:
+      break;
+  }
+  return {window_, level_};
+}
+
+std::shared_ptr<const Volume<float>> CaseController::layer(Layer layer) {
+  switch (layer) {
+    case Layer::Source:
+      return image();
+    case Layer::Preprocessed:
+      return shown_.preprocessed;
+    case Layer::Vesselness:
+      return shown_.vesselness ? shown_.vesselness->multiScale : nullptr;
+    case Layer::Speed:
+      if (speedKey_ != speedKey()) {
+        requestSpeed();
+      }
+      return speed_;
+  }
+  return nullptr;
+}
+
+std::shared_ptr<const VesselnessResult> CaseController::vesselnessResult() const {
+  return shown_.vesselness;
+}
+
+std::shared_ptr<const Volume<float>> CaseController::phi() const {
+  if (livePhi_) {
+    return livePhi_;
+  }
+  if (meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve) {
+    return meshRun_->surface->phi;
+  }
+  return shown_.evolve ? shown_.evolve->phi : nullptr;
+}
+
+std::shared_ptr<const TriMesh> CaseController::mesh(MeshKind kind) const {
+  if (!meshRun_) {
+    return nullptr;
+  }
+  switch (kind) {
+    case MeshKind::Exported:
+      return meshRun_->smoothed;
+    case MeshKind::Unsmoothed:
+      return meshRun_->surface ? meshRun_->surface->mesh : nullptr;
+    case MeshKind::MarchingCubes:
+      return meshRun_->surface ? meshRun_->surface->marchingCubes : nullptr;
+  }
+  return nullptr;
+}
+
+const MeshQuality* CaseController::quality(MeshKind kind) const {
+  if (!meshRun_ || !meshRun_->quality) {
+    return nullptr;
+  }
+  const QualityResult& quality = *meshRun_->quality;
+  switch (kind) {
+    case MeshKind::Exported:
+      return &quality.mesh;
+    case MeshKind::Unsmoothed:
+      return &quality.unsmoothed;
+    case MeshKind::MarchingCubes:
+      return &quality.marchingCubes;
+  }
+  return nullptr;
+}
+
+bool CaseController::meshFresh() const { return state(Step::Smooth) == StepState::Fresh; }
+
+void CaseController::exportMesh(MeshKind kind, const QString& path, LengthUnit unit, Frame frame,
+                                bool report) {
+  if (export_) {
+    say(Severity::Warning, tr("An export is being written: try again when it is done."));
+    return;
+  }
+  ExportRequest request;
+  request.mesh = mesh(kind);
+  if (!request.mesh) {
+    say(Severity::Error, tr("There is no mesh to export: run the pipeline first."));
+    return;
+  }
+  request.path = path.toStdString();
+  request.options.unit = unit;
+  request.options.frame = frame;
+  const Step step = kind == MeshKind::Exported ? Step::Smooth : Step::Surface;
+  for (const StageReport& stage : meshRun_->stages) {
+    if (stage.step == step) {
+      request.options.key = stage.key;
+    }
+  }
+  if (report) {
+    request.report = meshRun_;
+  }
+  export_ = std::make_shared<ExportJob>(std::move(request));
+  exportRunner_->start([job = export_] { job->execute(); });
+  timer_.start();
+  poll();
+}
+
+void CaseController::finishExport() {
+  const std::shared_ptr<ExportJob> job = std::exchange(export_, nullptr);
+  if (!job->error().empty()) {
+    say(Severity::Error, tr("Cannot export: %1").arg(QString::fromStdString(job->error())));
+    return;
+  }
+  say(Severity::Info, tr("Wrote %1%2.")
+                          .arg(QString::fromStdString(job->fileName()),
+                               job->request().report ? tr(" and its report") : QString()));
+  Q_EMIT exported(QString::fromStdString(job->request().path.string()));
+}
+
+}  // namespace angiomesh

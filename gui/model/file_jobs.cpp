@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/model/file_jobs.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/phantom/phantom.h"
+#include "core/pipeline/report.h"
+#include "io/files.h"
+
+namespace angiomesh {
+
+namespace {
+
+constexpr int kSampleSize = 128;
+constexpr double kSampleNoise = 20.0;
+
+void replaceAll(std::string& text, const std::string& what, const std::string& with) {
+  for (std::size_t at = text.find(what); !what.empty() && at != std::string::npos;
+       at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+}
+
+}  // namespace
+
+std::string withoutPath(std::string message, const std::filesystem::path& path,
+                        const std::string& name) {
+  replaceAll(message, path.string(), name);
+  if (path.has_parent_path() && path.parent_path() != path.root_path()) {
+    replaceAll(message, path.parent_path().string(), "its folder");
+  }
+  return message;
+}
+
+Source makeSampleSource(int size, const Progress& progress) {
+  PhantomParams params;
+  params.size = {size, size, size};
+  params.noiseSigma = kSampleNoise;
+  return makeSource(makePhantom(params, progress).image, "sample");
+}
+
+LoadJob::LoadJob(std::filesystem::path path, std::string name)
+    : path_(std::move(path)), name_(std::move(name)) {}
+
+LoadJob::LoadJob(Source source) : name_(source.name), source_(std::move(source)) {}
+
+void LoadJob::execute() noexcept {
+  try {
+    load();
+  } catch (const Cancelled&) {
+    cancelled_ = true;
+  } catch (const std::bad_alloc&) {
+    error_ = "not enough memory, " + name_ + ": close other programs or crop the volume first";
+  } catch (const std::exception& failure) {
+    error_ = withoutPath(failure.what(), path_, name_);
+  }
+}
+
+void LoadJob::load() {
+  Source source = std::move(source_);
+  if (source.image) {
+    info_.format = "memory";
+  } else if (path_.empty()) {
+    source = makeSampleSource(kSampleSize, progress_.sub(0.0, 0.8));
+    info_.format = "phantom";
+    info_.pixelType = "float32";
+  } else {
+    LoadedImage loaded = readImage(path_, {}, progress_.sub(0.0, 0.8));
+    info_ = std::move(loaded.info);
+    for (std::string& warning : info_.warnings) {
+      warning = withoutPath(warning, path_, name_);
+    }
+    progress_.check();
+    source = makeSource(std::move(loaded.image), name_);
+  }
+  progress_.report(0.9);
+  if (info_.window && info_.level && *info_.window > 0.0) {
+    window_ = *info_.window;
+    level_ = *info_.level;
+  } else {
+    const std::vector<double> range = percentiles(*source.image, {0.01, 0.998});
+    const auto extremes = valueRange(*source.image);
+    const bool flat = !(range[1] > range[0]);
+    const double lo = flat ? extremes[0] : range[0];
+    const double hi = flat ? extremes[1] : range[1];
+    window_ = hi - lo;
+    level_ = 0.5 * (hi + lo);
+  }
+  pipeline_ = std::make_shared<Pipeline>(std::move(source));
+}
+
+void ExportJob::execute() noexcept {
+  try {
+    writeMesh(*request_.mesh, request_.path, request_.options);
+    if (request_.report) {
+      std::filesystem::path path = request_.path;
+      writeText(path.replace_extension(".report.json"), runReportJson(*request_.report));
+    }
+  } catch (const std::exception& failure) {
+    error_ = withoutPath(failure.what(), request_.path, fileName());
+  }
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/base/progress.h"
+#include "core/pipeline/pipeline.h"
+#include "io/image_io.h"
+#include "io/mesh_io.h"
+
+namespace angiomesh {
+
+/// Loads a case off the window's thread: execute() on the worker, the results after it.
+class LoadJob {
+ public:
+  /// @param path file or folder; empty: the built-in sample   @param name shown to the user
+  LoadJob(std::filesystem::path path, std::string name);
+  /// For a source that is at hand already.
+  explicit LoadJob(Source source);
+
+  void execute() noexcept;
+
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  // After execute():
+  [[nodiscard]] bool cancelled() const { return cancelled_; }
+  [[nodiscard]] const std::string& error() const { return error_; }
+  [[nodiscard]] const InputInfo& info() const { return info_; }
+  [[nodiscard]] std::shared_ptr<Pipeline> pipeline() const { return pipeline_; }
+  /// Window and level to begin with: the file's own, else the 1st to the 99.8th percentile.
+  [[nodiscard]] double window() const { return window_; }
+  [[nodiscard]] double level() const { return level_; }
+
+ private:
+  void load();
+
+  std::filesystem::path path_;
+  std::string name_;
+  Source source_;
+  Progress progress_;
+  bool cancelled_ = false;
+  std::string error_;
+  InputInfo info_;
+  std::shared_ptr<Pipeline> pipeline_;
+  double window_ = 1.0, level_ = 0.5;
+};
+
+/// What an export writes.
+struct ExportRequest {
+  std::shared_ptr<const TriMesh> mesh;
+  std::filesystem::path path;  ///< .ply or .stl
+  MeshWriteOptions options;
+  std::shared_ptr<const RunResult> report;  ///< empty: no NAME.report.json beside the mesh
+};
+
+class ExportJob {
+ public:
+  explicit ExportJob(ExportRequest request) : request_(std::move(request)) {}
+
+  void execute() noexcept;
+
+  [[nodiscard]] const ExportRequest& request() const { return request_; }
+  [[nodiscard]] const std::string& error() const { return error_; }
+  /// The file's name without its folder.
+  [[nodiscard]] std::string fileName() const { return request_.path.filename().string(); }
+
+ private:
+  ExportRequest request_;
+  std::string error_;
+};
+
+/// `message` with the name in place of the path and of its folder: a path may hold a patient's
+/// name.
+std::string withoutPath(std::string message, const std::filesystem::path& path,
+                        const std::string& name);
+
+/// The volume of the built-in sample: a noisy vascular tree.
+Source makeSampleSource(int size, const Progress& progress = {});
+
+}  // namespace angiomesh

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/pipeline.h"
+
+namespace angiomesh {
+
+/// The three meshes that the inspector compares.
+enum class MeshKind { Exported, Unsmoothed, MarchingCubes };
+constexpr int kMeshKindCount = 3;
+
+/// Per triangle, for histograms and colours.
+struct MeshFacts {
+  std::array<std::vector<float>, kMeshKindCount> minAnglesDeg, radiusRatios;
+};
+
+/// A step's result and those before it.
+struct StepResult {
+  Step step = Step::Load;
+  std::string key;
+  std::shared_ptr<const RunResult> run;
+  std::shared_ptr<const MeshFacts> facts;  ///< with Step::Quality only
+};
+
+/// One run of the pipeline as its worker and its watcher share it: execute() runs on the worker,
+/// all else may be called from the watcher's thread at any time. Results arrive step by step.
+class RunJob {
+ public:
+  RunJob(std::shared_ptr<Pipeline> pipeline, const Parameters& params, Step until);
+
+  void execute() noexcept;
+
+  void cancel();
+  /// Lets the step in work end, and the next one begin at most.
+  void stopAfterStep();
+
+  enum class End { Done, Stopped, Cancelled, Failed };
+  /// How it ended, and why when it failed: after execute() only.
+  [[nodiscard]] End end() const { return end_; }
+  [[nodiscard]] const std::string& error() const { return error_; }
+
+  [[nodiscard]] const Parameters& params() const { return params_; }
+  [[nodiscard]] Step until() const { return until_; }
+  [[nodiscard]] Step step() const;
+  /// Of the whole run, and of the step in work: 0..1.
+  [[nodiscard]] double fraction() const;
+  [[nodiscard]] double stepFraction() const;
+  /// Of the part in work: phase, iterations and change.
+  [[nodiscard]] Progress progress() const;
+  [[nodiscard]] EvolutionControl& control() { return *control_; }
+
+  /// What has arrived since the last call.
+  std::vector<StepResult> takeResults();
+  std::shared_ptr<const EvolutionSnapshot> takeSnapshot() { return snapshots_->take(); }
+
+ private:
+  void runSteps();
+  Progress begin(Step step);
+  void collect(Step first, RunResult run);
+
+  std::shared_ptr<Pipeline> pipeline_;
+  Parameters params_;
+  Step until_;
+  std::shared_ptr<EvolutionControl> control_ = std::make_shared<EvolutionControl>();
+  std::shared_ptr<Mailbox<EvolutionSnapshot>> snapshots_ =
+      std::make_shared<Mailbox<EvolutionSnapshot>>();
+  std::atomic<Step> first_{Step::Preprocess};  ///< of the part in work
+  std::atomic<Step> lastWanted_;
+  std::atomic<bool> cancelled_{false};
+  mutable std::mutex mutex_;
+  Progress progress_;                ///< of the part in work; guarded by mutex_
+  std::vector<StepResult> results_;  ///< guarded by mutex_
+  std::vector<StageReport> stages_;
+  double seconds_ = 0.0, cpuSeconds_ = 0.0;
+  End end_ = End::Done;
+  std::string error_;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/model/step_text.h"
+
+#include <map>
+
+namespace angiomesh {
+
+namespace {
+
+/// "curvatureFlow.timeStep" -> "Curvature flow time step".
+QString spokenName(const std::string& key) {
+  QString text;
+  bool start = true;
+  for (const char c : key.substr(key.find('.') + 1)) {
+    if (c == '.') {
+      text += u' ';
+      continue;
+    }
+    const QChar letter = QLatin1Char(c);
+    if (letter.isUpper() && !text.isEmpty()) {
+      text += u' ';
+    }
+    text += start ? letter.toUpper() : letter.toLower();
+    start = false;
+  }
+  for (const char* unit : {" mm3", " mm", " voxels"}) {
+    if (text.endsWith(QLatin1String(unit))) {
+      text.chop(static_cast<int>(qstrlen(unit)));
+    }
+  }
+  return text;
+}
+
+const std::map<std::string, QString>& labels() {
+  static const std::map<std::string, QString> table{
+      {"preprocess.isotropic", QStringLiteral("Cubic voxels")},
+      {"preprocess.roi", QStringLiteral("Region of interest")},
+      {"preprocess.sigmoid.enabled", QStringLiteral("Sigmoid mapping")},
+      {"vesselness.sigmaMinMm", QStringLiteral("Thinnest vessel")},
+      {"vesselness.sigmaMaxMm", QStringLiteral("Thickest vessel")},
+      {"vesselness.k", QStringLiteral("k")},
+      {"preprocess.sigmoid.window", QStringLiteral("Sigmoid window")},
+      {"preprocess.sigmoid.level", QStringLiteral("Sigmoid level")},
+      {"preprocess.curvatureFlow.enabled", QStringLiteral("Curvature flow")},
+      {"preprocess.curvatureFlow.iterations", QStringLiteral("Flow iterations")},
+      {"preprocess.curvatureFlow.timeStep", QStringLiteral("Flow time step")},
+      {"seeds.topPercent", QStringLiteral("Top share")},
+      {"seeds.points", QStringLiteral("Seeds by hand")},
+      {"levelset.gamma", QStringLiteral("Image weight γ")},
+      {"levelset.d", QStringLiteral("Curvature d")},
+      {"levelset.xi", QStringLiteral("Threshold ξ")},
+      {"levelset.b", QStringLiteral("Threshold b")},
+      {"segmentation.drop", QStringLiteral("Parts ticked off")},
+      {"segmentation.keep", QStringLiteral("Parts kept")},
+      {"surface.cellVoxels", QStringLiteral("Cell size")},
+      {"surface.rho", QStringLiteral("Accuracy ρ")},
+      {"surface.etaInverse", QStringLiteral("Size ratio 1/η")},
+      {"smooth.lambda", QStringLiteral("λ")},
+      {"smooth.mu", QStringLiteral("μ")},
+      {"smooth.wallBoundVoxels", QStringLiteral("Wall bound")}};
+  return table;
+}
+
+}  // namespace
+
+QString stepTitle(Step step) {
+  switch (step) {
+    case Step::Load:
+      return QStringLiteral("Load");
+    case Step::Preprocess:
+      return QStringLiteral("Preprocess");
+    case Step::Vesselness:
+      return QStringLiteral("Vesselness");
+    case Step::Seeds:
+      return QStringLiteral("Seeds");
+    case Step::Evolve:
+      return QStringLiteral("Evolve");
+    case Step::Surface:
+      return QStringLiteral("Surface");
+    case Step::Smooth:
+      return QStringLiteral("Smooth");
+    case Step::Quality:
+      return QStringLiteral("Quality");
+  }
+  return {};
+}
+
+QString layerTitle(Layer layer) {
+  switch (layer) {
+    case Layer::Source:
+      return QStringLiteral("Source");
+    case Layer::Preprocessed:
+      return QStringLiteral("Preprocessed");
+    case Layer::Vesselness:
+      return QStringLiteral("Vesselness");
+    case Layer::Speed:
+      return QStringLiteral("Speed p");
+  }
+  return {};
+}
+
+QString meshTitle(MeshKind kind) {
+  switch (kind) {
+    case MeshKind::Exported:
+      return QStringLiteral("exported (smoothed)");
+    case MeshKind::Unsmoothed:
+      return QStringLiteral("unsmoothed");
+    case MeshKind::MarchingCubes:
+      return QStringLiteral("marching cubes");
+  }
+  return {};
+}
+
+Step stepOfField(const Field& field) {
+  const std::string group = field.key.substr(0, field.key.find('.'));
+  if (group == "levelset") {
+    return Step::Evolve;
+  }
+  if (group == "segmentation") {
+    return Step::Surface;
+  }
+  return stepFromId(group).value_or(Step::Preprocess);
+}
+
+FieldPresentation presentationOf(const Field& field) {
+  FieldPresentation shown;
+  const auto label = labels().find(field.key);
+  shown.label = label != labels().end() ? label->second : spokenName(field.key);
+  shown.unit = QString::fromStdString(field.unit);
+  if (field.key == "vesselness.sigmaMinMm" || field.key == "vesselness.sigmaMaxMm") {
+    // A vessel answers most at sigma = radius, and users think in diameters.
+    shown.factor = 2.0;
+  }
+  return shown;
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+
+#include "core/pipeline/pipeline.h"
+#include "gui/model/case_controller.h"
+
+namespace angiomesh {
+
+/// What the window calls a step, a layer and a mesh.
+QString stepTitle(Step step);
+QString layerTitle(Layer layer);
+QString meshTitle(MeshKind kind);
+
+/// The step whose result a parameter goes into.
+Step stepOfField(const Field& field);
+
+/// How the window names and scales a parameter. The value shown is factor times the value stored.
+struct FieldPresentation {
+  QString label;
+  QString unit;
+  double factor = 1.0;
+};
+FieldPresentation presentationOf(const Field& field);
+
+}  // namespace angiomesh

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <QObject>
+#include <array>
+#include <utility>
+
+#include "gui/model/case_controller.h"
+#include "gui/view/slice_view.h"
+
+namespace angiomesh {
+
+enum class MeshColour { Plain, MinAngle, RadiusRatio };
+
+/// What the panes show and how: the one place that toolbar, menus, inspector and panes agree on.
+/// Every setter that changes something emits changed().
+class ViewState : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ViewState(CaseController& controller, QObject* parent = nullptr);
+
+  [[nodiscard]] Layer layer() const { return layer_; }
+  void setLayer(Layer layer);
+
+  /// Of the layer shown; each layer remembers its own.
+  [[nodiscard]] std::pair<double, double> windowLevel() const;
+  void setWindowLevel(double window, double level);
+  void resetWindowLevel();
+
+  [[nodiscard]] SlabMode slabMode() const { return slabMode_; }
+  [[nodiscard]] double slabThicknessMm() const { return slabThicknessMm_; }
+  void setSlab(SlabMode mode, double thicknessMm);
+
+  [[nodiscard]] bool contours() const { return contours_; }
+  void setContours(bool on) { set(contours_, on); }
+  [[nodiscard]] bool mip() const { return mip_; }
+  void setMip(bool on) { set(mip_, on); }
+  [[nodiscard]] bool surface() const { return surface_; }
+  void setSurface(bool on) { set(surface_, on); }
+  [[nodiscard]] bool edges() const { return edges_; }
+  void setEdges(bool on) { set(edges_, on); }
+
+  [[nodiscard]] Tool tool() const { return tool_; }
+  void setTool(Tool tool) { set(tool_, tool); }
+  [[nodiscard]] MouseScheme scheme() const { return scheme_; }
+  void setScheme(MouseScheme scheme) { set(scheme_, scheme); }
+
+  [[nodiscard]] MeshKind meshKind() const { return meshKind_; }
+  void setMeshKind(MeshKind kind) { set(meshKind_, kind); }
+  [[nodiscard]] MeshColour meshColour() const { return meshColour_; }
+  void setMeshColour(MeshColour colour) { set(meshColour_, colour); }
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  template <class T>
+  void set(T& member, const T& value) {
+    if (member != value) {
+      member = value;
+      Q_EMIT changed();
+    }
+  }
+
+  CaseController& controller_;
+  Layer layer_ = Layer::Source;
+  std::array<std::pair<double, double>, kLayerCount> windowLevels_;
+  SlabMode slabMode_ = SlabMode::None;
+  double slabThicknessMm_ = 10.0;
+  bool contours_ = true, mip_ = true, surface_ = true, edges_ = false;
+  Tool tool_ = Tool::Navigate;
+  MouseScheme scheme_ = MouseScheme::Radiology;
+  MeshKind meshKind_ = MeshKind::Exported;
+  MeshColour meshColour_ = MeshColour::Plain;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/panel/case_tables.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "gui/model/case_controller.h"
+
+namespace angiomesh {
+
+namespace {
+
+/// Noise can leave thousands of specks; the largest parts are those that anybody ticks.
+constexpr int kMostRows = 300;
+constexpr int kStepIterations = 10;
+
+QVBoxLayout* tightColumn(QWidget* parent) {
+  auto* column = new QVBoxLayout(parent);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(3);
+  return column;
+}
+
+}  // namespace
+
+SeedList::SeedList(CaseController& controller, QWidget* parent)
+    : QWidget(parent), controller_(controller) {
+  auto* column = tightColumn(this);
+  summary_ = new QLabel(this);
+  summary_->setObjectName("seedSummary");
+  column->addWidget(summary_);
+  list_ = new QListWidget(this);
+  list_->setObjectName("seedList");
+  list_->setMaximumHeight(84);
+  column->addWidget(list_);
+  remove_ = new QPushButton(tr("Remove seed"), this);
+  remove_->setObjectName("removeSeed");
+  column->addWidget(remove_, 0, Qt::AlignLeft);
+  connect(remove_, &QPushButton::clicked, this,
+          [this] { controller_.removeSeed(list_->currentRow()); });
+  connect(list_, &QListWidget::currentRowChanged, this,
+          [this](int row) { remove_->setEnabled(row >= 0); });
+  connect(&controller_, &CaseController::parametersChanged, this, &SeedList::refresh);
+  connect(&controller_, &CaseController::resultsChanged, this, &SeedList::refresh);
+  refresh();
+}
+
+void SeedList::refresh() {
+  const auto seeds = controller_.seeds();
+  const int row = list_->currentRow();
+  list_->clear();
+  for (const Eigen::Vector3d& seed : seeds) {
+    // LPS: positive is left, posterior, superior.
+    list_->addItem(QStringLiteral("%1 %2  %3 %4  %5 %6 mm")
+                       .arg(seed[0] < 0 ? 'R' : 'L')
+                       .arg(std::abs(seed[0]), 0, 'f', 1)
+                       .arg(seed[1] < 0 ? 'A' : 'P')
+                       .arg(std::abs(seed[1]), 0, 'f', 1)
+                       .arg(seed[2] < 0 ? 'I' : 'S')
+                       .arg(std::abs(seed[2]), 0, 'f', 1));
+  }
+  list_->setCurrentRow(std::min(row, list_->count() - 1));
+  const bool any = !seeds.empty();
+  list_->setVisible(any);
+  remove_->setVisible(any);
+  remove_->setEnabled(list_->currentRow() >= 0);
+  const auto result = controller_.seedsResult();
+  summary_->setVisible(result != nullptr);
+  if (result) {
+    summary_->setText(tr("%1 seeds in use").arg(result->pointsLps.size()));
+  }
+}
+
+ComponentTable::ComponentTable(CaseController& controller, QWidget* parent)
+    : QWidget(parent), controller_(controller) {
+  auto* column = tightColumn(this);
+  summary_ = new QLabel(this);
+  summary_->setObjectName("componentSummary");
+  column->addWidget(summary_);
+  table_ = new QTableWidget(0, 3, this);
+  table_->setObjectName("components");
+  table_->setHorizontalHeaderLabels({tr("Part"), tr("Voxels"), tr("mm³")});
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->verticalHeader()->hide();
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setFixedHeight(140);
+  column->addWidget(table_);
+  connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+    if (item->column() == 0) {
+      // Queued: the edit refills the table, which must not happen inside its own signal.
+      const int row = item->row();
+      const bool on = item->checkState() == Qt::Checked;
+      QMetaObject::invokeMethod(
+          this, [this, row, on] { controller_.setComponentTicked(row, on); }, Qt::QueuedConnection);
+    }
+  });
+  connect(&controller_, &CaseController::resultsChanged, this, &ComponentTable::refresh);
+  connect(&controller_, &CaseController::parametersChanged, this, &ComponentTable::refresh);
+  refresh();
+}
+
+void ComponentTable::refresh() {
+  const std::vector<ComponentRow> rows = controller_.components();
+  const int count = std::min(static_cast<int>(rows.size()), kMostRows);
+  const QSignalBlocker quiet(table_);
+  table_->setRowCount(count);
+  for (int i = 0; i < count; ++i) {
+    const ComponentRow& row = rows[static_cast<std::size_t>(i)];
+    auto* name = new QTableWidgetItem(QString::number(i + 1));
+    name->setCheckState(row.ticked ? Qt::Checked : Qt::Unchecked);
+    name->setFlags(row.byRule ? Qt::ItemIsSelectable
+                              : Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    name->setToolTip(row.byRule ? tr("Left out by which parts are kept, or by the least volume")
+                                : tr("Ticked off: not meshed"));
+    auto* voxels = new QTableWidgetItem(QString::number(row.voxels));
+    auto* volume = new QTableWidgetItem(QString::number(row.volumeMm3, 'f', 1));
+    voxels->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    volume->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    table_->setItem(i, 0, name);
+    table_->setItem(i, 1, voxels);
+    table_->setItem(i, 2, volume);
+  }
+  table_->setVisible(count > 0);
+  summary_->setVisible(count > 0);
+  summary_->setText(static_cast<int>(rows.size()) > count
+                        ? tr("%1 parts, the largest %2:").arg(rows.size()).arg(count)
+                        : tr("%n part(s):", nullptr, count));
+}
+
+EvolutionControls::EvolutionControls(CaseController& controller, QWidget* parent)
+    : QWidget(parent), controller_(controller) {
+  auto* column = tightColumn(this);
+  text_ = new QLabel(this);
+  text_->setObjectName("evolutionText");
+  column->addWidget(text_);
+  auto* row = new QHBoxLayout;
+  pause_ = new QPushButton(tr("Pause"), this);
+  pause_->setObjectName("pause");
+  step_ = new QPushButton(tr("Step"), this);
+  step_->setObjectName("step");
+  step_->setToolTip(tr("%1 iterations, then pause again").arg(kStepIterations));
+  finish_ = new QPushButton(tr("Finish"), this);
+  finish_->setObjectName("finish");
+  finish_->setToolTip(tr("Takes the surface as it stands"));
+  for (QPushButton* button : {pause_, step_, finish_}) {
+    row->addWidget(button);
+  }
+  column->addLayout(row);
+  connect(pause_, &QPushButton::clicked, this,
+          [this] { controller_.setPaused(!controller_.paused()); });
+  connect(step_, &QPushButton::clicked, this,
+          [this] { controller_.stepEvolution(kStepIterations); });
+  connect(finish_, &QPushButton::clicked, this, [this] { controller_.finishEvolution(); });
+  connect(&controller_, &CaseController::statesChanged, this, &EvolutionControls::refresh);
+  connect(&controller_, &CaseController::progressChanged, this, &EvolutionControls::showProgress);
+  refresh();
+}
+
+void EvolutionControls::refresh() {
+  const bool evolving = controller_.evolving();
+  pause_->setEnabled(evolving);
+  pause_->setText(controller_.paused() ? tr("Resume") : tr("Pause"));
+  step_->setEnabled(evolving && controller_.paused());
+  finish_->setEnabled(evolving);
+  showProgress();
+}
+
+void EvolutionControls::showProgress() {
+  if (pause_->isEnabled() != controller_.evolving()) {
+    refresh();
+    return;
+  }
+  const int iterations = controller_.iterations();
+  text_->setVisible(iterations > 0 || controller_.evolving());
+  text_->setText(
+      controller_.change() < 0.0
+          ? tr("Iteration %1").arg(iterations)
+          : tr("Iteration %1, change %2").arg(iterations).arg(controller_.change(), 0, 'g', 3));
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QDialog>
+#include <functional>
+
+#include "gui/model/run_job.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace angiomesh {
+
+class CaseController;
+
+/// Asks which file is to be opened or written. The window uses file dialogs; tests answer at once.
+/// An empty answer means that the user thought better of it.
+struct PathChooser {
+  std::function<QString(QWidget*)> openFile;
+  std::function<QString(QWidget*)> openFolder;
+  std::function<QString(QWidget*, const QString& suggested, const QString& filter)> save;
+};
+PathChooser dialogPathChooser();
+
+/// What to export and how: mesh, format, unit and frame, with the size that the result will have.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ExportDialog(CaseController& controller, PathChooser chooser, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+  void exportNow();
+  [[nodiscard]] MeshKind kind() const;
+
+  CaseController& controller_;
+  PathChooser chooser_;
+  QComboBox* mesh_;
+  QComboBox* format_;
+  QComboBox* unit_;
+  QComboBox* frame_;
+  QCheckBox* report_;
+  QLabel* size_;
+  QLabel* note_;
+};
+
+}  // namespace angiomesh

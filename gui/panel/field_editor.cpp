@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/panel/field_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <algorithm>
+#include <cmath>
+
+namespace angiomesh {
+
+namespace {
+
+constexpr int kSliderSteps = 1000;
+constexpr int kLabelWidth = 122;
+constexpr int kNumberWidth = 96;
+/// Decades that a logarithmic slider spans when its field begins at 0.
+constexpr double kDecades = 1e4;
+
+/// A slider over more than this ratio moves in equal ratios.
+constexpr double kLinearRatio = 1e3;
+
+/// Enough to tell the smallest step of the slider.
+int decimalsFor(const Field& field, double factor) {
+  if (field.kind == FieldKind::Integer) {
+    return 0;
+  }
+  const double range = (field.maximum - field.minimum) * factor;
+  return std::clamp(4 - static_cast<int>(std::floor(std::log10(range))), 2, 3);
+}
+
+double asNumber(const FieldValue& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+    return static_cast<double>(*whole);
+  }
+  const auto* real = std::get_if<double>(&value);
+  return real ? *real : 0.0;
+}
+
+}  // namespace
+
+FieldEditor::FieldEditor(const Field& field, QWidget* parent)
+    : QWidget(parent), field_(field), presentation_(presentationOf(field)) {
+  setObjectName("field:" + QString::fromStdString(field.key));
+  setToolTip(QString::fromStdString(field.help + "  [" + field.key + "]"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  if (field.kind == FieldKind::Boolean) {
+    check_ = new QCheckBox(presentation_.label, this);
+    check_->setObjectName("check");
+    row->addWidget(check_);
+    connect(check_, &QCheckBox::clicked, this,
+            [this](bool on) { Q_EMIT edited(QString::fromStdString(field_.key), on, false); });
+    return;
+  }
+  auto* label = new QLabel(presentation_.label, this);
+  label->setFixedWidth(kLabelWidth);
+  row->addWidget(label);
+  switch (field.kind) {
+    case FieldKind::Integer:
+    case FieldKind::Real:
+      buildNumber(*row);
+      break;
+    case FieldKind::Choice:
+      buildChoice(*row);
+      break;
+    default:
+      buildNumbers(*row);
+  }
+}
+
+void FieldEditor::keepFromWheel(QWidget* widget) {
+  widget->setFocusPolicy(Qt::StrongFocus);
+  widget->installEventFilter(this);
+}
+
+bool FieldEditor::eventFilter(QObject* watched, QEvent* event) {
+  // Scrolling the panel must not change what happens to pass under the pointer.
+  auto* widget = qobject_cast<QWidget*>(watched);
+  if (event->type() == QEvent::Wheel && widget && !widget->hasFocus()) {
+    event->ignore();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void FieldEditor::buildNumber(QHBoxLayout& row) {
+  lowest_ =
+      field_.logarithmic && field_.minimum <= 0.0 ? field_.maximum / kDecades : field_.minimum;
+  slider_ = new QSlider(Qt::Horizontal, this);
+  slider_->setObjectName("slider");
+  slider_->setRange(0, kSliderSteps);
+  slider_->setMinimumWidth(60);
+  keepFromWheel(slider_);
+  row.addWidget(slider_, 1);
+  spin_ = new QDoubleSpinBox(this);
+  spin_->setObjectName("spin");
+  spin_->setDecimals(decimalsFor(field_, presentation_.factor));
+  spin_->setRange(field_.minimum * presentation_.factor, field_.maximum * presentation_.factor);
+  if (field_.kind == FieldKind::Integer) {
+    spin_->setSingleStep(1.0);
+  } else {
+    spin_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  }
+  spin_->setKeyboardTracking(false);
+  spin_->setFixedWidth(kNumberWidth);
+  spin_->setAlignment(Qt::AlignRight);
+  if (!presentation_.unit.isEmpty() && presentation_.unit.size() <= 4) {
+    spin_->setSuffix(' ' + presentation_.unit);
+  }
+  keepFromWheel(spin_);
+  row.addWidget(spin_);
+  if (!field_.emptyWord.empty()) {
+    empty_ = new QCheckBox(QString::fromStdString(field_.emptyWord), this);
+    empty_->setObjectName("empty");
+    row.addWidget(empty_);
+    connect(empty_, &QCheckBox::clicked, this, &FieldEditor::autoToggled);
+  }
+  connect(slider_, &QSlider::valueChanged, this, &FieldEditor::sliderMoved);
+  connect(slider_, &QSlider::sliderReleased, this, [this] { dragging_ = false; });
+  connect(spin_, &QDoubleSpinBox::valueChanged, this, &FieldEditor::spinChanged);
+}
+
+void FieldEditor::buildChoice(QHBoxLayout& row) {
+  combo_ = new QComboBox(this);
+  combo_->setObjectName("combo");
+  for (const std::string& choice : field_.choices) {
+    combo_->addItem(QString::fromStdString(choice));
+  }
+  keepFromWheel(combo_);
+  row.addWidget(combo_, 1);
+  connect(combo_, &QComboBox::textActivated, this, [this](const QString& text) {
+    Q_EMIT edited(QString::fromStdString(field_.key), text.toStdString(), false);
+  });
+}
+
+void FieldEditor::buildNumbers(QHBoxLayout& row) {
+  summary_ = new QLabel(this);
+  summary_->setObjectName("summary");
+  row.addWidget(summary_, 1);
+  clear_ = new QPushButton(tr("Clear"), this);
+  clear_->setObjectName("clear");
+  row.addWidget(clear_);
+  connect(clear_, &QPushButton::clicked, this, [this] {
+    FieldValue none = std::vector<double>();
+    if (!field_.emptyWord.empty()) {
+      none = std::monostate();
+    }
+    Q_EMIT edited(QString::fromStdString(field_.key), none, false);
+  });
+}
+
+void FieldEditor::setSliderRange(const std::pair<double, double>& range) {
+  highest_ = range.second;
+  logarithmic_ = range.first >= 0.0 &&
+                 (field_.logarithmic || range.second > kLinearRatio * std::max(range.first, 1.0));
+  lowest_ = logarithmic_ && range.first <= 0.0 ? highest_ / kDecades : range.first;
+}
+
+double FieldEditor::sliderToValue(int position) const {
+  const double t = static_cast<double>(position) / kSliderSteps;
+  if (position == 0 && logarithmic_ && field_.minimum <= 0.0) {
+    return 0.0;
+  }
+  const double value =
+      logarithmic_ ? lowest_ * std::pow(highest_ / lowest_, t) : lowest_ + t * (highest_ - lowest_);
+  // A drag gives numbers that a person would write: three significant digits.
+  const double scale =
+      value == 0.0 ? 1.0 : std::pow(10.0, 2.0 - std::floor(std::log10(std::abs(value))));
+  const double rounded =
+      field_.kind == FieldKind::Integer ? std::round(value) : std::round(value * scale) / scale;
+  return std::clamp(rounded, field_.minimum, field_.maximum);
+}
+
+int FieldEditor::valueToSlider(double value) const {
+  const double t = logarithmic_
+                       ? std::log(std::max(value, lowest_) / lowest_) / std::log(highest_ / lowest_)
+                       : (value - lowest_) / (highest_ - lowest_);
+  return static_cast<int>(std::lround(std::clamp(t, 0.0, 1.0) * kSliderSteps));
+}
+
+FieldValue FieldEditor::numberValue(double stored) const {
+  if (field_.kind == FieldKind::Integer) {
+    return static_cast<std::int64_t>(std::llround(stored));
+  }
+  return stored;
+}
+
+void FieldEditor::sliderMoved(int position) {
+  const bool continued = dragging_;
+  dragging_ = slider_->isSliderDown();
+  const double stored = sliderToValue(position);
+  Q_EMIT edited(QString::fromStdString(field_.key), numberValue(stored), continued);
+}
+
+void FieldEditor::spinChanged(double shown) {
+  Q_EMIT edited(QString::fromStdString(field_.key), numberValue(shown / presentation_.factor),
+                false);
+}
+
+void FieldEditor::autoToggled(bool on) {
+  Q_EMIT edited(QString::fromStdString(field_.key), on ? FieldValue() : suggested_, false);
+}
+
+void FieldEditor::showNumber(double stored) {
+  const QSignalBlocker quietSlider(slider_);
+  const QSignalBlocker quietSpin(spin_);
+  if (!slider_->isSliderDown()) {
+    slider_->setValue(valueToSlider(stored));
+  }
+  spin_->setValue(stored * presentation_.factor);
+}
+
+void FieldEditor::display(const FieldValue& value, const FieldValue& suggested,
+                          const std::pair<double, double>& range) {
+  suggested_ = suggested;
+  const bool empty = std::holds_alternative<std::monostate>(value);
+  if (check_) {
+    check_->setChecked(std::get<bool>(value));
+  } else if (combo_) {
+    combo_->setCurrentText(QString::fromStdString(std::get<std::string>(value)));
+  } else if (spin_) {
+    if (empty_) {
+      empty_->setChecked(empty);
+    }
+    setSliderRange(range);
+    slider_->setEnabled(!empty);
+    spin_->setEnabled(!empty);
+    showNumber(asNumber(empty ? suggested : value));
+  } else {
+    const auto* numbers = std::get_if<std::vector<double>>(&value);
+    const std::size_t count = numbers ? numbers->size() : 0;
+    const std::size_t group = std::max<std::size_t>(field_.groupOf, 1);
+    clear_->setEnabled(count > 0);
+    summary_->setText(count == 0   ? tr("none")
+                      : group == 3 ? tr("%n point(s)", nullptr, static_cast<int>(count / group))
+                                   : tr("set"));
+  }
+}
+
+}  // namespace angiomesh

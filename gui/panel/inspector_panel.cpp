@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/panel/inspector_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <functional>
+
+#include "gui/model/step_text.h"
+#include "gui/model/view_state.h"
+#include "gui/panel/plot_widget.h"
+
+namespace angiomesh {
+
+namespace {
+
+struct Row {
+  const char* title;
+  std::function<QString(const MeshQuality&)> text;
+};
+
+QString count(std::size_t n) { return QLocale().toString(static_cast<qulonglong>(n)); }
+QString fixed(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+QString yesNo(bool value) { return value ? QStringLiteral("yes") : QStringLiteral("no"); }
+QString deviation(const std::optional<DeviationStats>& stats, double DeviationStats::*member) {
+  return stats ? QLocale().toString((*stats).*member, 'g', 3) : QStringLiteral("–");
+}
+
+const std::vector<Row>& rows() {
+  using Q = MeshQuality;
+  static const std::vector<Row> table{
+      {"Triangles", [](const Q& q) { return count(q.triangles); }},
+      {"Vertices", [](const Q& q) { return count(q.vertices); }},
+      {"Components", [](const Q& q) { return QString::number(q.components); }},
+      {"Closed", [](const Q& q) { return yesNo(q.closed); }},
+      {"Oriented", [](const Q& q) { return yesNo(q.oriented); }},
+      {"Boundary edges", [](const Q& q) { return count(q.boundaryEdges); }},
+      {"Boundary loops", [](const Q& q) { return count(q.boundaryLoops); }},
+      {"Non-manifold edges", [](const Q& q) { return count(q.nonManifoldEdges); }},
+      {"Non-manifold vertices", [](const Q& q) { return count(q.nonManifoldVertices); }},
+      {"Degenerate triangles", [](const Q& q) { return count(q.degenerateTriangles); }},
+      {"Self-intersections", [](const Q& q) { return count(q.selfIntersections); }},
+      {"Euler number", [](const Q& q) { return QString::number(q.euler); }},
+      {"Genus", [](const Q& q) { return QString::number(q.genus); }},
+      {"Area, mm²", [](const Q& q) { return fixed(q.areaMm2, 1); }},
+      {"Volume, mm³", [](const Q& q) { return fixed(q.volumeMm3, 1); }},
+      {"Smallest angle, min, °", [](const Q& q) { return fixed(q.minAngleMin, 2); }},
+      {"Smallest angle, 1 %, °", [](const Q& q) { return fixed(q.minAngleP01, 2); }},
+      {"Smallest angle, mean, °", [](const Q& q) { return fixed(q.minAngleMean, 2); }},
+      {"Largest angle, max, °", [](const Q& q) { return fixed(q.maxAngleMax, 2); }},
+      {"Largest angle, 99 %, °", [](const Q& q) { return fixed(q.maxAngleP99, 2); }},
+      {"Below 20°, %", [](const Q& q) { return fixed(q.below20Percent, 2); }},
+      {"Below 30°, %", [](const Q& q) { return fixed(q.below30Percent, 2); }},
+      {"Radius ratio, min", [](const Q& q) { return fixed(q.radiusRatioMin, 3); }},
+      {"Radius ratio, 1 %", [](const Q& q) { return fixed(q.radiusRatioP01, 3); }},
+      {"Radius ratio, mean", [](const Q& q) { return fixed(q.radiusRatioMean, 3); }},
+      {"Edge, min, mm", [](const Q& q) { return fixed(q.edgeMinMm, 3); }},
+      {"Edge, mean, mm", [](const Q& q) { return fixed(q.edgeMeanMm, 3); }},
+      {"Edge, max, mm", [](const Q& q) { return fixed(q.edgeMaxMm, 3); }},
+      {"Vertex off wall, mean, mm",
+       [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::meanMm); }},
+      {"Vertex off wall, 99 %, mm",
+       [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::p99Mm); }},
+      {"Vertex off wall, max, mm",
+       [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::maxMm); }},
+      {"Centroid off wall, mean, mm",
+       [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::meanMm); }},
+      {"Centroid off wall, 99 %, mm",
+       [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::p99Mm); }},
+      {"Centroid off wall, max, mm",
+       [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::maxMm); }}};
+  return table;
+}
+
+}  // namespace
+
+InspectorPanel::InspectorPanel(CaseController& controller, ViewState& state, QWidget* parent)
+    : QWidget(parent), controller_(controller), state_(state) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  auto* form = new QFormLayout;
+  mesh_ = new QComboBox(this);
+  mesh_->setObjectName("meshShown");
+  for (int kind = 0; kind < kMeshKindCount; ++kind) {
+    mesh_->addItem(meshTitle(static_cast<MeshKind>(kind)));
+  }
+  form->addRow(tr("Mesh shown"), mesh_);
+  colour_ = new QComboBox(this);
+  colour_->setObjectName("meshColour");
+  colour_->addItems({tr("plain"), tr("smallest angle"), tr("radius ratio")});
+  form->addRow(tr("Colour"), colour_);
+  column->addLayout(form);
+  hints_ = new QLabel(this);
+  hints_->setObjectName("hints");
+  hints_->setWordWrap(true);
+  column->addWidget(hints_);
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  table_ = new QTableWidget(static_cast<int>(rows().size()), kMeshKindCount, splitter);
+  table_->setObjectName("quality");
+  buildTable();
+  auto* plots = new QWidget(splitter);
+  auto* plotColumn = new QVBoxLayout(plots);
+  plotColumn->setContentsMargins(0, 0, 0, 0);
+  angles_ = new HistogramWidget(tr("Smallest angle, ° (% of triangles)"), 0.0, 60.0, 60, plots);
+  angles_->setObjectName("angleHistogram");
+  ratios_ = new HistogramWidget(tr("Radius ratio (% of triangles)"), 0.0, 1.0, 50, plots);
+  ratios_->setObjectName("ratioHistogram");
+  plotColumn->addWidget(angles_);
+  plotColumn->addWidget(ratios_);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 2);
+  splitter->setChildrenCollapsible(false);
+  column->addWidget(splitter, 1);
+  setMinimumWidth(420);
+
+  connect(mesh_, &QComboBox::activated, this,
+          [this](int kind) { state_.setMeshKind(static_cast<MeshKind>(kind)); });
+  connect(colour_, &QComboBox::activated, this,
+          [this](int colour) { state_.setMeshColour(static_cast<MeshColour>(colour)); });
+  connect(&controller_, &CaseController::resultsChanged, this, &InspectorPanel::refreshResults);
+  connect(&controller_, &CaseController::statesChanged, this, &InspectorPanel::refreshHints);
+  connect(&state_, &ViewState::changed, this, &InspectorPanel::refreshState);
+  refreshResults();
+  refreshState();
+}
+
+void InspectorPanel::buildTable() {
+  QStringList kinds, titles;
+  for (int kind = 0; kind < kMeshKindCount; ++kind) {
+    kinds << meshTitle(static_cast<MeshKind>(kind)).replace(' ', '\n').remove('(').remove(')');
+  }
+  for (const Row& row : rows()) {
+    titles << QString::fromUtf8(row.title);
+  }
+  table_->setHorizontalHeaderLabels(kinds);
+  table_->setVerticalHeaderLabels(titles);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  QFont small = table_->font();
+  small.setPointSizeF(0.9 * small.pointSizeF());
+  table_->setFont(small);
+  table_->horizontalHeader()->setFont(small);
+  table_->verticalHeader()->setFont(small);
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setAlternatingRowColors(true);
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    for (int kind = 0; kind < kMeshKindCount; ++kind) {
+      auto* item = new QTableWidgetItem;
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      table_->setItem(row, kind, item);
+    }
+  }
+}
+
+void InspectorPanel::refreshResults() {
+  const std::shared_ptr<const MeshFacts> facts = controller_.facts();
+  for (int column = 0; column < kMeshKindCount; ++column) {
+    const auto kind = static_cast<MeshKind>(column);
+    const MeshQuality* quality = controller_.quality(kind);
+    for (int row = 0; row < table_->rowCount(); ++row) {
+      table_->item(row, column)
+          ->setText(quality ? rows()[static_cast<std::size_t>(row)].text(*quality)
+                            : QStringLiteral("–"));
+    }
+    const auto i = static_cast<std::size_t>(column);
+    angles_->setValues(kind, facts ? facts->minAnglesDeg[i] : std::vector<float>());
+    ratios_->setValues(kind, facts ? facts->radiusRatios[i] : std::vector<float>());
+  }
+  refreshHints();
+}
+
+void InspectorPanel::refreshState() {
+  const QSignalBlocker quietMesh(mesh_);
+  const QSignalBlocker quietColour(colour_);
+  mesh_->setCurrentIndex(static_cast<int>(state_.meshKind()));
+  colour_->setCurrentIndex(static_cast<int>(state_.meshColour()));
+  angles_->setSelected(state_.meshKind());
+  ratios_->setSelected(state_.meshKind());
+  refreshHints();
+}
+
+void InspectorPanel::refreshHints() {
+  const MeshQuality* q = controller_.quality(state_.meshKind());
+  if (!q) {
+    hints_->setText(controller_.mesh(state_.meshKind())
+                        ? tr("Quality is not measured yet: run to the end.")
+                        : tr("No mesh yet: open a volume and press Run."));
+    return;
+  }
+  const auto mark = [](bool good) { return good ? QStringLiteral("✓ ") : QStringLiteral("✕ "); };
+  const bool manifold = q->nonManifoldEdges == 0 && q->nonManifoldVertices == 0;
+  QStringList lines;
+  lines << mark(q->closed) +
+               (q->closed ? tr("closed") : tr("open at %1 rim(s)").arg(q->boundaryLoops));
+  lines << mark(manifold) + (manifold ? tr("manifold") : tr("not manifold: a solver refuses it"));
+  lines << mark(q->selfIntersections == 0) +
+               (q->selfIntersections == 0 ? tr("no self-intersections")
+                                          : tr("%1 self-intersections").arg(q->selfIntersections));
+  lines << mark(q->degenerateTriangles == 0) +
+               (q->degenerateTriangles == 0
+                    ? tr("no degenerate triangles")
+                    : tr("%1 degenerate triangles").arg(q->degenerateTriangles));
+  QString text = lines.join(QStringLiteral("   "));
+  if (!controller_.meshFresh()) {
+    text = tr("◐ The mesh belongs to earlier parameters: run again.") + '\n' + text;
+  }
+  hints_->setText(text);
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QTableWidget;
+
+namespace angiomesh {
+
+class CaseController;
+class HistogramWidget;
+class ViewState;
+
+/// What the mesh is worth: our meshes beside marching cubes in numbers and histograms, whether a
+/// solver would take it, which mesh the 3D pane shows and how it is coloured.
+class InspectorPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  InspectorPanel(CaseController& controller, ViewState& state, QWidget* parent = nullptr);
+
+ private:
+  void buildTable();
+  void refreshResults();
+  void refreshState();
+  void refreshHints();
+
+  CaseController& controller_;
+  ViewState& state_;
+  QComboBox* mesh_;
+  QComboBox* colour_;
+  QLabel* hints_;
+  QTableWidget* table_;
+  HistogramWidget* angles_;
+  HistogramWidget* ratios_;
+};
+
+}  // namespace angiomesh

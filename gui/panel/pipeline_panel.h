@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QPushButton;
+
+namespace angiomesh {
+
+class CaseController;
+
+/// The steps of the pipeline, top to bottom, with the preset and the buttons that run them all.
+class PipelinePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PipelinePanel(CaseController& controller, QWidget* parent = nullptr);
+
+ private:
+  void refreshPreset();
+  void refreshButtons();
+
+  CaseController& controller_;
+  QComboBox* preset_;
+  QPushButton* run_;
+  QPushButton* cancel_;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/panel/step_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/model/step_text.h"
+#include "gui/panel/field_editor.h"
+
+namespace angiomesh {
+
+namespace {
+
+/// A sign beside the word, so that the state does not rest on colour.
+QString signOf(StepState state) {
+  switch (state) {
+    case StepState::Empty:
+      return QStringLiteral("○");
+    case StepState::Fresh:
+      return QStringLiteral("●");
+    case StepState::Running:
+      return QStringLiteral("▶");
+    case StepState::Stale:
+      return QStringLiteral("◐");
+    case StepState::Failed:
+      return QStringLiteral("✕");
+  }
+  return {};
+}
+
+}  // namespace
+
+StepPanel::StepPanel(CaseController& controller, Step step, QWidget* parent)
+    : QFrame(parent), controller_(controller), step_(step) {
+  setObjectName(QStringLiteral("step:") + QLatin1String(stepId(step)));
+  setFrameShape(QFrame::StyledPanel);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 5, 8, 6);
+  column->setSpacing(3);
+  buildHeader(*column);
+  buildFields(*column);
+  connect(&controller_, &CaseController::parametersChanged, this, &StepPanel::showParameters);
+  connect(&controller_, &CaseController::resultsChanged, this, &StepPanel::showParameters);
+  connect(&controller_, &CaseController::statesChanged, this, &StepPanel::showState);
+  connect(&controller_, &CaseController::progressChanged, this, &StepPanel::showProgress);
+  showParameters();
+  showState();
+}
+
+void StepPanel::buildHeader(QVBoxLayout& column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  dot_ = new QLabel(this);
+  dot_->setFixedWidth(14);
+  row->addWidget(dot_);
+  auto* title = new QLabel(stepTitle(step_), this);
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  row->addWidget(title);
+  row->addStretch(1);
+  state_ = new QLabel(this);
+  state_->setObjectName("state");
+  row->addWidget(state_);
+  run_ = new QToolButton(this);
+  run_->setObjectName("runToHere");
+  run_->setText(tr("Run to here"));
+  run_->setToolTip(tr("Runs the pipeline up to this step"));
+  row->addWidget(run_);
+  connect(run_, &QToolButton::clicked, this, [this] { controller_.run(step_); });
+  column.addLayout(row);
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName("progress");
+  progress_->setMaximumHeight(8);
+  progress_->setTextVisible(false);
+  progress_->setRange(0, 1000);
+  column.addWidget(progress_);
+  reason_ = new QLabel(this);
+  reason_->setObjectName("reason");
+  reason_->setWordWrap(true);
+  column.addWidget(reason_);
+}
+
+void StepPanel::buildFields(QVBoxLayout& column) {
+  rest_ = new QWidget(this);
+  rest_->setObjectName("rest");
+  auto* restColumn = new QVBoxLayout(rest_);
+  restColumn->setContentsMargins(0, 0, 0, 0);
+  restColumn->setSpacing(3);
+  for (const Field& field : parameterFields()) {
+    if (stepOfField(field) != step_) {
+      continue;
+    }
+    auto* editor = new FieldEditor(field, field.main ? static_cast<QWidget*>(this) : rest_);
+    editors_.push_back(editor);
+    connect(editor, &FieldEditor::edited, &controller_, &CaseController::setField);
+    if (field.main) {
+      column.addWidget(editor);
+    } else {
+      restColumn->addWidget(editor);
+    }
+  }
+  extras_ = new QVBoxLayout;
+  extras_->setSpacing(3);
+  column.addLayout(extras_);
+  if (restColumn->count() > 0) {
+    more_ = new QToolButton(this);
+    more_->setObjectName("more");
+    more_->setText(tr("More"));
+    more_->setCheckable(true);
+    more_->setAutoRaise(true);
+    more_->setArrowType(Qt::RightArrow);
+    more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    column.addWidget(more_);
+    connect(more_, &QToolButton::toggled, this, [this](bool on) {
+      rest_->setVisible(on);
+      more_->setText(on ? tr("Less") : tr("More"));
+      more_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+    });
+  }
+  column.addWidget(rest_);
+  rest_->hide();
+}
+
+void StepPanel::addExtra(QWidget* widget) { extras_->addWidget(widget); }
+
+void StepPanel::showParameters() {
+  for (FieldEditor* editor : editors_) {
+    const Field& field = editor->field();
+    editor->display(field.get(controller_.parameters()), controller_.suggestedValue(field),
+                    controller_.sliderRange(field));
+  }
+}
+
+void StepPanel::showState() {
+  const StepState state = controller_.state(step_);
+  dot_->setText(signOf(state));
+  QString text;
+  switch (state) {
+    case StepState::Empty:
+      text = tr("not run");
+      break;
+    case StepState::Fresh:
+      text = controller_.seconds(step_) < 0.0
+                 ? tr("fresh")
+                 : tr("fresh, %1 s").arg(controller_.seconds(step_), 0, 'f', 1);
+      break;
+    case StepState::Running:
+      text = controller_.paused() ? tr("paused") : tr("running");
+      break;
+    case StepState::Stale:
+      text = tr("stale");
+      break;
+    case StepState::Failed:
+      text = tr("failed");
+      break;
+  }
+  state_->setText(text);
+  reason_->setText(controller_.failure(step_));
+  reason_->setVisible(state == StepState::Failed);
+  progress_->setVisible(state == StepState::Running);
+  run_->setEnabled(controller_.hasCase() && !controller_.running());
+  showProgress();
+}
+
+void StepPanel::showProgress() {
+  if (!progress_->isVisibleTo(this)) {
+    return;
+  }
+  if (step_ == Step::Evolve) {
+    // How far an evolution has to go is not known.
+    progress_->setRange(0, 0);
+  } else {
+    progress_->setValue(static_cast<int>(1000.0 * controller_.stepFraction()));
+  }
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/panel/view_grid.h"
+
+#include <QGridLayout>
+
+#include "gui/view/slice_view.h"
+#include "gui/view/surface_view.h"
+
+namespace angiomesh {
+
+ViewGrid::ViewGrid(CaseController& controller, ViewState& state, QWidget* parent)
+    : QWidget(parent), controller_(controller), state_(state) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(2);
+  const std::array<const char*, 3> names{"sagittal", "coronal", "axial"};
+  for (int plane = 0; plane < 3; ++plane) {
+    auto* view = new SliceView(this);
+    view->setObjectName(names[static_cast<std::size_t>(plane)]);
+    view->setPlane(plane);
+    slices_[static_cast<std::size_t>(plane)] = view;
+    connectSlice(view);
+  }
+  surface_ = new SurfaceView(this);
+  surface_->setObjectName("surface3d");
+  connect(surface_, &VtkView::maximiseRequested, this, [this] { toggleMaximised(surface_); });
+  grid->addWidget(slices_[2], 0, 0);
+  grid->addWidget(slices_[0], 0, 1);
+  grid->addWidget(slices_[1], 1, 0);
+  grid->addWidget(surface_, 1, 1);
+  for (int i = 0; i < 2; ++i) {
+    grid->setRowStretch(i, 1);
+    grid->setColumnStretch(i, 1);
+  }
+  setMinimumSize(320, 320);
+  connect(&controller_, &CaseController::caseChanged, this, &ViewGrid::resetViews);
+  connect(&controller_, &CaseController::resultsChanged, this, &ViewGrid::refreshAll);
+  connect(&controller_, &CaseController::snapshotArrived, this, &ViewGrid::refreshSegmentation);
+  connect(&controller_, &CaseController::parametersChanged, this, &ViewGrid::refreshEdits);
+  connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
+  refreshAll();
+}
+
+void ViewGrid::connectSlice(SliceView* view) {
+  connect(view, &VtkView::maximiseRequested, this, [this, view] { toggleMaximised(view); });
+  connect(view, &SliceView::cursorMoved, this, [this, view](double x, double y, double z) {
+    for (SliceView* other : slices_) {
+      if (other != view) {
+        other->setCursor({x, y, z});
+      }
+    }
+  });
+  connect(view, &SliceView::windowLevelChanged, &state_, &ViewState::setWindowLevel);
+  connect(view, &SliceView::slabChanged, this, [this](double thicknessMm) {
+    if (thicknessMm <= 0.0) {
+      state_.setSlab(SlabMode::None, state_.slabThicknessMm());
+    } else {
+      state_.setSlab(state_.slabMode() == SlabMode::None ? SlabMode::Mip : state_.slabMode(),
+                     thicknessMm);
+    }
+  });
+  connect(view, &SliceView::seedPicked, this, [this](double x, double y, double z) {
+    controller_.addSeed({x, y, z});
+  });
+  connect(view, &SliceView::roiDrawn, this, [this](const RoiBox& roi) {
+    controller_.setRoi(roi);
+    state_.setTool(Tool::Navigate);
+  });
+  connect(view, &SliceView::hovered, this, &ViewGrid::hovered);
+}
+
+void ViewGrid::toggleMaximised(QWidget* pane) {
+  maximised_ = maximised_ == pane ? nullptr : pane;
+  for (QWidget* each :
+       std::initializer_list<QWidget*>{slices_[0], slices_[1], slices_[2], surface_}) {
+    each->setVisible(!maximised_ || each == maximised_);
+  }
+  auto* grid = static_cast<QGridLayout*>(layout());
+  for (int i = 0; i < 2; ++i) {
+    // A row or column without a visible pane must not keep half of the room.
+    bool rowUsed = false, columnUsed = false;
+    for (int j = 0; j < 2; ++j) {
+      rowUsed = rowUsed || !grid->itemAtPosition(i, j)->widget()->isHidden();
+      columnUsed = columnUsed || !grid->itemAtPosition(j, i)->widget()->isHidden();
+    }
+    grid->setRowStretch(i, rowUsed ? 1 : 0);
+    grid->setColumnStretch(i, columnUsed ? 1 : 0);
+  }
+  grid->setSpacing(maximised_ ? 0 : 2);
+}
+
+void ViewGrid::resetViews() {
+  for (SliceView* view : slices_) {
+    view->resetView();
+  }
+  surface_->resetView();
+}
+
+void ViewGrid::refreshAll() {
+  refreshImage();
+  refreshSegmentation();
+  refreshEdits();
+}
+
+void ViewGrid::refreshImage() {
+  std::shared_ptr<const Volume<float>> image = controller_.layer(state_.layer());
+  if (!image) {
+    image = controller_.image();
+  }
+  if (image != shownImage_) {
+    shownImage_ = image;
+    for (SliceView* view : slices_) {
+      view->setImage(image);
+    }
+    surface_->setImage(image);
+  }
+  const auto [window, level] = state_.windowLevel();
+  for (SliceView* view : slices_) {
+    view->setWindowLevel(window, level);
+    view->setSlab(state_.slabMode(), state_.slabThicknessMm());
+    view->setTool(state_.tool());
+    view->setScheme(state_.scheme());
+  }
+  surface_->setMipVisible(state_.mip());
+  surface_->setSurfaceVisible(state_.surface());
+  surface_->setEdgesVisible(state_.edges());
+}
+
+void ViewGrid::refreshSegmentation() {
+  const std::shared_ptr<const Volume<float>> phi = state_.contours() ? controller_.phi() : nullptr;
+  if (phi != shownPhi_) {
+    shownPhi_ = phi;
+    for (SliceView* view : slices_) {
+      view->setContour(phi);
+    }
+  }
+  refreshSurface();
+}
+
+void ViewGrid::refreshSurface() {
+  const std::shared_ptr<const TriMesh> live = controller_.liveSurface();
+  std::shared_ptr<const TriMesh> mesh = live;
+  for (const MeshKind kind : {state_.meshKind(), MeshKind::Exported, MeshKind::Unsmoothed}) {
+    mesh = mesh ? mesh : controller_.mesh(kind);
+  }
+  const bool ofKind = mesh && mesh == controller_.mesh(state_.meshKind());
+  const std::shared_ptr<const MeshFacts> facts = ofKind && !live ? controller_.facts() : nullptr;
+  const MeshColour colour = facts ? state_.meshColour() : MeshColour::Plain;
+  if (mesh == shownMesh_ && colour == shownColour_ && facts == shownFacts_) {
+    return;
+  }
+  if (mesh != shownMesh_) {
+    surface_->clearSurfaceColours();
+    surface_->setSurface(mesh);
+  }
+  shownMesh_ = mesh;
+  shownColour_ = colour;
+  shownFacts_ = facts;
+  const auto kind = static_cast<std::size_t>(state_.meshKind());
+  if (colour == MeshColour::MinAngle) {
+    surface_->setSurfaceColours(facts->minAnglesDeg[kind], tr("Smallest angle, °"), 0.0, 60.0);
+  } else if (colour == MeshColour::RadiusRatio) {
+    surface_->setSurfaceColours(facts->radiusRatios[kind], tr("Radius ratio"), 0.0, 1.0);
+  } else {
+    surface_->clearSurfaceColours();
+  }
+}
+
+void ViewGrid::refreshEdits() {
+  const std::vector<Eigen::Vector3d> seeds = controller_.seeds();
+  const auto& roi = controller_.parameters().preprocess.roi;
+  for (SliceView* view : slices_) {
+    view->setSeeds(seeds);
+    view->setRoi(roi);
+  }
+  surface_->setSeeds(seeds);
+  surface_->setRoi(roi);
+  if (state_.layer() == Layer::Speed) {
+    refreshImage();
+  }
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <utility>
+
+#include "core/phantom/phantom.h"
+#include "core/pipeline/pipeline.h"
+
+namespace angiomesh::test {
+
+/// Two parallel tubes well apart: quick to segment, and two components.
+inline Source twoTubes(int size = 40) {
+  PhantomParams params;
+  params.kind = PhantomKind::Kissing;
+  params.size = {size, size, size};
+  params.spacingMm = {0.5, 0.5, 0.5};
+  params.radius = 3.0;
+  params.gap = 8.0;
+  params.noiseSigma = 5.0;
+  return makeSource(makePhantom(params).image, "two-tubes");
+}
+
+/// A tree whose evolution takes long enough to be watched.
+inline Source slowTree() {
+  PhantomParams params;
+  params.size = {48, 48, 48};
+  params.radiusMax = 4.0;
+  params.noiseSigma = 10.0;
+  return makeSource(makePhantom(params).image, "tree");
+}
+
+}  // namespace angiomesh::test
