@@ -30,6 +30,12 @@ void checkParams(const PhantomParams& params, const Geometry& geometry) {
   if (params.terminals < 0 || params.terminals > 20000)
     throw InputError("the number of terminal vessels is not usable", "phantom terminals",
                      "give 1 to 20000, or 0 to have it chosen");
+  const double tissue = static_cast<double>(geometry.voxelCount()) * geometry.voxelVolumeMm3();
+  const double unit = geometry.voxelMm();
+  if (100.0 * params.terminals * unit * unit * unit > tissue)
+    throw InputError(
+        "there is no room for " + std::to_string(params.terminals) + " terminal vessels",
+        "phantom terminals", "ask for fewer terminals or a larger volume");
   const double shortest =
       std::min({geometry.size[0] * geometry.spacing[0], geometry.size[1] * geometry.spacing[1],
                 geometry.size[2] * geometry.spacing[2]});
