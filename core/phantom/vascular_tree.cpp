@@ -123,18 +123,19 @@ std::vector<VesselNode> growToShare(const PhantomParams& params, const Geometry&
     growth.volume = aim * target * voxelVolume / maskShare;
     nodes = growVessels(growth, progress);
     const double volume = vesselVolume(nodes, params.radiusMin);
-    const double voxels =
-        truthVoxels(shapeOf(nodes, geometry, params.radiusMin), geometry, progress);
+    const double voxels = truthVoxels(
+        shapeOf(nodes, geometry, params.radiusMin), geometry,
+        progress.sub(static_cast<double>(attempt) / attempts, (attempt + 1.0) / attempts));
     const double thinnest = portableCubeRoot(smallestFlow(nodes));
     const double scaled = voxels / (thinnest * thinnest);  // with the thinnest at radiusMin
-    progress.report((attempt + 1.0) / attempts);
     growth.expectedFlow = std::min(largestFlow(nodes), growth.maximumFlow);
     const bool endedEarly = params.terminals > 0 ? terminalsOf(nodes) < params.terminals
                                                  : volume < kFullVolume * growth.volume;
     if (endedEarly && growth.meanFlow > 1.6)
       growth.meanFlow *= 0.85;
     else if (endedEarly)
-      ++growth.roots;
+      growth.roots = std::max(growth.roots + 1,
+                              static_cast<int>(growth.roots * target / std::max(voxels, 1.0)));
     else if (params.terminals > 0 || (scaled <= target && voxels > 0.8 * target))
       break;
     else if (scaled > target)

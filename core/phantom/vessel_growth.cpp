@@ -195,6 +195,11 @@ class Growth {
     return best;
   }
 
+  double terminalFlow() {
+    const double u = uniform();
+    return 1.0 + 3.0 * (params_.meanFlow - 1.0) * u * u;
+  }
+
   /// Whether a vessel from a to b with this radius keeps clear of all others; those that end at one
   /// of the nodes in `joined` are left out, as is vessel `replaced`.
   [[nodiscard]] bool clear(const Vector3d& a, const Vector3d& b, double radius,
@@ -202,10 +207,14 @@ class Growth {
     const auto isJoined = [&](int n) {
       return n >= 0 && (n == joined[0] || n == joined[1] || n == joined[2]);
     };
+    const double half = 0.5 * norm(b - a);
     for (int n = 0; n < count(); ++n) {
       const VesselNode& other = node(n);
       if (other.parent < 0 || n == replaced || isJoined(n) || isJoined(other.parent)) continue;
       const double needed = radius + finalRadius_[static_cast<std::size_t>(n)] + kWallGap;
+      const Vector3d between = 0.5 * (other.position + node(other.parent).position - a - b);
+      const double reach = needed + half + 0.5 * other.length;
+      if (between.dot(between) > reach * reach) continue;
       if (segmentToSegment(a, b, other.position, node(other.parent).position) < needed)
         return false;
     }
@@ -276,12 +285,11 @@ class Growth {
   }
 
   bool addTerminal() {
-    const Vector3d terminal = pointOfDemand();
-    const double u = uniform();
-    const double flow = 1.0 + 3.0 * (params_.meanFlow - 1.0) * u * u;
     updateRootsAndFinalRadii();
     for (const int root : roots_)
-      if (node(root).children[0] < 0) return startTree(root, terminal, flow);
+      if (node(root).children[0] < 0) return startTree(root);
+    const Vector3d terminal = pointOfDemand();
+    const double flow = terminalFlow();
     std::vector<std::pair<double, int>> nearest;
     for (int n = 0; n < count(); ++n)
       if (node(n).parent >= 0 && !saturated(rootOf(n)))
@@ -309,15 +317,29 @@ class Growth {
     return false;
   }
 
-  bool startTree(int root, const Vector3d& terminal, double flow) {
+  /// The shortest of several vessels that lead from the root to where there is demand; a root from
+  /// which none has room is given up.
+  bool startTree(int root) {
     const Vector3d from = node(root).position;
-    if (norm(terminal - from) < 0.3 * params_.extent.minCoeff()) return false;
-    if (!clear(from, terminal, finalRadius(flow, flow), {root, root, root}, -1)) return false;
+    const double flow = terminalFlow();
+    const double radius = finalRadius(flow, flow);
+    const double shortest = 0.2 * params_.extent.minCoeff();
     VesselNode end;
-    end.position = terminal;
     end.parent = root;
     end.flow = flow;
-    end.length = norm(terminal - from);
+    for (int attempt = 0; attempt < 40; ++attempt) {
+      const Vector3d to = pointOfDemand();
+      const double length = norm(to - from);
+      if (length < shortest || (end.length > 0.0 && length > end.length)) continue;
+      if (!clear(from, to, radius, {root, root, root}, -1)) continue;
+      end.position = to;
+      end.length = length;
+      if (attempt > 4) break;
+    }
+    if (end.length == 0.0) {
+      roots_.erase(std::find(roots_.begin(), roots_.end(), root));
+      return false;
+    }
     node(root).children[0] = count();
     node(root).flow = flow;
     nodes_.push_back(end);
