@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "app/cli/session.h"
+
+namespace angiomesh::cli {
+
+// Each adds one command to the program; parsing it sets session.action.
+
+void addRun(CLI::App& program, Session& session);
+
+void addInfo(CLI::App& program, Session& session);
+void addPhantom(CLI::App& program, Session& session);
+void addConvert(CLI::App& program, Session& session);
+
+void addVesselness(CLI::App& program, Session& session);
+void addSegment(CLI::App& program, Session& session);
+void addMesh(CLI::App& program, Session& session);
+void addSmooth(CLI::App& program, Session& session);
+
+void addQuality(CLI::App& program, Session& session);
+void addEvaluate(CLI::App& program, Session& session);
+
+void addParameters(CLI::App& program, Session& session);
+void addSnapshot(CLI::App& program, Session& session);
+
+}  // namespace angiomesh::cli

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+#include "app/cli/output_folder.h"
+#include "core/base/error.h"
+#include "core/phantom/phantom.h"
+#include "io/files.h"
+#include "io/image_io.h"
+#include "io/mesh_io.h"
+
+namespace angiomesh::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+Json describe(const Geometry& g, const InputInfo& info) {
+  const auto list = [](const auto& v) { return Json{v[0], v[1], v[2]}; };
+  Json block{{"format", info.format}, {"pixel_type", info.pixelType}};
+  if (!info.modality.empty()) block["modality"] = info.modality;
+  if (!info.seriesUid.empty()) block["series_uid"] = info.seriesUid;
+  if (!info.seriesDescription.empty()) block["series_description"] = info.seriesDescription;
+  block["files"] = info.files;
+  block["size"] = g.size;
+  block["spacing_mm"] = list(g.spacing);
+  block["origin_mm"] = list(g.origin);
+  for (int row = 0; row < 3; ++row) block["direction"].push_back(list(g.direction.row(row)));
+  if (info.window) block["window"] = *info.window;
+  if (info.level) block["level"] = *info.level;
+  return block;
+}
+
+void printDescription(const Json& block) {
+  const auto text = [&](const char* key) { return block.at(key).get<std::string>(); };
+  const auto triple = [&](const Json& v) {
+    std::printf("%.6g, %.6g, %.6g\n", v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
+  };
+  std::printf("format     %s, %s", text("format").c_str(), text("pixel_type").c_str());
+  if (block.contains("modality")) std::printf(", %s", text("modality").c_str());
+  const int files = block.at("files").get<int>();
+  if (files > 1) std::printf(", %d files", files);
+  std::printf("\n");
+  if (block.contains("series_uid")) std::printf("series     %s\n", text("series_uid").c_str());
+  if (block.contains("series_description"))
+    std::printf("           %s\n", text("series_description").c_str());
+  const Json& size = block.at("size");
+  std::printf("size       %d x %d x %d voxels\n", size[0].get<int>(), size[1].get<int>(),
+              size[2].get<int>());
+  std::printf("spacing    ");
+  triple(block.at("spacing_mm"));
+  std::printf("origin     ");
+  triple(block.at("origin_mm"));
+  for (int row = 0; row < 3; ++row) {
+    std::printf(row == 0 ? "direction  " : "           ");
+    triple(block.at("direction")[static_cast<std::size_t>(row)]);
+  }
+  if (block.contains("range"))
+    std::printf("range      %.6g .. %.6g\n", block["range"][0].get<double>(),
+                block["range"][1].get<double>());
+}
+
+struct InfoOptions {
+  std::string input, series;
+  bool json = false;
+};
+
+int info(const InfoOptions& options, const Progress& progress) {
+  std::vector<ImageSummary> summaries = describeImages(options.input);
+  std::vector<std::string> warnings;
+  std::vector<Json> blocks;
+  for (const ImageSummary& summary : summaries) {
+    if (!options.series.empty() && summary.info.seriesUid != options.series) continue;
+    blocks.push_back(describe(summary.geometry, summary.info));
+    const auto& more = summary.info.warnings;
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
+  if (blocks.empty())
+    throw InputError("no such series", options.input, "list the series without --series");
+  if (blocks.size() == 1) {
+    const LoadedImage loaded = readImage(options.input, options.series, progress);
+    const std::array<float, 2> range = valueRange(loaded.image);
+    blocks.front()["range"] = {range[0], range[1]};
+    warnings = loaded.info.warnings;
+  }
+  if (options.json) {
+    Json report{{"schema", 1}, {"warnings", warnings}};
+    if (blocks.size() == 1)
+      report["input"] = blocks.front();
+    else
+      report["series"] = blocks;
+    std::printf("%s\n", report.dump(2).c_str());
+    return Done;
+  }
+  for (const Json& block : blocks) {
+    printDescription(block);
+    if (blocks.size() > 1) std::printf("\n");
+  }
+  for (const std::string& warning : warnings) printWarning(warning);
+  return Done;
+}
+
+struct PhantomOptions {
+  std::string kind, output, size = "128", spacing = "1,1,1", axis = "0,0,1", offset = "0,0,0";
+  std::string radiusRange;
+  PhantomParams params;
+  bool force = false;
+};
+
+std::vector<double> oneOrThree(const std::string& text, const std::string& option) {
+  if (text.find(',') != std::string::npos) return parseNumbers(text, 3, option);
+  return std::vector<double>(3, parseNumbers(text, 1, option)[0]);
+}
+
+Eigen::Vector3d vectorOf(const std::string& text, const std::string& option) {
+  const std::vector<double> v = parseNumbers(text, 3, option);
+  return {v[0], v[1], v[2]};
+}
+
+int phantom(PhantomOptions options, const Progress& progress) {
+  constexpr double kLargest = 2048.0;
+  PhantomParams& params = options.params;
+  params.kind = phantomKindFromName(options.kind);
+  const std::vector<double> size = oneOrThree(options.size, "--size");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (size[axis] != std::floor(size[axis]) || size[axis] < 8.0 || size[axis] > kLargest)
+      throw InputError("'" + options.size + "' is not a number of voxels", "--size",
+                       "give whole numbers from 8 to 2048");
+    params.size[axis] = static_cast<int>(size[axis]);
+  }
+  const std::vector<double> spacing = oneOrThree(options.spacing, "--spacing");
+  params.spacingMm = {spacing[0], spacing[1], spacing[2]};
+  if (params.spacingMm.minCoeff() <= 0.0)
+    throw InputError("'" + options.spacing + "' is not a spacing", "--spacing",
+                     "give lengths above 0, in mm");
+  params.axis = vectorOf(options.axis, "--axis");
+  params.offset = vectorOf(options.offset, "--offset");
+  if (!options.radiusRange.empty()) {
+    const std::vector<double> range = parseNumbers(options.radiusRange, 2, "--radius-range");
+    params.radiusMin = range[0];
+    params.radiusMax = range[1];
+  }
+  // A former phantom is known by its truth.json; other images of these names are the user's.
+  const bool former = fs::exists(fs::path(options.output) / "truth.json");
+  OutputFolder folder(options.output, {"image.mha", "truth.mha", "truth.json"},
+                      former || options.force);
+  const Phantom made = makePhantom(params, progress.sub(0.0, 0.9));
+  folder.add("image.mha", [&](const fs::path& place) { writeVolume(made.image, place); });
+  progress.report(0.95);
+  folder.add("truth.mha", [&](const fs::path& place) { writeVolume(made.truth, place); });
+  folder.add("truth.json",
+             [&](const fs::path& place) { writeText(place, truthJson(params, made)); });
+  progress.report(1.0);
+  folder.commit();
+  std::printf("%s: image.mha, truth.mha, truth.json\n", options.output.c_str());
+  return Done;
+}
+
+struct ConvertOptions {
+  std::string input, output, series, unit = "mm", frame = "lps";
+};
+
+bool isMeshName(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
+}
+
+/// Whole numbers from 0 to 255 fit uint8 without loss.
+bool fitsBytes(const Volume<float>& image) {
+  return std::all_of(image.voxels.begin(), image.voxels.end(),
+                     [](float v) { return v >= 0.0F && v <= 255.0F && v == std::floor(v); });
+}
+
+int convert(const ConvertOptions& options, const Progress& progress) {
+  if (isMeshName(options.output)) {
+    MeshWriteOptions write;
+    write.unit = options.unit == "m" ? LengthUnit::Metre : LengthUnit::Millimetre;
+    write.frame = options.frame == "ras" ? Frame::Ras : Frame::Lps;
+    writeMesh(readMesh(options.input), options.output, write);
+    return Done;
+  }
+  const LoadedImage loaded = readImage(options.input, options.series, progress);
+  for (const std::string& warning : loaded.info.warnings) printWarning(warning);
+  if (loaded.info.pixelType == "uint8" && fitsBytes(loaded.image)) {
+    Volume<std::uint8_t> bytes(loaded.image.geometry);
+    std::transform(loaded.image.voxels.begin(), loaded.image.voxels.end(), bytes.voxels.begin(),
+                   [](float v) { return static_cast<std::uint8_t>(v); });
+    writeVolume(bytes, options.output);
+  } else {
+    writeVolume(loaded.image, options.output);
+  }
+  return Done;
+}
+
+}  // namespace
+
+void addInfo(CLI::App& program, Session& session) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* command = program.add_subcommand("info", "Geometry, range and series of an input");
+  command->add_option("INPUT", options->input, "Image file or DICOM folder")->required();
+  command->add_option("--series", options->series, "UID of one series of a DICOM folder");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options, &session] {
+    session.action = [options, &session] { return info(*options, session.progress); };
+  });
+}
+
+void addPhantom(CLI::App& program, Session& session) {
+  auto options = std::make_shared<PhantomOptions>();
+  PhantomParams& params = options->params;
+  std::string kinds;
+  for (const std::string& name : phantomKindNames()) kinds += (kinds.empty() ? "" : ", ") + name;
+  CLI::App* command =
+      program.add_subcommand("phantom", "Make a synthetic image whose truth is known");
+  command->add_option("KIND", options->kind, kinds)->required();
+  command->add_option("-o,--output", options->output, "Folder to write")->required();
+  command->add_option("--size", options->size, "Voxels: N or x,y,z");
+  command->add_option("--spacing", options->spacing, "mm: one length or x,y,z");
+  command->add_option("--random-seed", params.randomSeed, "Of the noise and of the tree");
+  command->add_option("--terminals", params.terminals, "tree: number of terminal vessels")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--radius", params.radius, "Vessel radius in voxels");
+  command->add_option("--radius-range", options->radiusRange, "tree: radii a,b in voxels");
+  command->add_option("--gap", params.gap, "kissing: distance of the walls in voxels");
+  command->add_option("--noise", params.noiseSigma, "Sigma of Gaussian noise, of 255")
+      ->check(CLI::Range(0.0, 10000.0));
+  command->add_option("--axis", options->axis, "Direction x,y,z of the vessel, index axes");
+  command->add_option("--offset", options->offset, "Shift x,y,z of the vessel in voxels");
+  command->add_flag("--force", options->force, "Replace files of other origin");
+  command->callback([options, &session] {
+    session.action = [options, &session] { return phantom(*options, session.progress); };
+  });
+}
+
+void addConvert(CLI::App& program, Session& session) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command =
+      program.add_subcommand("convert", "Between volume formats, or between mesh formats");
+  command->add_option("INPUT", options->input, "Volume or mesh")->required();
+  command->add_option("-o,--output", options->output, "File to write; its name tells the format")
+      ->required();
+  command->add_option("--series", options->series, "UID of one series of a DICOM folder");
+  command->add_option("--unit", options->unit, "Of a mesh: mm or m")
+      ->check(CLI::IsMember({"mm", "m"}));
+  command->add_option("--frame", options->frame, "Of a mesh: lps or ras")
+      ->check(CLI::IsMember({"lps", "ras"}));
+  command->callback([options, &session] {
+    session.action = [options, &session] { return convert(*options, session.progress); };
+  });
+}
+
+}  // namespace angiomesh::cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+#include "core/pipeline/report.h"
+
+namespace angiomesh::cli {
+namespace {
+
+/// What is wrong with the command line, in one line.
+std::string explain(const CLI::ParseError& error, const CLI::App& program, int argc, char** argv) {
+  const auto commands = program.get_subcommands();
+  if (commands.empty()) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const auto word = std::find_if(words.begin(), words.end(),
+                                   [](const std::string& w) { return w.rfind('-', 0) != 0; });
+    if (error.get_name() == "RequiredError")
+      return word == words.end()
+                 ? "a command is missing, command line: see angiomesh-cli --help"
+                 : "no command is called '" + *word + "', command line: see angiomesh-cli --help";
+  }
+  std::string what = error.what();
+  std::replace(what.begin(), what.end(), '\n', ' ');
+  const std::string command = commands.empty() ? "" : " " + commands.front()->get_name();
+  return what + ", command line: see angiomesh-cli" + command + " --help";
+}
+
+int parseAndRun(int argc, char** argv) {
+  static Session session;
+  handleSignals(session.progress);
+
+  CLI::App program("Angiomesh: from an angiogram to a vessel surface", "angiomesh-cli");
+  program.set_version_flag("--version", std::string("angiomesh-cli ") + versionText());
+  program.add_option("--threads", session.threads, "Threads to use; all cores unless given")
+      ->check(CLI::Range(1, 1024));
+  program.add_option("--progress", session.progressMode, "auto (on a terminal), json or none")
+      ->check(CLI::IsMember({"auto", "json", "none"}));
+  program.require_subcommand(1);
+  program.fallthrough();
+
+  addRun(program, session);
+  addInfo(program, session);
+  addPhantom(program, session);
+  addVesselness(program, session);
+  addSegment(program, session);
+  addMesh(program, session);
+  addSmooth(program, session);
+  addQuality(program, session);
+  addEvaluate(program, session);
+  addConvert(program, session);
+#ifdef ANGIOMESH_WITH_RENDER
+  addSnapshot(program, session);
+#endif
+  addParameters(program, session);
+
+  std::vector<std::string> arguments = joinNumbers(argc, argv);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  try {
+    program.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);
+    printError(explain(error, program, argc, argv));
+    return UserCanChange;
+  }
+  return runSession(session);
+}
+
+}  // namespace
+}  // namespace angiomesh::cli
+
+int main(int argc, char** argv) { return angiomesh::cli::parseAndRun(argc, argv); }

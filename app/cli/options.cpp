@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/options.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "io/files.h"
+
+namespace angiomesh::cli {
+namespace {
+
+constexpr std::array<std::string_view, 6> kNumberOptions{"--seed",    "--roi",  "--size",
+                                                         "--spacing", "--axis", "--offset"};
+
+}  // namespace
+
+std::vector<double> parseNumbers(const std::string& text, std::size_t count,
+                                 const std::string& option) {
+  std::vector<double> numbers;
+  const char* at = text.c_str();
+  while (true) {
+    char* end = nullptr;
+    const double number = std::strtod(at, &end);
+    if (end == at || !std::isfinite(number)) break;
+    numbers.push_back(number);
+    at = end;
+    if (*at != ',') break;
+    ++at;
+  }
+  if (*at != '\0' || numbers.size() != count)
+    throw InputError("'" + text + "' is not " + std::to_string(count) + " numbers", option,
+                     "separate them by commas, without spaces");
+  return numbers;
+}
+
+Parameters ParameterOptions::parameters() const {
+  Parameters params = preset(presetName);
+  if (!paramsFile.empty()) params = parametersFromJson(readText(paramsFile), params, paramsFile);
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+      throw InputError("'" + setting + "' has no '='", "--set", "write --set key=value");
+    setFieldFromText(params, std::string_view(setting).substr(0, equals),
+                     std::string_view(setting).substr(equals + 1));
+  }
+  for (const std::string& seed : seeds) {
+    const std::vector<double> point = parseNumbers(seed, 3, "--seed");
+    params.seeds.points.insert(params.seeds.points.end(), point.begin(), point.end());
+  }
+  if (!roi.empty()) {
+    const std::vector<double> corners = parseNumbers(roi, 6, "--roi");
+    params.preprocess.roi.emplace();
+    std::copy(corners.begin(), corners.end(), params.preprocess.roi->begin());
+  }
+  validate(params);
+  return params;
+}
+
+void addSettings(CLI::App& command, ParameterOptions& options) {
+  command.add_option("--preset", options.presetName, "Parameters to start from: angiomesh, thesis");
+  command.add_option("--params", options.paramsFile,
+                     "JSON file of parameters, such as the params.json of a run");
+  command
+      .add_option("--set", options.settings,
+                  "One parameter as key=value; may be repeated ('angiomesh-cli parameters' lists "
+                  "all)")
+      ->allow_extra_args(false);
+}
+
+void addPlaces(CLI::App& command, ParameterOptions& options) {
+  command.add_option("--seed", options.seeds, "A seed x,y,z in mm LPS; may be repeated")
+      ->allow_extra_args(false);
+  command.add_option("--roi", options.roi, "Region of interest x0,y0,z0,x1,y1,z1 in mm LPS");
+}
+
+std::vector<std::string> joinNumbers(int argc, char** argv) {
+  std::vector<std::string> arguments;
+  for (int i = 1; i < argc; ++i) {
+    std::string argument = argv[i];
+    const bool takesNumbers =
+        std::find(kNumberOptions.begin(), kNumberOptions.end(), argument) != kNumberOptions.end();
+    if (takesNumbers && i + 1 < argc) argument += std::string("=") + argv[++i];
+    arguments.push_back(std::move(argument));
+  }
+  return arguments;
+}
+
+}  // namespace angiomesh::cli

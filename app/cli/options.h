@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/parameters.h"
+
+namespace angiomesh::cli {
+
+/// "1,-2.5,3" as exactly `count` finite numbers. @throws InputError naming `option`
+std::vector<double> parseNumbers(const std::string& text, std::size_t count,
+                                 const std::string& option);
+
+/// --preset, --params, --set, --seed and --roi.
+struct ParameterOptions {
+  std::string presetName = "angiomesh";
+  std::string paramsFile;
+  std::vector<std::string> settings;
+  std::vector<std::string> seeds;
+  std::string roi;
+
+  /// Preset, then file, then --set, --seed and --roi, checked. @throws InputError, IoError
+  [[nodiscard]] Parameters parameters() const;
+};
+
+/// Adds --preset, --params and --set to a command.
+void addSettings(CLI::App& command, ParameterOptions& options);
+
+/// Adds --seed and --roi to a command that starts from an image.
+void addPlaces(CLI::App& command, ParameterOptions& options);
+
+/// "--seed -1,2,3" as "--seed=-1,2,3", so that numbers with a minus are not taken for options.
+std::vector<std::string> joinNumbers(int argc, char** argv);
+
+}  // namespace angiomesh::cli

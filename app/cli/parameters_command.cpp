@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "app/cli/commands.h"
+#include "core/pipeline/parameters.h"
+
+namespace angiomesh::cli {
+namespace {
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+std::string allowed(const Field& field) {
+  std::string text;
+  switch (field.kind) {
+    case FieldKind::Boolean:
+      return "true, false";
+    case FieldKind::Choice:
+      for (const std::string& choice : field.choices) text += (text.empty() ? "" : ", ") + choice;
+      break;
+    case FieldKind::Integer:
+    case FieldKind::Real:
+      text = number(field.minimum) + " to " + number(field.maximum);
+      break;
+    case FieldKind::Numbers:
+      text = "groups of " + std::to_string(field.groupOf) + " numbers";
+      break;
+  }
+  if (!field.emptyWord.empty()) text += ", or " + field.emptyWord;
+  return text;
+}
+
+std::string valueIn(const Field& field, const std::string& presetName) {
+  const std::string text = fieldText(field.get(preset(presetName)), field);
+  return text.empty() ? "none" : text;
+}
+
+void printMarkdown() {
+  std::printf(
+      "# Parameters\n\n"
+      "Keys as in `--set key=value`, in `params.json` (nested by the dots) and in the forms of "
+      "the\n"
+      "desktop program. A working voxel is a voxel of the grid that the pipeline works on after\n"
+      "cropping and resampling. `--preset` chooses between the columns of values.\n\n"
+      "This page is the output of `angiomesh-cli parameters --markdown`.\n\n| key |");
+  for (const std::string& name : presetNames()) std::printf(" `%s` |", name.c_str());
+  std::printf(" allowed | unit | meaning |\n|---|");
+  for (std::size_t i = 0; i < presetNames().size(); ++i) std::printf("---|");
+  std::printf("---|---|---|\n");
+  for (const Field& field : parameterFields()) {
+    std::printf("| `%s` |", field.key.c_str());
+    for (const std::string& name : presetNames())
+      std::printf(" %s |", valueIn(field, name).c_str());
+    std::printf(" %s | %s | %s |\n", allowed(field).c_str(), field.unit.c_str(),
+                field.help.c_str());
+  }
+}
+
+void printText() {
+  for (const Field& field : parameterFields())
+    std::printf("%-36s %-24s %s%s%s\n", field.key.c_str(), valueIn(field, "angiomesh").c_str(),
+                field.help.c_str(), field.unit.empty() ? "" : ", ", field.unit.c_str());
+}
+
+}  // namespace
+
+void addParameters(CLI::App& program, Session& session) {
+  auto markdown = std::make_shared<bool>(false);
+  CLI::App* command =
+      program.add_subcommand("parameters", "All parameters with their defaults and ranges");
+  command->add_flag("--markdown", *markdown, "As the table of docs/parameters.md");
+  command->callback([markdown, &session] {
+    session.action = [markdown] {
+      if (*markdown)
+        printMarkdown();
+      else
+        printText();
+      return static_cast<int>(Done);
+    };
+  });
+}
+
+}  // namespace angiomesh::cli

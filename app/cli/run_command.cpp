@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+#include "app/cli/output_folder.h"
+#include "app/cli/summary.h"
+#include "core/base/error.h"
+#include "core/image/projection.h"
+#include "core/pipeline/report.h"
+#include "core/quality/overlap.h"
+#include "io/files.h"
+#include "io/image_io.h"
+#include "io/mesh_io.h"
+
+namespace angiomesh::cli {
+namespace {
+
+// Shares of the whole job's progress.
+constexpr double kLoaded = 0.02;
+constexpr double kComputed = 0.95;
+
+/// All files that a run may leave; surface.png is the picture that `snapshot` adds.
+const std::vector<std::string> kRunFiles{"preprocessed.nrrd", "vesselness.nrrd",    "phi.nrrd",
+                                         "mask.nrrd",         "vessels.ply",        "vessels.stl",
+                                         "params.json",       "marching-cubes.ply", "report.json",
+                                         "preview.png",       "surface.png"};
+
+struct RunCommandOptions {
+  ParameterOptions settings;
+  std::string input, output, series, until = "quality", truth;
+  bool force = false;
+};
+
+Step stepOf(const std::string& until) {
+  const std::optional<Step> step = stepFromId(until);
+  if (!step || *step == Step::Load)
+    throw InputError("no step is called '" + until + "'", "--until",
+                     "use preprocess, vesselness, seeds, evolve, surface, smooth or quality");
+  return *step;
+}
+
+double processorSeconds() {
+  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+struct Loaded {
+  Source source;
+  StageReport stage;
+};
+
+Loaded load(const RunCommandOptions& options, const Progress& progress) {
+  progress.phase("load");
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu = processorSeconds();
+  LoadedImage loaded = readImage(options.input, options.series, progress);
+  Loaded result;
+  result.stage.step = Step::Load;
+  result.stage.warnings = loaded.info.warnings;
+  result.source = makeSource(std::move(loaded.image), "input");
+  result.stage.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.stage.cpuSeconds = processorSeconds() - cpu;
+  return result;
+}
+
+/// Puts the time and the warnings of loading into the result's list of stages.
+void addLoadStage(RunResult& result, const StageReport& stage) {
+  auto& stages = result.stages;
+  if (!stages.empty() && stages.front().step == Step::Load) stages.erase(stages.begin());
+  stages.insert(stages.begin(), stage);
+  result.totalSeconds += stage.seconds;
+  result.cpuSeconds += stage.cpuSeconds;
+}
+
+/// The phi that was meshed, or the evolution's where no surface was asked for.
+const Volume<float>* finalPhi(const RunResult& result) {
+  if (result.surface) return result.surface->phi.get();
+  return result.evolve ? result.evolve->phi.get() : nullptr;
+}
+
+template <class T>
+void addVolume(const OutputFolder& folder, const char* name, const Volume<T>& volume) {
+  folder.add(name, [&](const std::filesystem::path& place) { writeVolume(volume, place); });
+}
+
+void addText(const OutputFolder& folder, const char* name, const std::string& text) {
+  folder.add(name, [&](const std::filesystem::path& place) { writeText(place, text); });
+}
+
+void writeVolumes(const RunResult& result, Step until, const OutputFolder& folder) {
+  if (until == Step::Preprocess) addVolume(folder, "preprocessed.nrrd", *result.preprocessed);
+  if (until == Step::Vesselness || until == Step::Seeds)
+    addVolume(folder, "vesselness.nrrd", *result.vesselness->multiScale);
+  if (const Volume<float>* phi = finalPhi(result)) {
+    addVolume(folder, "phi.nrrd", *phi);
+    addVolume(folder, "mask.nrrd", maskOnGrid(*phi, result.source.image->geometry));
+  }
+}
+
+void writeMeshes(const RunResult& result, const OutputFolder& folder) {
+  MeshWriteOptions write;
+  write.key = result.key;
+  const TriMesh* mesh = result.smoothed  ? result.smoothed.get()
+                        : result.surface ? result.surface->mesh.get()
+                                         : nullptr;
+  if (mesh == nullptr) return;
+  const auto add = [&](const char* name, const TriMesh& what) {
+    folder.add(name, [&](const std::filesystem::path& place) { writeMesh(what, place, write); });
+  };
+  add("vessels.ply", *mesh);
+  add("vessels.stl", *mesh);
+  add("marching-cubes.ply", *result.surface->marchingCubes);
+}
+
+int run(const RunCommandOptions& options, const Progress& progress) {
+  const Parameters params = options.settings.parameters();
+  RunOptions runOptions;
+  runOptions.until = stepOf(options.until);
+  if (!options.truth.empty() && runOptions.until < Step::Evolve)
+    throw InputError("there is nothing to compare before the step 'evolve'", "--truth",
+                     "leave out --truth, or run further with --until");
+  OutputFolder folder(options.output, kRunFiles, options.force);
+
+  std::optional<Volume<std::uint8_t>> truth;
+  if (!options.truth.empty()) truth = readMask(options.truth);
+  const Loaded loaded = load(options, progress.sub(0.0, kLoaded));
+  for (const std::string& warning : loaded.stage.warnings) printWarning(warning);
+  Pipeline pipeline(loaded.source);
+  RunResult result = pipeline.run(params, runOptions, progress.sub(kLoaded, kComputed));
+  addLoadStage(result, loaded.stage);
+
+  const Progress writing = progress.sub(kComputed, 1.0);
+  writing.phase("write");
+  std::optional<OverlapMeasures> measures;
+  if (truth) measures = compareMasks(maskOnGrid(*finalPhi(result), truth->geometry), *truth);
+  writing.report(0.2);
+  writeVolumes(result, runOptions.until, folder);
+  writing.report(0.4);
+  writeMeshes(result, folder);
+  writing.report(0.7);
+  if (const Volume<float>* phi = finalPhi(result))
+    folder.add("preview.png", [&](const std::filesystem::path& place) {
+      writePng(previewPicture(*loaded.source.image, *phi), place);
+    });
+  addText(folder, "params.json", parametersToJson(params));
+  addText(folder, "report.json", runReportJson(result, measures));
+  writing.report(1.0);
+  folder.commit();
+  printSummary(result, measures);
+  return Done;
+}
+
+}  // namespace
+
+void addRun(CLI::App& program, Session& session) {
+  auto options = std::make_shared<RunCommandOptions>();
+  CLI::App* command = program.add_subcommand("run", "The whole pipeline: an image in, a mesh out");
+  command->add_option("INPUT", options->input, "Image file or DICOM folder")->required();
+  command->add_option("-o,--output", options->output, "Folder to write")->required();
+  command->add_option("--series", options->series, "UID of one series of a DICOM folder");
+  addSettings(*command, options->settings);
+  addPlaces(*command, options->settings);
+  command->add_option("--until", options->until,
+                      "Last step: preprocess, vesselness, seeds, evolve, surface, smooth, quality");
+  command->add_option("--truth", options->truth, "Mask to compare the result with");
+  command->add_flag("--force", options->force, "Replace a former run in the output folder");
+  command->callback([options, &session] {
+    session.action = [options, &session] { return run(*options, session.progress); };
+  });
+}
+
+}  // namespace angiomesh::cli

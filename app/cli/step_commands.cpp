@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "app/cli/commands.h"
+#include "app/cli/field_input.h"
+#include "app/cli/options.h"
+#include "app/cli/output_folder.h"
+#include "core/base/error.h"
+#include "core/pipeline/pipeline.h"
+#include "core/pipeline/segments.h"
+#include "core/surface/marching_cubes.h"
+#include "core/surface/smoothing.h"
+#include "core/surface/spline_field.h"
+#include "io/image_io.h"
+#include "io/mesh_io.h"
+
+namespace angiomesh::cli {
+namespace {
+
+struct StepOptions {
+  ParameterOptions settings;
+  std::string input, output, series, phi, method = "level-set";
+};
+
+RunResult runUntil(Step step, const StepOptions& options, const Progress& progress) {
+  const Parameters params = options.settings.parameters();
+  LoadedImage loaded = readImage(options.input, options.series, progress.sub(0.0, 0.05));
+  for (const std::string& warning : loaded.info.warnings) printWarning(warning);
+  Pipeline pipeline(makeSource(std::move(loaded.image), "input"));
+  RunOptions runOptions;
+  runOptions.until = step;
+  RunResult result = pipeline.run(params, runOptions, progress.sub(0.05, 1.0));
+  for (const StageReport& stage : result.stages)
+    for (const std::string& warning : stage.warnings) printWarning(warning);
+  return result;
+}
+
+int vesselnessCommand(const StepOptions& options, const Progress& progress) {
+  const RunResult result = runUntil(Step::Vesselness, options, progress);
+  writeVolume(*result.vesselness->multiScale, options.output);
+  return Done;
+}
+
+int segmentCommand(const StepOptions& options, const Progress& progress) {
+  // The components to keep are chosen by the step 'surface'.
+  const RunResult result = runUntil(Step::Surface, options, progress);
+  writeVolume(*result.surface->phi, options.output);
+  std::printf("%zu voxels inside, %d iterations\n", result.surface->insideVoxels,
+              result.evolve->iterations);
+  return Done;
+}
+
+int meshCommand(const StepOptions& options, const Progress& progress) {
+  const SurfaceParams params = options.settings.parameters().surface;
+  const Volume<float> phi = readPhiOrMask(options.input);
+  TriMesh mesh;
+  if (params.cellVoxels == 1.0) {
+    mesh = marchingCubes(phi, params.border, progress);
+  } else {
+    const double cellMm = params.cellVoxels * phi.geometry.voxelMm();
+    const SplineField field(phi, params.spline);
+    mesh = marchingCubes(resampleField(field, cellMm, progress.sub(0.0, 0.5)), params.border,
+                         progress.sub(0.5, 1.0));
+  }
+  dropSmallComponents(mesh, params.minComponentMm3);
+  if (mesh.triangles.empty())
+    throw InputError("there is no surface in it", options.input,
+                     "give a level set function that is negative inside, or a mask");
+  writeMesh(mesh, options.output);
+  std::printf("%zu triangles\n", mesh.triangles.size());
+  return Done;
+}
+
+int smoothCommand(const StepOptions& options, const Progress& progress) {
+  const Parameters params = options.settings.parameters();
+  const TriMesh mesh = readMesh(options.input);
+  std::optional<SplineField> phi;
+  if (!options.phi.empty()) phi.emplace(readPhiOrMask(options.phi), params.surface.spline);
+  writeMesh(smoothSurface(mesh, params.smooth, phi ? &*phi : nullptr, progress), options.output);
+  return Done;
+}
+
+std::shared_ptr<StepOptions> addStep(CLI::App& program, Session& session, const char* name,
+                                     const char* help, const char* input, const char* output,
+                                     int (*body)(const StepOptions&, const Progress&)) {
+  auto options = std::make_shared<StepOptions>();
+  CLI::App* command = program.add_subcommand(name, help);
+  command->add_option("INPUT", options->input, input)->required();
+  command->add_option("-o,--output", options->output, output)->required();
+  addSettings(*command, options->settings);
+  command->callback([options, &session, body] {
+    session.action = [options, &session, body] {
+      checkOutputFile(options->output);
+      return body(*options, session.progress);
+    };
+  });
+  return options;
+}
+
+void addImageOptions(CLI::App& program, const char* name, StepOptions& options) {
+  CLI::App* command = program.get_subcommand(name);
+  command->add_option("--series", options.series, "UID of one series of a DICOM folder");
+  addPlaces(*command, options.settings);
+}
+
+}  // namespace
+
+void addVesselness(CLI::App& program, Session& session) {
+  const auto options =
+      addStep(program, session, "vesselness", "The vesselness of an image, on the working grid",
+              "Image file or DICOM folder", "Volume to write", vesselnessCommand);
+  addImageOptions(program, "vesselness", *options);
+}
+
+void addSegment(CLI::App& program, Session& session) {
+  const auto options = addStep(program, session, "segment",
+                               "The level set function of the vessels, mm, negative inside",
+                               "Image file or DICOM folder", "Volume to write", segmentCommand);
+  addImageOptions(program, "segment", *options);
+  program.get_subcommand("segment")
+      ->add_option("--method", options->method, "level-set")
+      ->check(CLI::IsMember({"level-set"}));
+}
+
+void addMesh(CLI::App& program, Session& session) {
+  addStep(program, session, "mesh", "The surface of a level set function or mask, not smoothed",
+          "Level set function or mask", "Mesh to write: .ply, .stl, .obj or .vtp", meshCommand);
+}
+
+void addSmooth(CLI::App& program, Session& session) {
+  const auto options = addStep(program, session, "smooth", "Smooth a mesh", "Mesh",
+                               "Mesh to write: .ply, .stl, .obj or .vtp", smoothCommand);
+  program.get_subcommand("smooth")->add_option(
+      "--phi", options->phi, "Level set function whose wall 'keep-wall' keeps (else the mesh's)");
+}
+
+}  // namespace angiomesh::cli

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+namespace angiomesh::cli {
+namespace {
+
+constexpr int kColumnWidth = 16;
+
+std::string text(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+std::string count(std::size_t value) { return std::to_string(value); }
+
+void printRow(const char* label, const std::vector<NamedQuality>& columns,
+              const std::function<std::string(const MeshQuality&)>& value) {
+  std::printf("  %-28s", label);
+  for (const NamedQuality& column : columns)
+    std::printf("%*s", kColumnWidth, value(*column.quality).c_str());
+  std::printf("\n");
+}
+
+void printShape(const std::vector<NamedQuality>& columns) {
+  using Q = const MeshQuality&;
+  printRow("smallest angle, least (deg)", columns, [](Q q) { return text("%.2f", q.minAngleMin); });
+  printRow("  1st percentile", columns, [](Q q) { return text("%.2f", q.minAngleP01); });
+  printRow("  mean", columns, [](Q q) { return text("%.2f", q.minAngleMean); });
+  printRow("below 20 deg (%)", columns, [](Q q) { return text("%.3f", q.below20Percent); });
+  printRow("below 30 deg (%)", columns, [](Q q) { return text("%.3f", q.below30Percent); });
+  printRow("radius ratio, mean", columns, [](Q q) { return text("%.4f", q.radiusRatioMean); });
+  printRow("  1st percentile", columns, [](Q q) { return text("%.4f", q.radiusRatioP01); });
+  printRow("edge, mean (mm)", columns, [](Q q) { return text("%.4g", q.edgeMeanMm); });
+}
+
+void printGrid(const char* label, const Geometry& g) {
+  std::printf("%-13s %d x %d x %d voxels of %.4g x %.4g x %.4g mm\n", label, g.size[0], g.size[1],
+              g.size[2], g.spacing.x(), g.spacing.y(), g.spacing.z());
+}
+
+const char* endOf(const EvolveResult& evolve) {
+  switch (evolve.stopReason) {
+    case StopReason::Converged:
+      return "converged";
+    case StopReason::Settled:
+      return "settled";
+    case StopReason::Limit:
+      return "not converged: the limit was reached";
+    case StopReason::Running:
+    case StopReason::Stopped:
+      break;
+  }
+  return "stopped";
+}
+
+void printSegmentation(const RunResult& result) {
+  const EvolveResult& evolve = *result.evolve;
+  std::printf("%-13s", "segmentation");
+  if (result.surface) {
+    const auto& parts = result.surface->components;
+    const auto kept = std::count_if(parts.begin(), parts.end(),
+                                    [](const SegmentComponent& part) { return part.kept; });
+    std::printf(" %zu voxels in %d component%s", result.surface->insideVoxels,
+                static_cast<int>(kept), kept == 1 ? "" : "s");
+    if (!parts.empty() && result.surface->insideVoxels > 0)
+      std::printf(" (the largest: %.1f %%)", 100.0 * static_cast<double>(parts.front().voxels) /
+                                                 static_cast<double>(result.surface->insideVoxels));
+    std::printf(",");
+  }
+  std::printf(" %d iterations, %s\n", evolve.iterations, endOf(evolve));
+  std::printf("%-13s a %.4g, b %.4g%s; %zu seeds\n", "thresholds", evolve.thresholds.a,
+              evolve.thresholds.b, evolve.thresholds.clamped ? " (clamped)" : "",
+              result.seeds ? result.seeds->pointsLps.size() : 0);
+}
+
+}  // namespace
+
+void printQualities(const std::vector<NamedQuality>& columns) {
+  using Q = const MeshQuality&;
+  std::printf("  %-28s", "");
+  for (const NamedQuality& column : columns) std::printf("%*s", kColumnWidth, column.name.c_str());
+  std::printf("\n");
+  printRow("triangles", columns, [](Q q) { return count(q.triangles); });
+  printRow("components", columns, [](Q q) { return std::to_string(q.components); });
+  printRow("genus", columns, [](Q q) { return std::to_string(q.genus); });
+  printRow("closed, oriented", columns, [](Q q) {
+    return std::string(q.closed ? "yes" : "no") + ", " + (q.oriented ? "yes" : "no");
+  });
+  printRow("non-manifold spots", columns,
+           [](Q q) { return count(q.nonManifoldEdges + q.nonManifoldVertices); });
+  printRow("degenerate triangles", columns, [](Q q) { return count(q.degenerateTriangles); });
+  printRow("self-intersections", columns, [](Q q) { return count(q.selfIntersections); });
+  printRow("area (mm2)", columns, [](Q q) { return text("%.6g", q.areaMm2); });
+  printRow("volume (mm3)", columns,
+           [](Q q) { return q.closed ? text("%.6g", q.volumeMm3) : std::string("-"); });
+  printShape(columns);
+  const auto largest = [](const std::optional<DeviationStats>& d) {
+    return d ? text("%.4g", d->maxMm) : std::string("-");
+  };
+  if (std::any_of(columns.begin(), columns.end(),
+                  [](const NamedQuality& c) { return c.quality->vertexDeviation.has_value(); })) {
+    printRow("off the wall, vertex (mm)", columns, [&](Q q) { return largest(q.vertexDeviation); });
+    printRow("  centroid", columns, [&](Q q) { return largest(q.centroidDeviation); });
+  }
+}
+
+void printOverlap(const OverlapMeasures& m) {
+  std::printf("%-13s overlap %.2f %%, sensitivity %.4f, precision %.4f", "truth", m.overlap,
+              m.sensitivity, m.precision);
+  if (std::isfinite(m.assdMm) && std::isfinite(m.hd95Mm))
+    std::printf(", ASSD %.3g mm, HD95 %.3g mm", m.assdMm, m.hd95Mm);
+  std::printf("\n");
+}
+
+void printSummary(const RunResult& result, const std::optional<OverlapMeasures>& truth) {
+  printGrid("input", result.source.image->geometry);
+  if (result.preprocessed) printGrid("working grid", result.preprocessed->geometry);
+  if (result.evolve) printSegmentation(result);
+  if (truth) printOverlap(*truth);
+  std::printf("%-13s", "seconds");
+  for (const StageReport& stage : result.stages)
+    std::printf(" %s %.2f,", stepId(stage.step), stage.seconds);
+  std::printf(" total %.2f\n", result.totalSeconds);
+  if (result.quality) {
+    std::printf("\n");
+    printQualities(
+        {{"vessels", &result.quality->mesh}, {"marching cubes", &result.quality->marchingCubes}});
+  }
+}
+
+}  // namespace angiomesh::cli

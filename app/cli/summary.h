@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/pipeline.h"
+#include "core/quality/overlap.h"
+
+namespace angiomesh::cli {
+
+struct NamedQuality {
+  std::string name;
+  const MeshQuality* quality;
+};
+
+/// Mesh qualities side by side, one column each, on stdout.
+void printQualities(const std::vector<NamedQuality>& columns);
+
+/// One line of overlap measures on stdout.
+void printOverlap(const OverlapMeasures& measures);
+
+/// What a run did, on stdout: sizes, segmentation, seconds per stage, mesh beside marching cubes.
+void printSummary(const RunResult& result, const std::optional<OverlapMeasures>& truth);
+
+}  // namespace angiomesh::cli
