@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+#include <limits>
+
+#include "core/phantom/phantom.h"
+#include "io/image_io.h"
+#include "tests/app/cli_process.h"
+
+using namespace angiomesh;
+
+namespace {
+
+void writeBytes(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  QCOMPARE(file.write(bytes), bytes.size());
+}
+
+QByteArray metaImage(const char* dimensions, const char* size, const QByteArray& voxels) {
+  return QByteArray("ObjectType = Image\nNDims = ") + dimensions +
+         "\nBinaryData = True\nDimSize = " + size +
+         "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + voxels;
+}
+
+}  // namespace
+
+// Bad input, bad parameters, bad output places: one line, the right exit code, nothing left behind.
+class TestCliFailures : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir dir_;
+
+  QString at(const QString& name) const { return dir_.filePath(name); }
+  CliResult cli(const QStringList& arguments) const { return runCli(dir_.path(), arguments); }
+
+  void verifyRefused(const CliResult& result, const QStringList& filesBefore) {
+    QVERIFY2(!result.crashed, result.errors.constData());
+    const QList<QByteArray> lines = result.errorLines();
+    QVERIFY2(lines.size() == 1, result.errors.constData());
+    QVERIFY2(lines[0].startsWith("angiomesh-cli: error: "), lines[0].constData());
+    QVERIFY2(lines[0].count(": ") >= 3, "what, where: what to do");
+    QCOMPARE(result.code, 2);
+    QCOMPARE(filesIn(dir_.path()), filesBefore);
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QVERIFY(dir_.isValid());
+    PhantomParams params;
+    params.kind = PhantomKind::Tube;
+    params.size = {32, 32, 32};
+    params.radius = 3.0;
+    const Phantom phantom = makePhantom(params);
+    writeVolume(phantom.image, at("good.mha").toStdString());
+    writeVolume(phantom.image, at("good.nrrd").toStdString());
+    writeVolume(phantom.image, at("good.nii.gz").toStdString());
+    writeVolume(phantom.truth, at("truth.mha").toStdString());
+    params.noiseSigma = 20.0;
+    writeVolume(makePhantom(params).image, at("noisy.mha").toStdString());
+
+    for (const char* name : {"good.mha", "good.nrrd", "good.nii.gz"}) {
+      QFile good(at(name));
+      QVERIFY(good.open(QIODevice::ReadOnly));
+      const QByteArray bytes = good.readAll();
+      writeBytes(at(QString("truncated") + QString(name).mid(4)),
+                 bytes.left(bytes.size() * 6 / 10));
+    }
+    writeBytes(at("empty.mha"), "");
+    writeBytes(at("text.mha"), "This is not an image.\n");
+    writeBytes(at("text.nrrd"), "This is not an image.\n");
+    writeBytes(at("text.nii"), "This is not an image.\n");
+    writeBytes(at("flat.mha"), metaImage("2", "32 32", QByteArray(32 * 32, 'x')));
+    writeBytes(at("film.mha"), metaImage("4", "8 8 8 3", QByteArray(8 * 8 * 8 * 3, 'x')));
+    writeBytes(at("slice.mha"), metaImage("3", "32 32 1", QByteArray(32 * 32, 'x')));
+    writeBytes(at("constant.mha"), metaImage("3", "16 16 16", QByteArray(16 * 16 * 16, 'x')));
+    writeBytes(at("short.mha"), metaImage("3", "16 16 16", QByteArray(100, 'x')));
+    writeBytes(at("huge.mha"), metaImage("3", "99999999 99999999 99999999", QByteArray(100, 'x')));
+    Volume<float> holed = phantom.image;
+    holed.at(5, 6, 7) = std::numeric_limits<float>::quiet_NaN();
+    writeVolume(holed, at("nan.nrrd").toStdString());
+    QVERIFY(QDir(dir_.path()).mkdir("folder"));
+    writeBytes(at("bad.json"), "{\"levelset\": {\"gamma\": }");
+    writeBytes(at("unknown.json"), "{\"levelset\": {\"gama\": 0.5}}");
+    writeBytes(at("mesh.ply"), "ply\nformat ascii 1.0\nelement vertex 3\n");
+  }
+
+  void badInput_data() {
+    QTest::addColumn<QString>("input");
+    for (const char* name :
+         {"missing.mha", "empty.mha", "truncated.mha", "truncated.nrrd", "truncated.nii.gz",
+          "text.mha", "text.nrrd", "text.nii", "flat.mha", "film.mha", "slice.mha", "constant.mha",
+          "short.mha", "huge.mha", "nan.nrrd", "folder", "/dev/null"})
+      QTest::newRow(name) << name;
+  }
+
+  void badInput() {
+    QFETCH(QString, input);
+    const QStringList before = filesIn(dir_.path());
+    verifyRefused(cli({"run", input, "-o", "out"}), before);
+    verifyRefused(cli({"info", input}), before);
+    verifyRefused(cli({"vesselness", input, "-o", "v.nrrd"}), before);
+    verifyRefused(cli({"convert", input, "-o", "c.nrrd"}), before);
+  }
+
+  void badCommandLine_data() {
+    QTest::addColumn<QStringList>("arguments");
+    const auto row = [](const char* arguments) {
+      QTest::newRow(arguments) << QString(arguments).split(' ', Qt::SkipEmptyParts);
+    };
+    row("");
+    row("paint");
+    row("run");
+    row("run good.mha");
+    row("run good.mha -o out --colour red");
+    row("run good.mha -o out --set levelset.gamma=7");
+    row("run good.mha -o out --set levelset.gamma=nan");
+    row("run good.mha -o out --set levelset.gamma=");
+    row("run good.mha -o out --set levelset.gamma");
+    row("run good.mha -o out --set levelset.gama=0.7");
+    row("run good.mha -o out --set vesselness.sigmaMinMm=3 --set vesselness.sigmaMaxMm=2");
+    row("run good.mha -o out --set surface.method=magic");
+    row("run good.mha -o out --preset unheard");
+    row("run good.mha -o out --params bad.json");
+    row("run good.mha -o out --params unknown.json");
+    row("run good.mha -o out --params missing.json");
+    row("run good.mha -o out --until tomorrow");
+    row("run good.mha -o out --until vesselness --truth truth.mha");
+    row("run good.mha -o out --truth missing.mha");
+    row("run good.mha -o out --seed 1,2");
+    row("run good.mha -o out --seed -1000,2,3");
+    row("run good.mha -o out --seed 1,2,x");
+    row("run good.mha -o out --roi 1,2,3");
+    row("run good.mha -o out --roi -1e4,-1e4,-1e4,-1e3,-1e3,-1e3");
+    row("--threads 0 run good.mha -o out");
+    row("--threads many run good.mha -o out");
+    row("--progress loud run good.mha -o out");
+    row("segment good.mha -o phi.nrrd --method magic");
+    row("phantom sphere -o p");
+    row("phantom tube --size 0 -o p");
+    row("phantom tube --size 32.5 -o p");
+    row("phantom tube --size 1e9 -o p");
+    row("phantom tube --radius -2 -o p");
+    row("phantom tube --spacing 1,0,1 -o p");
+    row("phantom tree --radius-range 4,2 -o p");
+    row("mesh good.mha -o out.xyz");
+    row("mesh missing.nrrd -o out.ply");
+    row("smooth mesh.ply -o out.ply");
+    row("smooth good.mha -o out.ply");
+    row("quality mesh.ply");
+    row("quality missing.ply");
+    row("evaluate good.mha good.nrrd extra");
+    row("evaluate truth.mha missing.mha");
+    row("convert good.mha -o out.xyz");
+    row("convert good.mha -o out.ply");
+  }
+
+  void badCommandLine() {
+    QFETCH(QStringList, arguments);
+    const QStringList before = filesIn(dir_.path());
+    verifyRefused(cli(arguments), before);
+  }
+
+  void aRangeWithoutVesselsFindsNoSeedOrNoSurface() {
+    const QStringList before = filesIn(dir_.path());
+    verifyRefused(cli({"run", "good.mha", "-o", "out", "--set", "vesselness.sigmaMinMm=25", "--set",
+                       "vesselness.sigmaMaxMm=30"}),
+                  before);
+    verifyRefused(cli({"run", "good.mha", "-o", "out", "--set", "seeds.automatic=false"}), before);
+  }
+
+  void badOutputPlace_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("below a file") << QStringList{"run", "good.mha", "-o", "good.nrrd/out"};
+    QTest::newRow("a file") << QStringList{"run", "good.mha", "-o", "good.nrrd"};
+    QTest::newRow("a device") << QStringList{"run", "good.mha", "-o", "/dev/full"};
+    QTest::newRow("proc") << QStringList{"run", "good.mha", "-o", "/proc/angiomesh/out"};
+    QTest::newRow("proc itself") << QStringList{"run", "good.mha", "-o", "/proc/self"};
+    QTest::newRow("phantom") << QStringList{"phantom", "tube", "-o", "good.nrrd/p"};
+    QTest::newRow("vesselness") << QStringList{"vesselness", "good.mha", "-o", "none/v.nrrd"};
+    QTest::newRow("segment") << QStringList{"segment", "good.mha", "-o", "/proc/phi.nrrd"};
+    QTest::newRow("mesh") << QStringList{"mesh", "truth.mha", "-o", "none/m.ply"};
+    QTest::newRow("convert") << QStringList{"convert", "good.mha", "-o", "/proc/v.nrrd"};
+    QTest::newRow("device file") << QStringList{"convert", "good.mha", "-o", "/dev/full/v.nrrd"};
+  }
+
+  void badOutputPlace() {
+    QFETCH(QStringList, arguments);
+    const QStringList before = filesIn(dir_.path());
+    verifyRefused(cli(arguments), before);
+  }
+
+  void aFullMediumLeavesNothingBehind_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("run") << QStringList{"run", "good.mha", "-o",
+                                        "out", "--set",    "levelset.maxIterations=20"};
+    QTest::newRow("phantom") << QStringList{"phantom", "tube", "--size", "32",
+                                            "--noise", "20",   "-o",     "p"};
+    QTest::newRow("vesselness") << QStringList{"vesselness", "noisy.mha", "-o", "v.nrrd"};
+    for (const char* name : {"c.mha", "c.nrrd", "c.nii", "c.nii.gz"})
+      QTest::newRow(name) << QStringList{"convert", "noisy.mha", "-o", name};
+    for (const char* name : {"m.ply", "m.stl", "m.obj", "m.vtp"})
+      QTest::newRow(name) << QStringList{"mesh", "truth.mha", "-o", name};
+  }
+
+  void aFullMediumLeavesNothingBehind() {
+    QFETCH(QStringList, arguments);
+    const QStringList before = filesIn(dir_.path());
+    verifyRefused(runCliWithFileLimit(dir_.path(), arguments, 1), before);
+  }
+
+  void aFormerResultSurvivesAFullMedium() {
+    QCOMPARE(cli({"convert", "good.mha", "-o", "former.nrrd"}).code, 0);
+    QFile file(at("former.nrrd"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    file.close();
+    const QStringList before = filesIn(dir_.path());
+    verifyRefused(
+        runCliWithFileLimit(dir_.path(), {"convert", "noisy.mha", "-o", "former.nrrd"}, 1), before);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), bytes);
+  }
+
+  void interruptCancelsCleanly_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("SIGINT") << SIGINT;
+    QTest::newRow("SIGTERM") << SIGTERM;
+  }
+
+  void interruptCancelsCleanly() {
+    QFETCH(int, signal);
+    QCOMPARE(cli({"phantom", "tree", "--size", "64", "--noise", "20", "-o", "long"}).code, 0);
+    const QStringList before = filesIn(dir_.path());
+    QProcess process;
+    process.setWorkingDirectory(dir_.path());
+    process.start(ANGIOMESH_CLI, {"--progress", "json", "run", "long/image.mha", "-o", "deep/out",
+                                  "--set", "levelset.maxIterations=100000", "--set",
+                                  "levelset.tolerance=1e-9", "--set", "levelset.toleranceDelta=0"});
+    process.setReadChannel(QProcess::StandardError);
+    QByteArray errors;
+    QElapsedTimer timer;
+    timer.start();
+    while (!errors.contains("\"iterations\"") && timer.elapsed() < 30000 &&
+           process.waitForReadyRead(1000))
+      errors += process.readAllStandardError();
+    QVERIFY2(errors.contains("\"iterations\""), errors.constData());
+    timer.start();
+    QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
+    const CliResult result = finish(process);
+    QVERIFY(timer.elapsed() < 5000);
+    QVERIFY(!result.crashed);
+    QCOMPARE(result.code, 4);
+    QVERIFY(result.errors.contains("cancelled"));
+    QCOMPARE(filesIn(dir_.path()), before);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestCliFailures)
+#include "tst_cli_failures.moc"
