@@ -8,10 +8,12 @@ set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/angiomesh)
 set_target_properties(angiomesh_core PROPERTIES EXPORT_NAME core)
 set_target_properties(angiomesh_io PROPERTIES EXPORT_NAME io)
 install(TARGETS angiomesh_core angiomesh_io EXPORT AngiomeshTargets
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Development
         INCLUDES DESTINATION ${header_dir})
-install(DIRECTORY core io DESTINATION ${header_dir} FILES_MATCHING PATTERN "*.h")
-install(EXPORT AngiomeshTargets NAMESPACE Angiomesh:: DESTINATION ${ANGIOMESH_PACKAGE_DIR})
+install(DIRECTORY core io DESTINATION ${header_dir} COMPONENT Development
+        FILES_MATCHING PATTERN "*.h")
+install(EXPORT AngiomeshTargets NAMESPACE Angiomesh:: DESTINATION ${ANGIOMESH_PACKAGE_DIR}
+        COMPONENT Development)
 
 list(JOIN ANGIOMESH_ITK " " ANGIOMESH_ITK_LIST)
 list(JOIN ANGIOMESH_VTK_CORE " " ANGIOMESH_VTK_LIST)
@@ -24,7 +26,7 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/AngiomeshConfigVersion.cmak
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/AngiomeshConfig.cmake
               ${CMAKE_BINARY_DIR}/AngiomeshConfigVersion.cmake
-        DESTINATION ${ANGIOMESH_PACKAGE_DIR})
+        DESTINATION ${ANGIOMESH_PACKAGE_DIR} COMPONENT Development)
 
 foreach(program angiomesh-cli angiomesh)
   if(TARGET ${program})

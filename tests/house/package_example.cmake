@@ -16,7 +16,8 @@ if(SANITIZER STREQUAL "address")
 elseif(SANITIZER STREQUAL "thread")
   set(flags -fsanitize=thread)
 endif()
-step(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${work}/installed)
+step(${CMAKE_COMMAND} --install ${BUILD_DIR} --component Development
+     --prefix ${work}/installed)
 step(${CMAKE_COMMAND} -S ${SOURCE_DIR}/packaging/example -B ${work}/build -G ${GENERATOR}
      -DCMAKE_PREFIX_PATH=${work}/installed -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_FLAGS=${flags}
      -DCMAKE_BUILD_TYPE=Release)
