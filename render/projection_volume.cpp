@@ -12,6 +12,7 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/conversion.h"
 
@@ -106,6 +107,13 @@ void ProjectionVolume::setCoarseness(double coarseness) {
   if (coarseness == parts_->coarseness) return;
   parts_->coarseness = coarseness;
   parts_->update();
+}
+
+double ProjectionVolume::coarseness() const { return parts_->coarseness; }
+
+double ProjectionVolume::secondsOfLastFrame() const {
+  return parts_->volume->GetMapper() != nullptr ? parts_->volume->GetMapper()->GetTimeToDraw()
+                                                : 0.0;
 }
 
 }  // namespace angiomesh

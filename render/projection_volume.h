@@ -26,6 +26,8 @@ class ProjectionVolume {
   void setSoftware(bool software);
   /// Sampling `coarseness` times coarser along the rays and across the picture; 1 is full quality.
   void setCoarseness(double coarseness);
+  [[nodiscard]] double coarseness() const;
+  [[nodiscard]] double secondsOfLastFrame() const;
 
  private:
   struct Parts;

@@ -231,7 +231,9 @@ void SliceScene::Parts::showCrosshair() {
   crosshair.actor->SetVisibility(visible);
   if (!visible) return;
   const Eigen::Vector2d c = plane.fromLps(cursor).head<2>();
-  const Eigen::Vector2d half = 0.5 * mmPerPixel * size();
+  // The lines end before the letters on the edges.
+  const Eigen::Vector2d half =
+      mmPerPixel * (0.5 * size().array() - 30.0 * pixelRatio).max(0.0).matrix();
   const Eigen::Vector2d low = centre - half;
   const Eigen::Vector2d high = centre + half;
   const double gap = 10.0 * pixelRatio * mmPerPixel;  // the spot itself stays visible

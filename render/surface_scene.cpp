@@ -5,6 +5,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCoordinate.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -17,6 +18,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
@@ -49,6 +51,10 @@ void fillTable(vtkLookupTable* table, double lo, double hi) {
   table->SetTableRange(lo, hi);
 }
 
+/// How the time of a projection falls with its coarseness: by its square across the picture, and a
+/// little along the rays.
+constexpr double costExponent = 2.3;
+
 bool isSoftware(vtkRenderer* renderer) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (window == nullptr) return false;
@@ -62,13 +68,14 @@ bool isSoftware(vtkRenderer* renderer) {
 
 struct SurfaceScene::Parts {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkCallbackCommand> beforeFrame;
+  vtkNew<vtkCallbackCommand> beforeFrame, afterFrame;
   DirectionCube cube;
   ProjectionVolume projection;
   SurfaceActor surface{{0.84, 0.27, 0.21}};
   SurfaceActor comparison{{0.45, 0.62, 0.80}};
   vtkNew<vtkLookupTable> table;
   vtkNew<vtkScalarBarActor> colourBar;
+  vtkNew<vtkTextActor> colourTitle;  // the bar's own title runs into its labels
   vtkNew<vtkPolyData> seedData;
   vtkNew<vtkActor> seedActor;
   vtkNew<vtkOutlineSource> roiSource;
@@ -82,9 +89,14 @@ struct SurfaceScene::Parts {
   Eigen::Vector3d fittedAt{0.0, 0.0, 0.0};
   std::array<int, 2> fittedSize{0, 0};
   double pixelRatio = 1.0;
+  double projectionCost = 0.5;  // seconds of the processor's projection at full quality, estimated
 
   Parts();
-  ~Parts() { renderer->RemoveObserver(beforeFrame); }
+  ~Parts() {
+    renderer->RemoveObserver(beforeFrame);
+    renderer->RemoveObserver(afterFrame);
+  }
+  void noteCost();
   void prepareFrame();
   void chooseQuality();
   void showColourBar();
@@ -117,16 +129,23 @@ SurfaceScene::Parts::Parts() {
   renderer->AddActor(roiActor);
 
   colourBar->SetLookupTable(table);
+  colourBar->SetOrientationToHorizontal();
   colourBar->SetNumberOfLabels(5);
-  colourBar->SetMaximumWidthInPixels(90);
-  colourBar->SetPosition(0.86, 0.12);
-  colourBar->SetWidth(0.12);
-  colourBar->SetHeight(0.7);
+  colourBar->SetLabelFormat("%.3g");
+  colourBar->SetPosition(0.25, 0.02);
+  colourBar->SetWidth(0.65);
+  colourBar->SetHeight(0.11);
+  colourBar->SetBarRatio(0.3);
+  colourTitle->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  colourTitle->GetPositionCoordinate()->SetValue(0.575, 0.14);
+  colourTitle->GetTextProperty()->SetJustificationToCentered();
+  colourTitle->VisibilityOff();
+  renderer->AddViewProp(colourTitle);
   colourBar->SetUnconstrainedFontSize(true);
   for (vtkTextProperty* text :
-       {colourBar->GetTitleTextProperty(), colourBar->GetLabelTextProperty()}) {
+       {colourTitle->GetTextProperty(), colourBar->GetLabelTextProperty()}) {
     text->SetFontFamilyToArial();
-    text->SetFontSize(12);
+    text->SetFontSize(13);
     text->ItalicOff();
     text->BoldOff();
     text->ShadowOff();
@@ -140,6 +159,17 @@ SurfaceScene::Parts::Parts() {
     static_cast<Parts*>(self)->prepareFrame();
   });
   renderer->AddObserver(vtkCommand::StartEvent, beforeFrame);
+  afterFrame->SetClientData(this);
+  afterFrame->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*) { static_cast<Parts*>(self)->noteCost(); });
+  renderer->AddObserver(vtkCommand::EndEvent, afterFrame);
+}
+
+void SurfaceScene::Parts::noteCost() {
+  if (!software || projection.prop()->GetVisibility() == 0) return;
+  const double cost =
+      projection.secondsOfLastFrame() * std::pow(projection.coarseness(), costExponent);
+  projectionCost += 0.5 * (cost - projectionCost);
 }
 
 void SurfaceScene::Parts::prepareFrame() {
@@ -157,12 +187,20 @@ void SurfaceScene::Parts::prepareFrame() {
 
 void SurfaceScene::Parts::chooseQuality() {
   projection.prop()->SetVisibility(mipVisible && image != nullptr);
-  // Software OpenGL draws a coarse projection some four times as fast.
-  projection.setCoarseness(!interactive ? 1.0 : software ? 3.0 : 1.5);
+  if (!software) {
+    projection.setCoarseness(interactive ? 1.5 : 1.0);
+    return;
+  }
+  // As fine as the last frames say that fits the time: nobody waits long for a turn or a surface.
+  const double seconds = interactive ? 0.06 : 0.4;
+  const double fitting = std::pow(projectionCost / seconds, 1.0 / costExponent);
+  projection.setCoarseness(std::clamp(fitting, interactive ? 1.5 : 1.0, 6.0));
 }
 
 void SurfaceScene::Parts::showColourBar() {
-  colourBar->SetVisibility(surface.coloured() || comparison.coloured());
+  const bool coloured = surface.coloured() || comparison.coloured();
+  colourBar->SetVisibility(coloured);
+  colourTitle->SetVisibility(coloured);
 }
 
 void SurfaceScene::Parts::fit() {
@@ -272,7 +310,7 @@ void SurfaceScene::setEdgesVisible(bool visible) {
 void SurfaceScene::setSurfaceColours(std::vector<float> perTriangle, const std::string& title,
                                      double lo, double hi) {
   fillTable(parts_->table, lo, hi);
-  parts_->colourBar->SetTitle(title.c_str());
+  parts_->colourTitle->SetInput(title.c_str());
   parts_->surface.setTriangleValues(std::move(perTriangle), parts_->table);
   parts_->showColourBar();
 }
@@ -356,11 +394,20 @@ void SurfaceScene::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
                       lps[2] - distance * direction[2]);
 }
 
+void SurfaceScene::takeCameraOf(const SurfaceScene& other) {
+  vtkCamera* from = other.parts_->renderer->GetActiveCamera();
+  vtkCamera* to = parts_->renderer->GetActiveCamera();
+  to->SetFocalPoint(from->GetFocalPoint());
+  to->SetPosition(from->GetPosition());
+  to->SetViewUp(from->GetViewUp());
+  to->SetViewAngle(from->GetViewAngle());
+  parts_->fittedOnce = parts_->fittedOnce || other.parts_->fittedOnce;
+}
+
 void SurfaceScene::setPixelRatio(double ratio) {
   parts_->pixelRatio = ratio;
   parts_->seedActor->GetProperty()->SetPointSize(static_cast<float>(9.0 * ratio));
   parts_->roiActor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * ratio));
-  parts_->colourBar->SetMaximumWidthInPixels(static_cast<int>(90 * ratio));
 }
 
 }  // namespace angiomesh

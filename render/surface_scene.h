@@ -67,6 +67,7 @@ class SurfaceScene {
   void fit();  ///< keeps the direction of view
   /// Turns the camera towards a point, at a distance that shows `radiusMm` around it.
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
+  void takeCameraOf(const SurfaceScene& other);
   void setPixelRatio(double ratio);
 
  private:

@@ -12,7 +12,8 @@ namespace angiomesh {
 
 struct LevelSetParams {
   double gamma = 0.7, d = 0.2, xi = 20.0;
-  std::optional<double> b;  ///< empty: eq. 3.20, clamped to [bMin, bMax]
+  std::optional<double> b;  ///< empty: by bRule
+  ThresholdRule bRule = ThresholdRule::Contrast;
   double bMin = 0.05, bMax = 0.15;
   int maxIterations = 5000;
   int checkEvery = 100;

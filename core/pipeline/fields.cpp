@@ -214,9 +214,11 @@ void addLevelSet(Table& t) {
                      "scales the threshold b: larger segments less");
   xi.main = xi.logarithmic = true;
   t.real("levelset.b", MEMBER(levelset.b), 1e-4, 1.0, "",
-         "vesselness at which the front stands still; auto: eq. 3.20 within bMin..bMax");
-  t.real("levelset.bMin", MEMBER(levelset.bMin), 1e-4, 1.0, "", "lower bound of the automatic b");
-  t.real("levelset.bMax", MEMBER(levelset.bMax), 1e-4, 1.0, "", "upper bound of the automatic b");
+         "vesselness at which the front stands still; auto: by bRule");
+  t.choice("levelset.bRule", MEMBER(levelset.bRule), {"contrast", "average"},
+           "contrast: b = 0.0065 xi; average: eq. 3.20, clamped to bMin..bMax");
+  t.real("levelset.bMin", MEMBER(levelset.bMin), 1e-4, 1.0, "", "lower bound of b by eq. 3.20");
+  t.real("levelset.bMax", MEMBER(levelset.bMax), 1e-4, 1.0, "", "upper bound of b by eq. 3.20");
   t.integer("levelset.maxIterations", MEMBER(levelset.maxIterations), 1, 1000000,
             "the evolution ends here at the latest");
   t.integer("levelset.checkEvery", MEMBER(levelset.checkEvery), 1, 10000,

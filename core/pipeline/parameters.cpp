@@ -277,6 +277,7 @@ Parameters preset(std::string_view name) {
                      "use one of " + joined(presetNames()));
   params.vesselness.scaleRule = ScaleRule::Difference;
   params.vesselness.contrast = ContrastRule::Range;
+  params.levelset.bRule = ThresholdRule::Average;
   params.surface.spline = SplineKind::Bspline;
   params.surface.border = SurfaceBorder::Open;
   params.smooth.method = SmoothMethod::Taubin;

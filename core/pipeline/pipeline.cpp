@@ -120,8 +120,8 @@ EvolveResult evolve(const VesselnessResult& vessels, const SeedsResult& seeds,
   const LevelSetParams& p = params.levelset;
   EvolveResult result;
   result.thresholds =
-      thresholds(*vessels.multiScale, p.xi, vessels.scalesMm.back() / vessels.scalesMm.front(), p.b,
-                 p.bMin, p.bMax);
+      thresholds(*vessels.multiScale, p.bRule, p.xi,
+                 vessels.scalesMm.back() / vessels.scalesMm.front(), p.b, p.bMin, p.bMax);
   if (result.thresholds.clamped)
     warnings.push_back("b was clamped to " + std::to_string(result.thresholds.b) +
                        ": eq. 3.20 lies outside levelset.bMin to levelset.bMax on this image");

@@ -14,11 +14,15 @@ struct Thresholds {
   bool clamped = false;
 };
 
-/// b = xi * v_avg / (sigma_max / sigma_min), clamped to [bMin, bMax]; a = 2 b. A given b is taken
-/// as it is.
+enum class ThresholdRule {
+  Contrast,  ///< b = 0.0065 xi: c has already scaled the vesselness by the contrast of the image
+  Average    ///< eq. 3.20: b = xi * v_avg / (sigma_max / sigma_min), clamped to [bMin, bMax]
+};
+
+/// b by the rule, or as given; a = 2 b. `sigmaRatio` is sigma_max / sigma_min.
 /// @throws NumericError when no voxel has positive vesselness
-Thresholds thresholds(const Volume<float>& vesselness, double xi, double sigmaRatio,
-                      std::optional<double> givenB, double bMin, double bMax);
+Thresholds thresholds(const Volume<float>& vesselness, ThresholdRule rule, double xi,
+                      double sigmaRatio, std::optional<double> givenB, double bMin, double bMax);
 
 /// p of eq. 3.21: 1 above a, linear to 0 at b, linear to -1 at 0, -1 below.
 double vesselSpeed(double v, const Thresholds& t);

@@ -92,7 +92,8 @@ class TestParameters : public QObject {
     for (const Field& field : parameterFields())
       if (field.get(own) != field.get(thesis)) different.insert(field.key);
     const std::set<std::string> expected{"vesselness.scaleRule", "vesselness.contrast",
-                                         "surface.spline", "surface.border", "smooth.method"};
+                                         "levelset.bRule",       "surface.spline",
+                                         "surface.border",       "smooth.method"};
     QVERIFY(different == expected);
     QVERIFY_EXCEPTION_THROWN(preset("thesys"), InputError);
   }

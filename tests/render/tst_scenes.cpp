@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkProp3D.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -12,7 +14,9 @@
 
 #include "core/base/error.h"
 #include "render/offscreen.h"
+#include "render/projection_volume.h"
 #include "render/slice_scene.h"
+#include "render/stage.h"
 #include "render/surface_scene.h"
 
 using namespace angiomesh;
@@ -275,8 +279,10 @@ class TestScenes : public QObject {
       mark(*image, voxel);
       const Eigen::Vector3d lps =
           image->geometry.toPhysical(Eigen::Vector3d(voxel[0], voxel[1], voxel[2]));
+      SurfacePane pane(240, 240);
       for (const char side : {'A', 'L', 'S'}) {
-        SurfacePane pane(240, 240);
+        pane.scene.setSurface(nullptr);
+        pane.scene.setMipVisible(true);
         pane.scene.setImage(image);
         pane.scene.setMipWindow(100.0, 600.0);
         pane.scene.viewFrom(side);
@@ -292,6 +298,39 @@ class TestScenes : public QObject {
         QVERIFY((shown - surface).head<2>().norm() < 3.0);
       }
     }
+  }
+
+  void bothRayCastersObeyThePatientsDirections() {
+    for (const Eigen::Matrix3d& direction : {directions()[3], directions()[4]})
+      for (const bool software : {true, false}) {
+        const auto image = emptyImage(direction);
+        const Index3 voxel{29, 12, 24};
+        mark(*image, voxel);
+        const Eigen::Vector3d lps =
+            image->geometry.toPhysical(Eigen::Vector3d(voxel[0], voxel[1], voxel[2]));
+        vtkNew<vtkRenderWindow> window;
+        window->SetOffScreenRendering(1);
+        window->SetSize(200, 200);
+        vtkNew<vtkRenderer> renderer;
+        window->AddRenderer(renderer);
+        ProjectionVolume projection;
+        projection.setSoftware(software);
+        projection.setImage(image);
+        projection.setWindow(100.0, 600.0);
+        projection.prop()->VisibilityOn();
+        renderer->AddViewProp(projection.prop());
+        vtkCamera* camera = renderer->GetActiveCamera();
+        camera->SetPosition(0.6, -1.0, 0.4);
+        camera->SetViewUp(0.0, 0.0, 1.0);
+        QVERIFY(fitCamera(renderer));
+        const Eigen::Vector3d shown =
+            Frame(window).centreWhere([](const std::array<int, 3>& c) { return c[0] > 200; });
+        QVERIFY(shown[2] > 20.0);
+        renderer->SetWorldPoint(lps[0], lps[1], lps[2], 1.0);
+        renderer->WorldToDisplay();
+        const Eigen::Vector3d expected(renderer->GetDisplayPoint());
+        QVERIFY((shown - expected).head<2>().norm() < 3.0);
+      }
   }
 
   void trianglesAreColouredByTheirValue() {

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <cmath>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/phantom/phantom.h"
+#include "core/pipeline/pipeline.h"
+#include "core/quality/overlap.h"
+#include "tests/core/analytic.h"
+
+using namespace angiomesh;
+using namespace angiomesh::analytic;
+
+namespace {
+
+Phantom smallBifurcation() {
+  PhantomParams params;
+  params.kind = PhantomKind::Bifurcation;
+  params.size = {40, 40, 40};
+  params.radius = 3.0;
+  params.noiseSigma = 10.0;
+  return makePhantom(params);
+}
+
+Parameters smallParams() {
+  Parameters params;
+  params.vesselness.sigmaMaxMm = 4.0;
+  return params;
+}
+
+/// Two separate tubes along z, the second thinner.
+Volume<float> twoTubes() {
+  return sampled(cube(36), [](const Eigen::Vector3d& x) {
+    const double a = tube(x, {9.0, 18.0, 18.0}, {0, 0, 1}, 3.0);
+    const double b = tube(x, {27.0, 18.0, 18.0}, {0, 0, 1}, 2.0);
+    return 200.0 * std::clamp(0.5 - std::min(a, b), 0.0, 1.0);
+  });
+}
+
+}  // namespace
+
+class TestPipeline : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void runsFromImageToSurface() {
+    const Phantom phantom = smallBifurcation();
+    Pipeline pipeline(makeSource(phantom.image, "bifurcation"));
+    const Progress progress;
+    const RunResult run = pipeline.run(smallParams(), {}, progress);
+    QCOMPARE(progress.fraction(), 1.0);
+    QCOMPARE(run.stages.size(), std::size_t{7});
+    const OverlapMeasures overlap =
+        compareMasks(maskOnGrid(*run.surface->phi, phantom.truth.geometry), phantom.truth);
+    QVERIFY2(overlap.overlap > 85.0, qPrintable(QString::number(overlap.overlap)));
+    const MeshQuality& mesh = run.quality->mesh;
+    QVERIFY(mesh.closed && mesh.oriented);
+    QCOMPARE(mesh.nonManifoldEdges + mesh.nonManifoldVertices + mesh.degenerateTriangles,
+             std::size_t{0});
+    QCOMPARE(mesh.components, static_cast<int>(run.surface->components.size()));
+    QCOMPARE(mesh.triangles, run.quality->marchingCubes.triangles);
+    QVERIFY(mesh.radiusRatioMean > run.quality->marchingCubes.radiusRatioMean);
+    QVERIFY(mesh.vertexDeviation && mesh.vertexDeviation->maxMm < 0.2);
+    QVERIFY(std::fabs(mesh.volumeMm3 / static_cast<double>(run.surface->insideVoxels) - 1.0) < 0.2);
+  }
+
+  void aChangedParameterRecomputesItsStepAndThoseAfterIt() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    Parameters params = smallParams();
+    pipeline.run(params);
+    for (const Step step : {Step::Preprocess, Step::Evolve, Step::Quality})
+      QVERIFY(pipeline.has(step, params));
+    Parameters changed = params;
+    changed.levelset.xi = 22.0;
+    QCOMPARE(pipeline.key(Step::Seeds, changed), pipeline.key(Step::Seeds, params));
+    QVERIFY(pipeline.key(Step::Evolve, changed) != pipeline.key(Step::Evolve, params));
+    const RunResult run = pipeline.run(changed);
+    for (const StageReport& stage : run.stages) QCOMPARE(stage.reused, stage.step < Step::Evolve);
+    for (const StageReport& stage : pipeline.run(params).stages) QVERIFY(stage.reused);
+  }
+
+  void everyParameterBelongsToAStep() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    const Parameters base;
+    for (const Field& field : parameterFields()) {
+      Parameters changed = base;
+      FieldValue value = field.get(base);
+      if (field.kind == FieldKind::Boolean)
+        value = !std::get<bool>(value);
+      else if (field.kind == FieldKind::Choice)
+        value = field.choices.back() == std::get<std::string>(value) ? field.choices.front()
+                                                                     : field.choices.back();
+      else if (field.kind == FieldKind::Numbers)
+        value = std::vector<double>(field.groupOf, 1.0);
+      else if (field.kind == FieldKind::Integer)
+        value = static_cast<std::int64_t>(field.maximum);
+      else
+        value = field.maximum;
+      if (field.choices.size() == 1) continue;
+      field.put(changed, value);
+      QVERIFY2(pipeline.key(Step::Quality, changed) != pipeline.key(Step::Quality, base),
+               field.key.c_str());
+    }
+  }
+
+  void componentsCanBeLeftOut() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    Parameters params = smallParams();
+    params.seeds.topPercent = 1.0;
+    const RunResult both = pipeline.run(params);
+    QCOMPARE(both.surface->components.size(), std::size_t{2});
+    const Eigen::Vector3d inner = both.surface->components[0].innerPointLps;
+    QVERIFY(std::fabs(inner[0] - 9.0) < 3.0);
+
+    Parameters dropped = params;
+    dropped.segmentation.drop = {inner[0], inner[1], inner[2]};
+    const RunResult one = pipeline.run(dropped);
+    QCOMPARE(one.surface->components.size(), std::size_t{2});
+    QVERIFY(!one.surface->components[0].kept && one.surface->components[1].kept);
+    QCOMPARE(one.quality->mesh.components, 1);
+    for (const Eigen::Vector3d& x : one.smoothed->points) QVERIFY(x[0] > 20.0);
+
+    Parameters largest = params;
+    largest.segmentation.keep = KeepComponents::Largest;
+    for (const Eigen::Vector3d& x : pipeline.run(largest).smoothed->points) QVERIFY(x[0] < 16.0);
+    Parameters seeded = params;
+    seeded.segmentation.keep = KeepComponents::Seeded;
+    seeded.seeds.points = {27.0, 18.0, 18.0};
+    for (const Eigen::Vector3d& x : pipeline.run(seeded).smoothed->points) QVERIFY(x[0] > 20.0);
+    Parameters none = params;
+    none.segmentation.minVolumeMm3 = 1e6;
+    QVERIFY_EXCEPTION_THROWN(pipeline.run(none), NumericError);
+  }
+
+  void threadsDoNotChangeTheMesh() {
+    const Phantom phantom = smallBifurcation();
+    setThreads(1);
+    const RunResult one = Pipeline(makeSource(phantom.image, "x")).run(smallParams());
+    setThreads(2);
+    const RunResult two = Pipeline(makeSource(phantom.image, "x")).run(smallParams());
+    QCOMPARE(one.key, two.key);
+    QVERIFY(one.evolve->phi->voxels == two.evolve->phi->voxels);
+    QVERIFY(one.smoothed->triangles == two.smoothed->triangles);
+    QVERIFY(one.smoothed->points == two.smoothed->points);
+  }
+
+  void anAnisotropicObliqueScanGivesTheSameVessel() {
+    const Geometry g = oblique(70, 56, 30);
+    const Eigen::Vector3d axis = Eigen::Vector3d(1, 1, 2).normalized();
+    const auto image = sampled(g, [&](const Eigen::Vector3d& x) {
+      return 200.0 * std::clamp(0.5 - tube(x, centreOf(g), axis, 1.6) / 0.4, 0.0, 1.0);
+    });
+    for (const Isotropic isotropic : {Isotropic::On, Isotropic::Off}) {
+      Parameters params;
+      params.preprocess.isotropic = isotropic;
+      params.vesselness.sigmaMinMm = 0.5;
+      params.vesselness.sigmaMaxMm = 2.0;
+      const RunResult run = Pipeline(makeSource(image, "x")).run(params);
+      double sum = 0.0;
+      double count = 0.0;
+      for (const Eigen::Vector3d& x : run.smoothed->points) {
+        const Eigen::Vector3d index = g.toIndex(x);
+        bool inner = true;
+        for (int a = 0; a < 3; ++a) inner = inner && index[a] > 5.0 && index[a] < g.size[a] - 6.0;
+        if (!inner) continue;
+        sum += tube(x, centreOf(g), axis, 0.0);
+        count += 1.0;
+      }
+      QVERIFY(count > 100.0);
+      // The method places the wall on an iso-level of vesselness, not on the edge: within half a
+      // voxel.
+      QVERIFY2(std::fabs(sum / count - 1.6) < 0.4, qPrintable(QString::number(sum / count)));
+    }
+  }
+
+  void snapshotsAndControlDoNotChangeTheResult() {
+    const Phantom phantom = smallBifurcation();
+    const RunResult plain = Pipeline(makeSource(phantom.image, "x")).run(smallParams());
+    RunOptions options;
+    options.snapshots = std::make_shared<Mailbox<EvolutionSnapshot>>();
+    options.snapshotSeconds = 0.0;
+    options.control = std::make_shared<EvolutionControl>();
+    options.control->paused = true;
+    std::jthread player([control = options.control] {
+      control->stepsWanted = 3;
+      while (control->stepsWanted != 0) std::this_thread::yield();
+      control->paused = false;
+    });
+    const RunResult watched = Pipeline(makeSource(phantom.image, "x")).run(smallParams(), options);
+    QVERIFY(watched.evolve->phi->voxels == plain.evolve->phi->voxels);
+    const auto snapshot = options.snapshots->take();
+    QVERIFY(snapshot != nullptr);
+    QCOMPARE(snapshot->iterations, watched.evolve->iterations);
+    QVERIFY(!snapshot->surface->triangles.empty());
+    QVERIFY(options.snapshots->take() == nullptr);
+  }
+
+  void anEvolutionStoppedByHandIsNotRemembered() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    RunOptions options;
+    options.control = std::make_shared<EvolutionControl>();
+    options.control->finishNow = true;
+    const RunResult stopped = pipeline.run(smallParams(), options);
+    QCOMPARE(stopped.evolve->stopReason, StopReason::Stopped);
+    QVERIFY(!pipeline.has(Step::Evolve, smallParams()));
+    QVERIFY(!pipeline.has(Step::Quality, smallParams()));
+    QVERIFY(pipeline.run(smallParams()).evolve->stopReason != StopReason::Stopped);
+  }
+
+  void cancelAndFailuresLeaveThePipelineUsable() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    const Progress progress;
+    progress.cancel();
+    QVERIFY_EXCEPTION_THROWN(pipeline.run(smallParams(), {}, progress), Cancelled);
+    Parameters dark = smallParams();
+    dark.levelset.b = 1.0;
+    QVERIFY_EXCEPTION_THROWN(pipeline.run(dark), NumericError);
+    QVERIFY(pipeline.run(smallParams()).quality->mesh.closed);
+  }
+
+  void finerCellsGiveMoreTriangles() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    Parameters params = smallParams();
+    const RunResult normal = pipeline.run(params);
+    params.surface.cellVoxels = 0.5;
+    const RunResult fine = pipeline.run(params);
+    QVERIFY(fine.quality->mesh.triangles > 3 * normal.quality->mesh.triangles);
+    QCOMPARE(fine.quality->marchingCubes.triangles, normal.quality->marchingCubes.triangles);
+    QVERIFY(fine.quality->unsmoothed.centroidDeviation->meanMm <
+            normal.quality->unsmoothed.centroidDeviation->meanMm);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestPipeline)
+#include "tst_pipeline.moc"
