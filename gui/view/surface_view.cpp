@@ -7,7 +7,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QTimer>
@@ -137,14 +136,21 @@ void SurfaceView::setRoi(std::optional<RoiBox> roi) {
 void SurfaceView::viewFrom(char side) {
   state_->scene.viewFrom(side);
   changed();
+  Q_EMIT cameraMoved();
 }
 
 void SurfaceView::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
   state_->scene.lookAt(lps, radiusMm);
   changed();
+  Q_EMIT cameraMoved();
 }
 
 void SurfaceView::resetView() { viewFrom('A'); }
+
+void SurfaceView::takeCameraOf(const SurfaceView& other) {
+  state_->scene.takeCameraOf(other.state_->scene);
+  changed();
+}
 
 void SurfaceView::pixelRatioChanged(double ratio) { state_->scene.setPixelRatio(ratio); }
 
@@ -154,19 +160,21 @@ void SurfaceView::mousePressEvent(QMouseEvent* event) {
   VtkView::mousePressEvent(event);
 }
 
+void SurfaceView::mouseMoveEvent(QMouseEvent* event) {
+  VtkView::mouseMoveEvent(event);
+  if (state_->buttonDown) Q_EMIT cameraMoved();
+}
+
 void SurfaceView::mouseReleaseEvent(QMouseEvent* event) {
   VtkView::mouseReleaseEvent(event);
   state_->buttonDown = event->buttons() != Qt::NoButton;
   if (!state_->buttonDown) state_->refine.start();
 }
 
-void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  VtkView::mouseDoubleClickEvent(event);
-}
-
 void SurfaceView::wheelEvent(QWheelEvent* event) {
   changed();
   VtkView::wheelEvent(event);
+  Q_EMIT cameraMoved();
 }
 
 void SurfaceView::keyPressEvent(QKeyEvent* event) {

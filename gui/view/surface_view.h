@@ -48,11 +48,17 @@ class SurfaceView : public VtkView {
   void viewFrom(char side);  ///< 'A', 'P', 'L', 'R', 'S', 'I'
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
   void resetView();  ///< from anterior, fitted
+  /// Takes over the camera of another view. Two views that do so on each other's cameraMoved()
+  /// show their surfaces side by side.
+  void takeCameraOf(const SurfaceView& other);
+
+ Q_SIGNALS:
+  void cameraMoved();  ///< by the user, viewFrom(), lookAt() or resetView(); not by takeCameraOf()
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
-  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void pixelRatioChanged(double ratio) override;

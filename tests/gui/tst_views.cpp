@@ -426,6 +426,29 @@ class TestViews : public QObject {
     QVERIFY(litShare(view.grabFramebuffer()) > 0.001);
   }
 
+  void twoViewsCanShareACamera() {
+    SurfaceView first;
+    SurfaceView second;
+    for (SurfaceView* view : {&first, &second}) {
+      view->resize(240, 220);
+      view->setSurface(makeTetrahedron({10, 20, 30}, 8.0));
+      view->show();
+      QVERIFY(QTest::qWaitForWindowExposed(view));
+    }
+    connect(&first, &SurfaceView::cameraMoved, &second, [&] { second.takeCameraOf(first); });
+    connect(&second, &SurfaceView::cameraMoved, &first, [&] { first.takeCameraOf(second); });
+    const auto camera = [](SurfaceView& view) {
+      return view.renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
+    };
+    const Eigen::Vector3d start(camera(second)->GetPosition());
+    drag(first, Qt::LeftButton, {100, 100}, {150, 120});
+    const Eigen::Vector3d moved(camera(second)->GetPosition());
+    QVERIFY((moved - start).norm() > 1.0);
+    QVERIFY((moved - Eigen::Vector3d(camera(first)->GetPosition())).norm() < 1e-9);
+    wheel(second, {100, 100}, {0, 120});
+    QVERIFY(std::abs(camera(first)->GetDistance() - camera(second)->GetDistance()) < 1e-9);
+  }
+
   void manySnapshotsMakeFewFrames() {
     SurfaceView view;
     view.resize(300, 260);
