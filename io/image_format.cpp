@@ -34,6 +34,12 @@ const char* const kFormats = "give a DICOM file or folder, .mha/.mhd, .nrrd/.nhd
                 path.string(), kCopyAgain);
 }
 
+[[noreturn]] void truncatedStream(const fs::path& path, std::uintmax_t found) {
+  throw IoError(
+      "the file is truncated (its compressed voxels end after " + std::to_string(found) + " bytes)",
+      path.string(), kCopyAgain);
+}
+
 [[noreturn]] void badHeader(const fs::path& path, const std::string& what) {
   throw InputError("the image header is not usable (" + what + ")", path.string(),
                    "write the image again with another program");
@@ -90,34 +96,19 @@ std::uintmax_t countInflated(const fs::path& path, std::streamoff start) {
     if (state == Z_BUF_ERROR) state = Z_OK;
   }
   if (state == Z_DATA_ERROR) damaged(path);
+  if (state != Z_STREAM_END) truncatedStream(path, total);
   return total;
 }
 
-/// Bytes of a file that is compressed as a whole with gzip.
-std::uintmax_t countGz(const fs::path& path) {
-  const GzFile file = openGz(path);
-  std::vector<char> block(1U << 18U);
-  std::uintmax_t total = 0;
-  int count = 0;
-  while ((count = gzread(file.get(), block.data(), static_cast<unsigned>(block.size()))) > 0)
-    total += static_cast<std::uintmax_t>(count);
-  int state = Z_OK;
-  gzerror(file.get(), &state);
-  if (state == Z_DATA_ERROR) damaged(path);
-  return total;
-}
-
-enum class Packing { None, WholeFile, FromStart };
-
-/// Throws unless at least `expected` bytes of voxels follow `start`.
+/// Throws unless at least `expected` bytes of voxels follow `start`, inflated where `packed`.
 void countVoxelBytes(const fs::path& path, std::streamoff start, std::uintmax_t expected,
-                     Packing packing) {
-  const auto skip = static_cast<std::uintmax_t>(std::max<std::streamoff>(start, 0));
+                     bool packed) {
   std::uintmax_t found = 0;
-  if (packing == Packing::FromStart) {
+  if (packed) {
     found = start < 0 ? 0 : countInflated(path, start);
   } else {
-    const std::uintmax_t all = packing == Packing::None ? fs::file_size(path) : countGz(path);
+    const std::uintmax_t all = fs::file_size(path);
+    const auto skip = static_cast<std::uintmax_t>(std::max<std::streamoff>(start, 0));
     found = start >= 0 && all > skip ? all - skip : 0;
   }
   if (found < expected) truncated(path, expected, found);
@@ -183,6 +174,8 @@ T fromBytes(const std::string& bytes, std::size_t at, bool swap) {
 }
 
 constexpr std::size_t kNiftiHeader = 348;
+constexpr int kNiftiFloat = 16;
+constexpr int kNiftiDouble = 64;
 
 bool looksLikeMetaImage(const std::string& head) {
   return head.find("NDims") != std::string::npos && head.find('=') != std::string::npos;
@@ -193,6 +186,13 @@ bool isDicomHead(const std::string& head) {
   // Old files have no preamble: they begin with a tag of group 8, little endian.
   return head.size() > 8 && head[0] == 8 && head[1] == 0 && head[3] == 0 &&
          (head[2] == 0 || head[2] == 1 || head[2] == 5 || head[2] == 8 || head[2] == 0x16);
+}
+
+void requireVoxelFile(const fs::path& dataPath, const std::string& name, const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(dataPath, error))
+    throw IoError("the voxel file '" + name + "' that the header names is missing", path.string(),
+                  "put it beside the header");
 }
 
 HeaderFacts checkMetaImage(const fs::path& path, bool countVoxels) {
@@ -220,15 +220,26 @@ HeaderFacts checkMetaImage(const fs::path& path, bool countVoxels) {
   if (ascii || file.starts_with("LIST") || file.find('%') != std::string::npos) return facts;
   const bool local = file == "LOCAL" || file == "Local" || file == "local";
   const fs::path dataPath = local ? path : path.parent_path() / file;
-  std::error_code error;
-  if (!fs::is_regular_file(dataPath, error))
-    throw IoError("the voxel file '" + file + "' that the header names is missing", path.string(),
-                  "put it beside the header");
+  requireVoxelFile(dataPath, file, path);
   if (!countVoxels) return facts;
   const auto start = local ? static_cast<std::streamoff>(header.tellg()) : std::streamoff{0};
   countVoxelBytes(dataPath, start, sizes.product * channels * bytes,
-                  isTrue(fields["CompressedData"]) ? Packing::FromStart : Packing::None);
+                  isTrue(fields["CompressedData"]));
   return facts;
+}
+
+/// 0 for a type that has no fixed size.
+std::uintmax_t nrrdTypeBytes(std::string type) {
+  for (const char* word : {"signed ", "unsigned "})
+    if (type.starts_with(word)) type.erase(0, std::strlen(word));
+  for (const auto& [bytes, names] : std::initializer_list<std::pair<int, std::string>>{
+           {1, "|char|uchar|int8|int8_t|uint8|uint8_t|"},
+           {2, "|short|short int|ushort|int16|int16_t|uint16|uint16_t|"},
+           {4, "|int|uint|int32|int32_t|uint32|uint32_t|float|"},
+           {8,
+            "|long long|long long int|longlong|ulonglong|int64|int64_t|uint64|uint64_t|double|"}})
+    if (names.find("|" + type + "|") != std::string::npos) return static_cast<unsigned>(bytes);
+  return 0;
 }
 
 HeaderFacts checkNrrd(const fs::path& path, bool countVoxels) {
@@ -236,15 +247,62 @@ HeaderFacts checkNrrd(const fs::path& path, bool countVoxels) {
   auto fields = textFields(header, ":", "");
   const Sizes sizes = parseSizes(fields["sizes"]);
   if (sizes.product == 0) badHeader(path, "sizes is '" + fields["sizes"] + "'");
+  const std::uintmax_t bytes = nrrdTypeBytes(fields["type"]);
+  if (bytes == 0) badHeader(path, "type is '" + fields["type"] + "'");
   HeaderFacts facts;
   if (fields.count("space directions") == 0 && fields.count("spacings") == 0)
     facts.warnings.emplace_back(kNoSpacing);
-  // ITK counts exactly. Here only so many bytes that it does not reserve memory for nonsense.
-  if (!countVoxels || fields.count("data file") != 0 || fields.count("datafile") != 0) return facts;
-  const std::uintmax_t present = fs::file_size(path);
-  const std::uintmax_t largestRatio = fields["encoding"] == "raw" ? 1 : 1100;
-  if (sizes.product / largestRatio > present) truncated(path, sizes.product, present);
+  if (!countVoxels) return facts;
+
+  const std::string encoding = fields["encoding"];
+  const std::string file =
+      fields.count("data file") != 0 ? fields["data file"] : fields["datafile"];
+  const bool skips = fields.count("byte skip") + fields.count("byteskip") +
+                         fields.count("line skip") + fields.count("lineskip") >
+                     0;
+  const bool packed = encoding == "gzip" || encoding == "gz";
+  // Text, lists of files and skipped bytes are left to ITK, which counts NRRD's voxels as well.
+  if (skips || (encoding != "raw" && !packed) || file.starts_with("LIST") ||
+      file.find('%') != std::string::npos)
+    return facts;
+  const fs::path dataPath = file.empty() ? path : path.parent_path() / file;
+  requireVoxelFile(dataPath, file, path);
+  const auto start = file.empty() ? static_cast<std::streamoff>(header.tellg()) : std::streamoff{0};
+  countVoxelBytes(dataPath, start, sizes.product * bytes, packed);
   return facts;
+}
+
+template <class T>
+bool allFinite(const std::string& block, std::size_t bytes, bool swap) {
+  for (std::size_t at = 0; at + sizeof(T) <= bytes; at += sizeof(T))
+    if (!std::isfinite(fromBytes<T>(block, at, swap))) return false;
+  return true;
+}
+
+/// Counts, and looks for NaN and infinity, which the NIfTI library would turn into 0.
+void checkNiftiVoxels(const fs::path& path, z_off_t start, std::uintmax_t expected, int floatBytes,
+                      bool swap) {
+  const GzFile file = openGz(path);
+  std::string block(1U << 18U, '\0');
+  std::uintmax_t found = 0;
+  int count = gzseek(file.get(), start, SEEK_SET) == start ? 1 : 0;
+  while (count > 0 && found < expected) {
+    count = gzread(file.get(), block.data(),
+                   static_cast<unsigned>(std::min<std::uintmax_t>(block.size(), expected - found)));
+    if (count > 0) found += static_cast<std::uintmax_t>(count);
+    const auto bytes = static_cast<std::size_t>(std::max(count, 0));
+    if ((floatBytes == 4 && !allFinite<float>(block, bytes, swap)) ||
+        (floatBytes == 8 && !allFinite<double>(block, bytes, swap)))
+      throw InputError("the volume holds values that are not finite numbers", path.string(),
+                       "replace NaN and infinity before loading it");
+  }
+  // What follows the voxels is read as well: the check sum comes last.
+  while (count > 0) count = gzread(file.get(), block.data(), static_cast<unsigned>(block.size()));
+  int state = Z_OK;
+  gzerror(file.get(), &state);
+  if (state == Z_DATA_ERROR) damaged(path);
+  if (found < expected) truncated(path, expected, found);
+  if (state == Z_BUF_ERROR) truncatedStream(path, found);
 }
 
 HeaderFacts checkNifti(const fs::path& path, bool countVoxels) {
@@ -280,8 +338,9 @@ HeaderFacts checkNifti(const fs::path& path, bool countVoxels) {
   if (!countVoxels) return facts;
 
   const std::uintmax_t expected = voxels * static_cast<std::uintmax_t>(bits) / 8;
-  countVoxelBytes(path, static_cast<std::streamoff>(offset), expected,
-                  path.extension() == ".gz" ? Packing::WholeFile : Packing::None);
+  const int datatype = fromBytes<std::int16_t>(header, 70, swap);
+  const int floatBytes = datatype == kNiftiFloat ? 4 : datatype == kNiftiDouble ? 8 : 0;
+  checkNiftiVoxels(path, static_cast<z_off_t>(offset), expected, floatBytes, swap);
   return facts;
 }
 

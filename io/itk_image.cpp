@@ -18,6 +18,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "io/quiet_terminal.h"
 
 namespace angiomesh {
 namespace {
@@ -162,6 +163,7 @@ const char* formatName(ImageFormat format) {
 
 template <class Function>
 auto guarded(const fs::path& path, const Function& function) {
+  const QuietTerminal quiet;
   try {
     return function();
   } catch (const Error&) {
@@ -229,6 +231,7 @@ void write(const Volume<T>& volume, Io::IOComponentEnum type, const fs::path& pa
   io->SetComponentType(type);
   io->SetUseCompression(!name.ends_with(".nii"));
   io->SetFileName(path.string());
+  const QuietTerminal quiet;
   try {
     io->WriteImageInformation();
     io->Write(volume.voxels.data());
