@@ -5,9 +5,9 @@
 
 namespace angiomesh {
 
-/// Keeps the terminal free of what the MetaImage and NIfTI libraries print there by themselves, on
-/// top of the status that they return. One at a time: those libraries are not made for threads
-/// either. What other threads write to stderr meanwhile is lost, so keep it short.
+/// Keeps the terminal free of what the MetaImage, NIfTI and VTK libraries print there by
+/// themselves, on top of the status that they return. One at a time: some of them are not made for
+/// threads. What other threads write to stderr meanwhile is lost, so keep it short.
 class QuietTerminal {
  public:
   QuietTerminal();

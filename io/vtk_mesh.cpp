@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
-#include <vtkCommand.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
@@ -16,32 +15,54 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <limits>
+#include <set>
 
 #include "core/base/error.h"
 #include "io/polygon_mesh.h"
+#include "io/quiet_terminal.h"
 
 namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Keeps the messages of a VTK object off the terminal and remembers that there was one.
-class ErrorCatcher {
+/// Takes VTK's messages and remembers that there was one: some failures show in no other way.
+class MessageCatcher : public vtkOutputWindow {
  public:
-  explicit ErrorCatcher(vtkObject* object) {
-    command_->SetClientData(&failed_);
-    command_->SetCallback(
-        [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
-    object->AddObserver(vtkCommand::ErrorEvent, command_);
-    object->AddObserver(vtkCommand::WarningEvent, ignore_);
+  static MessageCatcher* New() {
+    auto* catcher = new MessageCatcher;
+    catcher->InitializeObjectBase();
+    return catcher;
   }
-  [[nodiscard]] bool failed() const { return failed_; }
+  void DisplayText(const char*) override { caught_ = true; }
+  void DisplayErrorText(const char*) override { caught_ = true; }
+  void DisplayWarningText(const char*) override { caught_ = true; }
+  void DisplayGenericWarningText(const char*) override { caught_ = true; }
+  void DisplayDebugText(const char*) override {}
+  [[nodiscard]] bool caught() const { return caught_; }
 
  private:
-  vtkNew<vtkCallbackCommand> command_;
-  vtkNew<vtkCallbackCommand> ignore_;
-  bool failed_ = false;
+  bool caught_ = false;
 };
+
+/// Calls `work` with VTK silent. False when VTK had something to say or threw.
+template <class Work>
+bool succeeds(const Work& work) {
+  const QuietTerminal quiet;
+  const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  const vtkNew<MessageCatcher> messages;
+  vtkOutputWindow::SetInstance(messages.Get());
+  bool fine = true;
+  try {
+    fine = work();
+  } catch (const std::exception&) {
+    fine = false;
+  }
+  vtkOutputWindow::SetInstance(before);
+  return fine && !messages->caught();
+}
 
 std::string fieldText(vtkPolyData* data, const char* name) {
   auto* array = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
@@ -113,36 +134,65 @@ PolygonMesh fromVtk(vtkPolyData* data) {
                 "copy it again or write it with another program");
 }
 
-}  // namespace
+PolygonMesh readLegacy(const std::string& bytes, const fs::path& path) {
+  if (bytes.substr(0, 1000).find("POLYDATA") == std::string::npos)
+    throw InputError("the VTK file does not hold a surface", path.string(),
+                     "give a file with DATASET POLYDATA");
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw InputError("the VTK file is larger than 2 GB", path.string(), "convert it to .vtp");
+  vtkNew<vtkPolyDataReader> reader;
+  if (!succeeds([&] {
+        reader->ReadFromInputStringOn();
+        reader->SetBinaryInputString(bytes.data(), static_cast<int>(bytes.size()));
+        reader->Update();
+        return reader->GetErrorCode() == 0 && reader->GetOutput() != nullptr;
+      }))
+    broken(path);
+  PolygonMesh mesh = fromVtk(reader->GetOutput());
+  readFrameAndUnit(bytes.substr(0, 300), mesh);
+  return mesh;
+}
 
-PolygonMesh readVtkPolyData(const std::string& bytes, const fs::path& path) {
-  if (bytes.starts_with("# vtk DataFile")) {
-    if (bytes.substr(0, 1000).find("POLYDATA") == std::string::npos)
-      throw InputError("the VTK file does not hold a surface", path.string(),
-                       "give a file with DATASET POLYDATA");
-    vtkNew<vtkPolyDataReader> reader;
-    const ErrorCatcher errors(reader);
-    reader->ReadFromInputStringOn();
-    reader->SetBinaryInputString(bytes.data(), static_cast<int>(bytes.size()));
-    reader->Update();
-    if (errors.failed() || reader->GetOutput() == nullptr) broken(path);
-    PolygonMesh mesh = fromVtk(reader->GetOutput());
-    readFrameAndUnit(bytes.substr(0, std::min<std::size_t>(bytes.size(), 300)), mesh);
-    return mesh;
+/// VTK's reader crashes on an array of a type that it does not know.
+bool arrayTypesAreKnown(const std::string& xml) {
+  static const std::set<std::string> types = {"String", "Bit",    "Int8",    "UInt8",
+                                              "Int16",  "UInt16", "Int32",   "UInt32",
+                                              "Int64",  "UInt64", "Float32", "Float64"};
+  for (std::size_t at = xml.find("Array "); at != std::string::npos; at = xml.find("Array ", at)) {
+    const std::size_t end = xml.find('>', at);
+    const std::string tag = xml.substr(at, end == std::string::npos ? end : end - at);
+    const std::size_t type = tag.find(" type=");
+    if (type == std::string::npos || type + 7 >= tag.size()) return false;
+    const std::size_t close = tag.find(tag[type + 6], type + 7);
+    if (close == std::string::npos || types.count(tag.substr(type + 7, close - type - 7)) == 0)
+      return false;
+    at += tag.size();
   }
-  if (bytes.substr(0, 1000).find("<VTKFile") == std::string::npos)
-    throw InputError("not a VTK file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+  return true;
+}
+
+PolygonMesh readXml(const std::string& bytes, const fs::path& path) {
   if (bytes.substr(0, 1000).find("PolyData") == std::string::npos)
     throw InputError("the VTK file does not hold a surface", path.string(),
                      "give a .vtp file (PolyData)");
-  if (bytes.rfind("</VTKFile>") == std::string::npos) broken(path);
+  if (bytes.rfind("</VTKFile>") == std::string::npos || !arrayTypesAreKnown(bytes)) broken(path);
   vtkNew<vtkXMLPolyDataReader> reader;
-  const ErrorCatcher errors(reader);
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(bytes);
-  reader->Update();
-  if (errors.failed() || reader->GetOutput() == nullptr) broken(path);
+  if (!succeeds([&] {
+        reader->ReadFromInputStringOn();
+        reader->SetInputString(bytes);
+        reader->Update();
+        return reader->GetErrorCode() == 0 && reader->GetOutput() != nullptr;
+      }))
+    broken(path);
   return fromVtk(reader->GetOutput());
+}
+
+}  // namespace
+
+PolygonMesh readVtkPolyData(const std::string& bytes, const fs::path& path) {
+  if (bytes.starts_with("# vtk DataFile")) return readLegacy(bytes, path);
+  if (bytes.substr(0, 1000).find("<VTKFile") != std::string::npos) return readXml(bytes, path);
+  throw InputError("not a VTK file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
 }
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(const PolygonMesh& mesh) {
@@ -185,10 +235,11 @@ void writeVtp(const TriMesh& mesh, const fs::path& path, const MeshWriteOptions&
   addField(data, "UNIT", unitWord(options.unit));
   if (!options.key.empty()) addField(data, "KEY", options.key);
   vtkNew<vtkXMLPolyDataWriter> writer;
-  const ErrorCatcher errors(writer);
-  writer->SetInputData(data);
-  writer->SetFileName(path.c_str());
-  if (writer->Write() == 0 || errors.failed() || writer->GetErrorCode() != 0)
+  if (!succeeds([&] {
+        writer->SetInputData(data);
+        writer->SetFileName(path.c_str());
+        return writer->Write() != 0 && writer->GetErrorCode() == 0;
+      }))
     throw IoError("cannot write the mesh", path.string(), "check the folder and the free space");
 }
 
