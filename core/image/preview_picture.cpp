@@ -384,10 +384,15 @@ void setPixel(Picture& picture, int x, int y, const std::array<std::uint8_t, 3>&
 
 void drawLetter(Picture& picture, char letter, int centreX, int centreY) {
   const auto rows = glyph(letter);
-  for (int y = 0; y < 14; ++y)
-    for (int x = 0; x < 10; ++x)
-      if ((rows[static_cast<std::size_t>(y / 2)] >> (4 - x / 2) & 1) != 0)
-        setPixel(picture, centreX - 5 + x, centreY - 7 + y, kLetterColour);
+  const auto draw = [&](int shiftX, int shiftY, const std::array<std::uint8_t, 3>& colour) {
+    for (int y = 0; y < 14; ++y)
+      for (int x = 0; x < 10; ++x)
+        if ((rows[static_cast<std::size_t>(y / 2)] >> (4 - x / 2) & 1) != 0)
+          setPixel(picture, centreX - 5 + x + shiftX, centreY - 7 + y + shiftY, colour);
+  };
+  for (int shiftY = -1; shiftY <= 1; ++shiftY)
+    for (int shiftX = -1; shiftX <= 1; ++shiftX) draw(shiftX, shiftY, {0, 0, 0});
+  draw(0, 0, kLetterColour);
 }
 
 void drawTile(Picture& picture, const Tile& tile, const View& view, int left, int top) {
