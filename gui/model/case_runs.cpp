@@ -20,8 +20,8 @@ struct CaseController::SpeedJob {
     try {
       const std::vector<double>& scales = vesselness->scalesMm;
       const Thresholds t =
-          thresholds(*vesselness->multiScale, params.xi, scales.back() / scales.front(), params.b,
-                     params.bMin, params.bMax);
+          thresholds(*vesselness->multiScale, params.bRule, params.xi,
+                     scales.back() / scales.front(), params.b, params.bMin, params.bMax);
       speed = std::make_shared<const Volume<float>>(speedVolume(*vesselness->multiScale, t));
     } catch (const std::exception& failure) {
       error = failure.what();
@@ -282,10 +282,11 @@ void CaseController::finishRun() {
 }
 
 std::string CaseController::speedKey() const {
-  const LevelSetParams& l = params_.levelset;
   std::string key = keys_[static_cast<std::size_t>(Step::Vesselness)];
-  for (const double value : {l.xi, l.b.value_or(-1.0), l.bMin, l.bMax}) {
-    key += '/' + std::to_string(value);
+  for (const char* name :
+       {"levelset.xi", "levelset.b", "levelset.bRule", "levelset.bMin", "levelset.bMax"}) {
+    const Field& field = findField(name);
+    key += '/' + fieldText(field.get(params_), field);
   }
   return key;
 }
