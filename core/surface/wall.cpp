@@ -10,15 +10,21 @@
 namespace angiomesh {
 
 Wall::Sample ZeroSetWall::at(const Eigen::Vector3d& pointLps) const {
-  const SplineField::Jet jet = phi_.at(pointLps);
-  const double slope = jet.gradient.norm();
+  const Eigen::Vector3d index = toIndex_ * (pointLps - phi_.geometry().origin);
+  SplineField::Jet jet = phi_.atIndex(index);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double last = phi_.geometry().size[static_cast<std::size_t>(axis)] - 1;
+    if (index[axis] < 0.0 || index[axis] > last) jet.gradient[axis] = 0.0;
+  }
+  const Eigen::Vector3d gradient = toIndex_.transpose() * jet.gradient;
+  const double slope = gradient.norm();
   if (!(slope > 0.0) || !std::isfinite(slope)) return {};
   // Where phi flattens, one step must not leave the neighbourhood.
   const double reach = 0.5 * unitMm();
-  return {jet.gradient / slope, std::clamp(jet.value / slope, -reach, reach)};
+  return {gradient / slope, std::clamp(jet.value / slope, -reach, reach)};
 }
 
-MeshWall::MeshWall(const TriMesh& mesh, double bulgeInUnits, const Progress& progress)
+MeshWall::MeshWall(const TriMesh& mesh, double boundUnits, const Progress& progress)
     : mesh_(mesh), tree_(mesh, progress), normals_(vertexNormals(mesh)) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -27,7 +33,7 @@ MeshWall::MeshWall(const TriMesh& mesh, double bulgeInUnits, const Progress& pro
     sum += (mesh.points[sides[i].high] - mesh.points[sides[i].low]).norm();
   }
   if (count > 0) unitMm_ = sum / static_cast<double>(count);
-  bulgeMm_ = bulgeInUnits * unitMm_;
+  bulgeMm_ = 0.5 * boundUnits * unitMm_;
 }
 
 Wall::Sample MeshWall::at(const Eigen::Vector3d& pointLps) const {

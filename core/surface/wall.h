@@ -23,6 +23,11 @@ class Wall {
   [[nodiscard]] virtual Sample at(const Eigen::Vector3d& pointLps) const = 0;
   /// The length that bounds are given in, mm.
   [[nodiscard]] virtual double unitMm() const = 0;
+  /// How far from offset 0 a point may be for a bound in these units, mm.
+  [[nodiscard]] virtual double offsetLimitMm(double boundUnits) const {
+    // A hair less: offsets are distances to first order.
+    return 0.98 * boundUnits * unitMm();
+  }
 
  protected:
   Wall() = default;
@@ -30,25 +35,32 @@ class Wall {
   Wall& operator=(const Wall&) = default;
 };
 
-/// The zero set of phi; the unit is phi's voxel. phi must outlive it.
+/// The zero set of phi, continued straight out of its grid; the unit is phi's voxel. phi must
+/// outlive it.
 class ZeroSetWall : public Wall {
  public:
-  explicit ZeroSetWall(const SplineField& phi) : phi_(phi) {}
+  explicit ZeroSetWall(const SplineField& phi)
+      : phi_(phi), toIndex_(phi.geometry().physicalToIndexMatrix()) {}
   [[nodiscard]] Sample at(const Eigen::Vector3d& pointLps) const override;
   [[nodiscard]] double unitMm() const override { return phi_.geometry().voxelMm(); }
 
  private:
   const SplineField& phi_;
+  Eigen::Matrix3d toIndex_;
 };
 
 /// A mesh, bulging between its vertices as their normals say (Phong tessellation, Boubekeur and
-/// Alexa 2008), so that a vertex that slides over it does not cut the corner; at most `bulgeMm`
-/// from the triangles. The unit is the mean edge length. The mesh must outlive it.
+/// Alexa 2008), so that a vertex that slides over it does not cut the corner, at most by half the
+/// bound; the other half is left for offsets. The unit is the mean edge length. The mesh must
+/// outlive it.
 class MeshWall : public Wall {
  public:
-  MeshWall(const TriMesh& mesh, double bulgeInUnits, const Progress& progress);
+  MeshWall(const TriMesh& mesh, double boundUnits, const Progress& progress);
   [[nodiscard]] Sample at(const Eigen::Vector3d& pointLps) const override;
   [[nodiscard]] double unitMm() const override { return unitMm_; }
+  [[nodiscard]] double offsetLimitMm(double boundUnits) const override {
+    return 0.5 * Wall::offsetLimitMm(boundUnits);
+  }
 
  private:
   const TriMesh& mesh_;
