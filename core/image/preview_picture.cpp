@@ -173,7 +173,24 @@ class Occupancy {
       for (std::size_t layer = first; layer < last; ++layer)
         fillLayer(phi, static_cast<int>(layer));
     });
+    for (std::size_t n = 0; n < full_.size(); ++n) {
+      if (full_[n] == 0) continue;
+      const std::size_t inLayer = n % layerSize();
+      const auto columns = static_cast<std::size_t>(bricks_[0]);
+      const std::array<std::size_t, 3> brick{inLayer % columns, inLayer / columns, n / layerSize()};
+      for (std::size_t a = 0; a < 3; ++a) {
+        const int first = static_cast<int>(brick[a]) * kEdge;
+        const auto axis = static_cast<Eigen::Index>(a);
+        low_[axis] = std::min(low_[axis], first == 0 ? -0.5 : first);
+        high_[axis] = std::max(high_[axis], std::min<double>(first + kEdge, size_[a] - 0.5));
+      }
+    }
   }
+
+  /// Corners, as continuous indices, of a box that holds every point below 0; low > high where
+  /// there is none.
+  [[nodiscard]] const Vector3d& low() const { return low_; }
+  [[nodiscard]] const Vector3d& high() const { return high_; }
 
   /// The brick of a continuous index inside the volume.
   [[nodiscard]] Index3 brickOf(const Vector3d& index) const {
@@ -212,6 +229,8 @@ class Occupancy {
 
   Index3 size_;
   Index3 bricks_{};
+  Vector3d low_ = Vector3d::Constant(std::numeric_limits<double>::max());
+  Vector3d high_ = Vector3d::Constant(std::numeric_limits<double>::lowest());
   std::vector<std::uint8_t> full_;
 };
 
@@ -233,6 +252,7 @@ class VesselRays {
   }
 
   [[nodiscard]] Hit cast(double u, double v) const {
+    if (occupancy_.low()[0] > occupancy_.high()[0]) return {};
     Vector3d index;
     index[view_.across] = u;
     index[view_.down] = v;
@@ -241,8 +261,8 @@ class VesselRays {
     double enter = 0.0;
     double leave = length_;
     for (int a = 0; a < 3; ++a) {
-      const double low = -0.5 - start[a];
-      const double high = phi_.geometry.size[a] - 0.5 - start[a];
+      const double low = occupancy_.low()[a] - start[a];
+      const double high = occupancy_.high()[a] - start[a];
       if (std::fabs(step_[a]) < 1e-12) {
         if (low > 0.0 || high < 0.0) return {};
         continue;
