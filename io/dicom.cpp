@@ -12,8 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<DicomSeries> seriesOf(const fs::path& path, const Progress& progress) {
-  std::vector<DicomSeries> series = scanDicom(path, progress);
+std::vector<DicomSeries> seriesOf(const fs::path& path, const Progress& progress,
+                                  std::vector<std::string>& warnings) {
+  std::vector<DicomSeries> series = scanDicom(path, progress, warnings);
   if (!series.empty()) return series;
   if (!fs::is_directory(path))
     throw InputError("the DICOM file holds no image", path.string(), "give a file with an image");
@@ -108,9 +109,9 @@ void readPixels(const DicomSeries& series, Volume<float>& image, const Progress&
 LoadedImage readDicom(const fs::path& path, const std::string& seriesUid,
                       const Progress& progress) {
   progress.phase("reading");
-  DicomSeries series = choose(seriesOf(path, progress.sub(0.0, 0.3)), seriesUid, path);
-  LoadedImage loaded;
   std::vector<std::string> warnings;
+  DicomSeries series = choose(seriesOf(path, progress.sub(0.0, 0.3), warnings), seriesUid, path);
+  LoadedImage loaded;
   const Geometry geometry = stackFrames(series, path.string(), warnings);
   loaded.info = infoOf(series);
   loaded.info.warnings = std::move(warnings);
@@ -121,10 +122,11 @@ LoadedImage readDicom(const fs::path& path, const std::string& seriesUid,
 
 std::vector<ImageSummary> describeDicom(const fs::path& path) {
   std::vector<ImageSummary> summaries;
-  for (DicomSeries& series : seriesOf(path, {})) {
+  std::vector<std::string> common;
+  for (DicomSeries& series : seriesOf(path, {}, common)) {
     ImageSummary summary;
     const DicomFrame first = series.frames.front();
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings = common;
     try {
       summary.geometry = stackFrames(series, {}, warnings);
     } catch (const InputError& error) {

@@ -146,7 +146,14 @@ void scanFile(const fs::path& file, std::map<std::string, DicomSeries>& series) 
                   file.filename().string(), "copy the file again, or take it out of the folder");
   DcmDataset& data = *format.getDataset();
   std::vector<DicomFrame> frames = framesOf(data, file);
-  if (frames.empty()) return;
+  if (frames.empty()) {
+    // An image whose header ends before it states its size was cut off between two elements.
+    const std::string kind = text(*format.getMetaInfo(), DCM_MediaStorageSOPClassUID);
+    if (dcmIsImageStorageSOPClassUID(kind.c_str()))
+      throw IoError("the DICOM file is truncated", file.filename().string(),
+                    "copy the file again, or take it out of the folder");
+    return;
+  }
   DicomSeries& one = series[text(data, DCM_SeriesInstanceUID)];
   if (one.files == 0) {
     one.uid = text(data, DCM_SeriesInstanceUID);
@@ -176,7 +183,8 @@ std::vector<fs::path> filesOf(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<DicomSeries> scanDicom(const fs::path& path, const Progress& progress) {
+std::vector<DicomSeries> scanDicom(const fs::path& path, const Progress& progress,
+                                   std::vector<std::string>& warnings) {
   // DCMTK logs to the terminal; what matters comes back as a status.
   static const bool ready = [] {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
@@ -189,10 +197,17 @@ std::vector<DicomSeries> scanDicom(const fs::path& path, const Progress& progres
   std::error_code error;
   if (fs::is_directory(path, error)) {
     const std::vector<fs::path> files = filesOf(path);
+    int misnamed = 0;
     for (std::size_t i = 0; i < files.size(); ++i) {
       progress.report(static_cast<double>(i) / static_cast<double>(files.size()));
-      if (looksLikeDicom(files[i])) scanFile(files[i], series);
+      if (looksLikeDicom(files[i]))
+        scanFile(files[i], series);
+      else if (files[i].extension() == ".dcm" || files[i].extension() == ".DCM")
+        ++misnamed;
     }
+    if (misnamed > 0)
+      warnings.push_back(std::to_string(misnamed) +
+                         " files named .dcm are not DICOM or empty and were left out");
   } else {
     scanFile(path, series);
   }

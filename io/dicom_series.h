@@ -38,8 +38,10 @@ struct DicomSeries {
 };
 
 /// The series of a folder or file by UID, frames in the order of file names; files that are not
-/// DICOM images are left out. @throws IoError (none readable, a damaged header), Cancelled
-std::vector<DicomSeries> scanDicom(const std::filesystem::path& path, const Progress& progress);
+/// DICOM images are left out, with a warning where their name says that they should be.
+/// @throws IoError (folder not readable, a damaged header), Cancelled
+std::vector<DicomSeries> scanDicom(const std::filesystem::path& path, const Progress& progress,
+                                   std::vector<std::string>& warnings);
 
 /// Sorts the frames along the normal of their planes (row x column) and returns the grid that they
 /// form; what is harmless goes to `warnings`. `where` names the source in messages.
