@@ -2,7 +2,12 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrleerg.h>
 #include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmjpeg/djencode.h>
 #include <dcmtk/dcmjpls/djencode.h>
+#include <gdcmImageChangeTransferSyntax.h>
+#include <gdcmImageReader.h>
+#include <gdcmImageWriter.h>
+#include <gdcmTrace.h>
 
 #include <Eigen/Geometry>
 #include <QTest>
@@ -198,10 +203,12 @@ class TestDicom : public QObject {
   void initTestCase() {
     DcmRLEEncoderRegistration::registerCodecs();
     DJLSEncoderRegistration::registerCodecs();
+    DJEncoderRegistration::registerCodecs();
   }
   void cleanupTestCase() {
     DcmRLEEncoderRegistration::cleanup();
     DJLSEncoderRegistration::cleanup();
+    DJEncoderRegistration::cleanup();
   }
 
   void anObliqueSeriesIsReadVoxelByVoxel_data() {
@@ -211,6 +218,7 @@ class TestDicom : public QObject {
     QTest::newRow("big endian") << int(EXS_BigEndianExplicit);
     QTest::newRow("deflated") << int(EXS_DeflatedLittleEndianExplicit);
     QTest::newRow("RLE") << int(EXS_RLELossless);
+    QTest::newRow("JPEG lossless") << int(EXS_JPEGProcess14SV1);
     QTest::newRow("JPEG-LS") << int(EXS_JPEGLSLossless);
   }
   void anObliqueSeriesIsReadVoxelByVoxel() {
@@ -229,6 +237,38 @@ class TestDicom : public QObject {
     QCOMPARE(loaded.info.window.value_or(0.0), 600.0);
     QCOMPARE(loaded.info.level.value_or(0.0), 300.0);
     QVERIFY(loaded.info.warnings.empty());
+  }
+
+  void jpeg2000IsRead() {
+    const Folder folder;
+    saveSeries(folder.path(), [](Slice& slice) {
+      slice.rescaled = true;
+      slice.slope = 0.5;
+      slice.intercept = -3.0;
+      return true;
+    });
+    gdcm::Trace::WarningOff();
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
+      gdcm::ImageReader reader;
+      reader.SetFileName(entry.path().c_str());
+      QVERIFY(reader.Read());
+      gdcm::ImageChangeTransferSyntax change;
+      change.SetTransferSyntax(gdcm::TransferSyntax::JPEG2000Lossless);
+      change.SetInput(reader.GetImage());
+      QVERIFY(change.Change());
+      gdcm::ImageWriter writer;
+      writer.SetFile(reader.GetFile());
+      writer.SetImage(change.GetOutput());
+      writer.SetFileName(entry.path().c_str());
+      QVERIFY(writer.Write());
+    }
+    gdcm::Trace::WarningOn();
+    TerminalCapture terminal;
+    const LoadedImage loaded = readImage(folder.path());
+    QCOMPARE(terminal.text(), QString());
+    verifyGeometry(loaded.image.geometry);
+    verifyVoxels(loaded.image,
+                 [](int stored, int) { return static_cast<float>(0.5 * stored - 3.0); });
   }
 
   void valuesAreRescaledSliceBySlice() {
