@@ -39,7 +39,7 @@ DirectionCube::DirectionCube() : parts_(std::make_unique<Parts>()) {
     face->SetInterpolationToFlat();
   }
   parts_->renderer->AddActor(cube);
-  parts_->renderer->SetLayer(1);
+  parts_->renderer->SetLayer(2);
   parts_->renderer->InteractiveOff();
 }
 

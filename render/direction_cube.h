@@ -9,7 +9,7 @@ class vtkRenderer;
 namespace angiomesh {
 
 /// A small cube in the lower left corner of a 3D pane whose faces name the patient's sides; it has
-/// a renderer of its own, one layer above the scene's, and turns with the scene's camera.
+/// a renderer of its own in layer 2, above the scene's, and turns with the scene's camera.
 class DirectionCube {
  public:
   DirectionCube();

@@ -56,19 +56,24 @@ void requireDisplay() {
 #endif
 }
 
-void addView(vtkRenderWindow* window, SurfaceActor& surface, vtkActor* outline, bool left,
-             const Eigen::Vector3d& from) {
+void addView(vtkRenderWindow* window, SurfaceActor& surface, vtkActor* outline, bool oblique) {
   vtkNew<vtkRenderer> renderer;
-  renderer->SetViewport(left ? 0.0 : 0.5, 0.0, left ? 0.5 : 1.0, 1.0);
+  renderer->SetViewport(oblique ? 0.5 : 0.0, 0.0, oblique ? 1.0 : 0.5, 1.0);
   setStage(renderer);
   renderer->AddActor(surface.actor());
   if (outline != nullptr) renderer->AddActor(outline);
   window->AddRenderer(renderer);
+
+  std::array<double, 6> bounds{};
+  renderer->ComputeVisiblePropBounds(bounds.data());
+  Viewpoint view = firstViewpoint(bounds);
+  if (oblique)
+    view.from = (0.8 * view.from + Eigen::Vector3d(0.75, 0.0, 0.0) + 0.45 * view.up).normalized();
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetPosition(from.data());
-  camera->SetViewUp(0.0, 0.0, 1.0);
-  fitCamera(renderer);
+  camera->SetPosition(view.from.data());
+  camera->SetViewUp(view.up.data());
+  fitCamera(renderer, bounds);
 }
 
 vtkSmartPointer<vtkActor> outlineOf(const Geometry& g) {
@@ -103,8 +108,8 @@ Picture renderSurfacePicture(const TriMesh& mesh, const Volume<float>* image, in
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(4);
   window->SetSize(width, height);
-  addView(window, surface, outline, true, {0.0, -1.0, 0.0});
-  addView(window, surface, outline, false, {0.75, -0.8, 0.45});
+  addView(window, surface, outline, false);
+  addView(window, surface, outline, true);
   window->Render();
 
   vtkNew<vtkUnsignedCharArray> pixels;

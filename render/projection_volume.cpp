@@ -90,8 +90,8 @@ void ProjectionVolume::setImage(const std::shared_ptr<const Volume<float>>& imag
 void ProjectionVolume::setWindow(double from, double to) {
   const double end = std::max(to, from + 1e-6 * std::max(1.0, std::abs(from)));
   parts_->grey->RemoveAllPoints();
-  parts_->grey->AddRGBPoint(from, 0.0, 0.0, 0.0);
-  parts_->grey->AddRGBPoint(end, 1.0, 1.0, 1.0);
+  // White throughout: the opacity alone makes the grey, linear as in a slice.
+  parts_->grey->AddRGBPoint(from, 1.0, 1.0, 1.0);
   parts_->opacity->RemoveAllPoints();
   parts_->opacity->AddPoint(from, 0.0);
   parts_->opacity->AddPoint(end, 1.0);

@@ -19,7 +19,7 @@ class ProjectionVolume {
 
   [[nodiscard]] vtkProp3D* prop() const;
   void setImage(const std::shared_ptr<const Volume<float>>& image);
-  /// Values from which and up to which the grey goes from transparent black to opaque white.
+  /// Values from which and up to which the grey goes from transparent to opaque white.
   void setWindow(double from, double to);
   /// Ray casting by the processor, which is the faster one where OpenGL runs in software. To be
   /// called before the first frame.

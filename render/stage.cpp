@@ -6,7 +6,6 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -24,6 +23,16 @@ void setStage(vtkRenderer* renderer) {
   lights->SetKeyToHeadRatio(4.0);
   lights->SetKeyToBackRatio(4.0);
   lights->AddLightsToRenderer(renderer);
+}
+
+Viewpoint firstViewpoint(const std::array<double, 6>& bounds) {
+  constexpr double flat = 0.4;
+  Viewpoint view;
+  if (bounds[5] - bounds[4] < flat * (bounds[3] - bounds[2])) {
+    view.from = {0.0, 0.0, -1.0};
+    view.up = {0.0, -1.0, 0.0};
+  }
+  return view;
 }
 
 bool fitCamera(vtkRenderer* renderer) {

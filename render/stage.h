@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 
 class vtkRenderer;
@@ -16,6 +17,15 @@ void fitCamera(vtkRenderer* renderer, const std::array<double, 6>& bounds);
 
 /// The same with everything visible; false, and nothing done, when nothing is.
 bool fitCamera(vtkRenderer* renderer);
+
+/// Where to look at something from at first: unit vectors towards the viewer and upwards, LPS.
+struct Viewpoint {
+  Eigen::Vector3d from{0.0, -1.0, 0.0}, up{0.0, 0.0, 1.0};
+};
+
+/// From anterior; from the feet, as an axial slice shows it, when the box (x0, x1, y0, y1, z0, z1)
+/// is so flat that it would be seen from its edge.
+Viewpoint firstViewpoint(const std::array<double, 6>& bounds);
 
 constexpr double viewAngleDegrees = 30.0;
 

@@ -2,6 +2,7 @@
 #include "render/surface_scene.h"
 
 #include <vtkActor.h>
+#include <vtkBoundingBox.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
@@ -67,7 +68,9 @@ bool isSoftware(vtkRenderer* renderer) {
 }  // namespace
 
 struct SurfaceScene::Parts {
-  vtkNew<vtkRenderer> renderer;
+  // The projection has no depth of its own, so it lies behind the surfaces in a layer of its own;
+  // both layers share one camera.
+  vtkNew<vtkRenderer> renderer, backRenderer;
   vtkNew<vtkCallbackCommand> beforeFrame, afterFrame;
   DirectionCube cube;
   ProjectionVolume projection;
@@ -93,7 +96,7 @@ struct SurfaceScene::Parts {
 
   Parts();
   ~Parts() {
-    renderer->RemoveObserver(beforeFrame);
+    backRenderer->RemoveObserver(beforeFrame);
     renderer->RemoveObserver(afterFrame);
   }
   void noteCost();
@@ -101,15 +104,24 @@ struct SurfaceScene::Parts {
   void chooseQuality();
   void showColourBar();
   void fitOnce();
+  bool visibleBounds(std::array<double, 6>& bounds) const;
+  /// Those of the image when it is there and nothing is visible.
+  bool contentBounds(std::array<double, 6>& bounds) const;
+  void resetView();
+  void lookFrom(const Viewpoint& view);
   void fit();
   void followSize();
 };
 
 SurfaceScene::Parts::Parts() {
+  setStage(backRenderer);
+  backRenderer->InteractiveOff();
   setStage(renderer);
+  renderer->SetLayer(1);
+  backRenderer->SetActiveCamera(renderer->GetActiveCamera());
   renderer->AddActor(surface.actor());
   renderer->AddActor(comparison.actor());
-  renderer->AddViewProp(projection.prop());
+  backRenderer->AddViewProp(projection.prop());
 
   vtkNew<vtkPolyDataMapper> seedMapper;
   seedMapper->SetInputData(seedData);
@@ -158,7 +170,7 @@ SurfaceScene::Parts::Parts() {
   beforeFrame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Parts*>(self)->prepareFrame();
   });
-  renderer->AddObserver(vtkCommand::StartEvent, beforeFrame);
+  backRenderer->AddObserver(vtkCommand::StartEvent, beforeFrame);
   afterFrame->SetClientData(this);
   afterFrame->SetCallback(
       [](vtkObject*, unsigned long, void* self, void*) { static_cast<Parts*>(self)->noteCost(); });
@@ -180,7 +192,8 @@ void SurfaceScene::Parts::prepareFrame() {
     chooseQuality();
   }
   followSize();
-  renderer->ResetCameraClippingRange();
+  std::array<double, 6> bounds{};
+  if (visibleBounds(bounds)) renderer->ResetCameraClippingRange(bounds.data());
   const int* size = window != nullptr ? window->GetSize() : renderer->GetSize();
   cube.follow(renderer->GetActiveCamera(), size[0], size[1], pixelRatio);
 }
@@ -203,12 +216,29 @@ void SurfaceScene::Parts::showColourBar() {
   colourTitle->SetVisibility(coloured);
 }
 
-void SurfaceScene::Parts::fit() {
-  if (!fitCamera(renderer)) {
-    if (!image) return;
-    const RoiBox box = volumeBox(image->geometry);
-    fitCamera(renderer, {box[0], box[3], box[1], box[4], box[2], box[5]});
+bool SurfaceScene::Parts::visibleBounds(std::array<double, 6>& bounds) const {
+  vtkBoundingBox box;
+  for (vtkRenderer* layer : {backRenderer.Get(), renderer.Get()}) {
+    layer->ComputeVisiblePropBounds(bounds.data());
+    if (bounds[0] <= bounds[1]) box.AddBounds(bounds.data());
   }
+  if (!box.IsValid()) return false;
+  box.GetBounds(bounds.data());
+  return true;
+}
+
+bool SurfaceScene::Parts::contentBounds(std::array<double, 6>& bounds) const {
+  if (visibleBounds(bounds)) return true;
+  if (!image) return false;
+  const RoiBox box = volumeBox(image->geometry);
+  bounds = {box[0], box[3], box[1], box[4], box[2], box[5]};
+  return true;
+}
+
+void SurfaceScene::Parts::fit() {
+  std::array<double, 6> bounds{};
+  if (!contentBounds(bounds)) return;
+  fitCamera(renderer, bounds);
   fittedAt = Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition());
   const int* size = renderer->GetRenderWindow() != nullptr ? renderer->GetSize() : nullptr;
   if (size != nullptr) fittedSize = {size[0], size[1]};
@@ -224,10 +254,21 @@ void SurfaceScene::Parts::followSize() {
 void SurfaceScene::Parts::fitOnce() {
   if (fittedOnce || (!image && surface.empty())) return;
   fittedOnce = true;
+  resetView();
+}
+
+void SurfaceScene::Parts::resetView() {
+  std::array<double, 6> bounds{};
+  if (!contentBounds(bounds)) return;
+  lookFrom(firstViewpoint(bounds));
+}
+
+void SurfaceScene::Parts::lookFrom(const Viewpoint& view) {
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetPosition(0.0, -1.0, 0.0);
-  camera->SetViewUp(0.0, 0.0, 1.0);
+  const Eigen::Vector3d position =
+      Eigen::Vector3d(camera->GetFocalPoint()) + camera->GetDistance() * view.from;
+  camera->SetPosition(position.data());
+  camera->SetViewUp(view.up.data());
   fit();
 }
 
@@ -238,13 +279,15 @@ SurfaceScene::~SurfaceScene() { detach(); }
 void SurfaceScene::attach(vtkRenderWindow* window) {
   detach();
   parts_->window = window;
-  window->SetNumberOfLayers(2);
+  window->SetNumberOfLayers(3);
+  window->AddRenderer(parts_->backRenderer);
   window->AddRenderer(parts_->renderer);
   window->AddRenderer(parts_->cube.renderer());
 }
 
 void SurfaceScene::detach() {
   if (parts_->window == nullptr) return;
+  parts_->window->RemoveRenderer(parts_->backRenderer);
   parts_->window->RemoveRenderer(parts_->renderer);
   parts_->window->RemoveRenderer(parts_->cube.renderer());
   parts_->window = nullptr;
@@ -345,41 +388,35 @@ void SurfaceScene::setRoi(const std::optional<RoiBox>& roi) {
 }
 
 void SurfaceScene::viewFrom(char side) {
-  Eigen::Vector3d from;
-  Eigen::Vector3d up(0.0, 0.0, 1.0);
+  Viewpoint view;
   switch (side) {
     case 'A':
-      from = {0.0, -1.0, 0.0};
+      view.from = {0.0, -1.0, 0.0};
       break;
     case 'P':
-      from = {0.0, 1.0, 0.0};
+      view.from = {0.0, 1.0, 0.0};
       break;
     case 'L':
-      from = {1.0, 0.0, 0.0};
+      view.from = {1.0, 0.0, 0.0};
       break;
     case 'R':
-      from = {-1.0, 0.0, 0.0};
+      view.from = {-1.0, 0.0, 0.0};
       break;
     case 'S':
-      from = {0.0, 0.0, 1.0};
-      up = {0.0, -1.0, 0.0};
+      view.from = {0.0, 0.0, 1.0};
+      view.up = {0.0, -1.0, 0.0};
       break;
     case 'I':
-      from = {0.0, 0.0, -1.0};
-      up = {0.0, -1.0, 0.0};
+      view.from = {0.0, 0.0, -1.0};
+      view.up = {0.0, -1.0, 0.0};
       break;
     default:
       return;
   }
-  vtkCamera* camera = parts_->renderer->GetActiveCamera();
-  double f[3];
-  camera->GetFocalPoint(f);
-  const double distance = camera->GetDistance();
-  camera->SetPosition(f[0] + distance * from[0], f[1] + distance * from[1],
-                      f[2] + distance * from[2]);
-  camera->SetViewUp(up[0], up[1], up[2]);
-  parts_->fit();
+  parts_->lookFrom(view);
 }
+
+void SurfaceScene::resetView() { parts_->resetView(); }
 
 void SurfaceScene::fit() { parts_->fit(); }
 

@@ -32,10 +32,10 @@ class SurfaceScene {
   void detach();
   [[nodiscard]] vtkRenderer* renderer() const;
 
-  /// The first image fits the camera; a later one of the same geometry keeps it.
+  /// The first image resets the view; a later one of the same geometry keeps it.
   void setImage(std::shared_ptr<const Volume<float>> image);
   void setMipVisible(bool visible);
-  /// Values from which and up to which the projection goes from transparent black to white.
+  /// Values from which and up to which the projection goes from transparent to white.
   void setMipWindow(double from, double to);
   /// Coarser sampling while the camera moves or surfaces arrive; full quality when false.
   void setInteractive(bool interactive);
@@ -64,6 +64,8 @@ class SurfaceScene {
   /// Looks from the patient's 'A'nterior, 'P'osterior, 'L'eft, 'R'ight, 'S'uperior or 'I'nferior
   /// side, fitted; other letters change nothing.
   void viewFrom(char side);
+  /// From anterior, fitted; from the feet when what there is lies flat in axial planes.
+  void resetView();
   void fit();  ///< keeps the direction of view
   /// Turns the camera towards a point, at a distance that shows `radiusMm` around it.
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);

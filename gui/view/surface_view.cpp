@@ -145,7 +145,11 @@ void SurfaceView::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
   Q_EMIT cameraMoved();
 }
 
-void SurfaceView::resetView() { viewFrom('A'); }
+void SurfaceView::resetView() {
+  state_->scene.resetView();
+  changed();
+  Q_EMIT cameraMoved();
+}
 
 void SurfaceView::takeCameraOf(const SurfaceView& other) {
   state_->scene.takeCameraOf(other.state_->scene);

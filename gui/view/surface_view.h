@@ -25,7 +25,7 @@ class SurfaceView : public VtkView {
 
   void setImage(std::shared_ptr<const Volume<float>> image);
   void setMipVisible(bool visible);
-  /// Values shown from black and transparent up to white. setImage() proposes them from the image.
+  /// Values shown from transparent up to white. setImage() proposes them from the image.
   void setMipWindow(double from, double to);
 
   /// Replacing the surface keeps the camera. Null removes it.
@@ -47,7 +47,7 @@ class SurfaceView : public VtkView {
 
   void viewFrom(char side);  ///< 'A', 'P', 'L', 'R', 'S', 'I'
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
-  void resetView();  ///< from anterior, fitted
+  void resetView();  ///< from anterior (from the feet when the image lies flat), fitted
   /// Takes over the camera of another view. Two views that do so on each other's cameraMoved()
   /// show their surfaces side by side.
   void takeCameraOf(const SurfaceView& other);

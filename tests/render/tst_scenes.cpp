@@ -272,6 +272,26 @@ class TestScenes : public QObject {
     }
   }
 
+  void firstViewShowsTheBroadSide() {
+    const auto direction = [](SurfacePane& pane) {
+      Eigen::Vector3d d;
+      pane.scene.renderer()->GetActiveCamera()->GetDirectionOfProjection(d.data());
+      return d;
+    };
+    SurfacePane upright(200, 200);
+    upright.scene.setImage(emptyImage(Eigen::Matrix3d::Identity()));
+    QVERIFY((direction(upright) - Eigen::Vector3d(0, 1, 0)).norm() < 1e-9);
+    Geometry g;
+    g.size = {30, 90, 10};
+    SurfacePane flat(200, 200);
+    flat.scene.setImage(std::make_shared<Volume<float>>(g));
+    QVERIFY((direction(flat) - Eigen::Vector3d(0, 0, 1)).norm() < 1e-9);
+    flat.scene.viewFrom('A');
+    QVERIFY((direction(flat) - Eigen::Vector3d(0, 1, 0)).norm() < 1e-9);
+    flat.scene.resetView();
+    QVERIFY((direction(flat) - Eigen::Vector3d(0, 0, 1)).norm() < 1e-9);
+  }
+
   void projectionLiesOverTheSurfaceOfTheSameThing() {
     for (const Eigen::Matrix3d& direction : directions()) {
       const auto image = emptyImage(direction);
