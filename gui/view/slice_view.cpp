@@ -85,6 +85,7 @@ void SliceView::setCrosshairVisible(bool visible) {
 }
 
 void SliceView::setSlab(SlabMode mode, double thicknessMm) {
+  if (mode == slabMode() && thicknessMm == slabThicknessMm()) return;
   if (mode != SlabMode::None) state_->lastSlabMode = mode;
   state_->scene.setSlab(mode, thicknessMm);
   requestRender();
@@ -113,11 +114,13 @@ void SliceView::setSeeds(std::vector<Eigen::Vector3d> lps) {
 }
 
 void SliceView::setRoi(std::optional<RoiBox> roi) {
+  if (roi == state_->scene.roi()) return;
   state_->scene.setRoi(roi);
   requestRender();
 }
 
 void SliceView::setTool(Tool tool) {
+  if (tool == state_->tool) return;  // a drag under way goes on
   if (state_->drag == Drag::Roi) setRoi(state_->roiBefore);
   state_->drag = Drag::None;
   state_->tool = tool;

@@ -11,6 +11,7 @@
 #include <QMouseEvent>
 #include <QTimer>
 #include <QWheelEvent>
+#include <utility>
 
 #include "render/surface_scene.h"
 
@@ -38,6 +39,10 @@ struct SurfaceView::State {
   vtkNew<QuietTrackball> style;
   QTimer refine;
   bool buttonDown = false;
+  // What is set already: telling it again must not cost a frame of the projection.
+  bool mipVisible = true, surfaceVisible = true, comparisonVisible = true, edgesVisible = false;
+  std::vector<Eigen::Vector3d> seeds;
+  std::optional<RoiBox> roi;
 };
 
 SurfaceView::SurfaceView(QWidget* parent) : VtkView(parent), state_(std::make_unique<State>()) {
@@ -73,6 +78,7 @@ void SurfaceView::setImage(std::shared_ptr<const Volume<float>> image) {
 }
 
 void SurfaceView::setMipVisible(bool visible) {
+  if (std::exchange(state_->mipVisible, visible) == visible) return;
   state_->scene.setMipVisible(visible);
   changed();
 }
@@ -93,16 +99,19 @@ void SurfaceView::setComparison(std::shared_ptr<const TriMesh> mesh) {
 }
 
 void SurfaceView::setSurfaceVisible(bool visible) {
+  if (std::exchange(state_->surfaceVisible, visible) == visible) return;
   state_->scene.setSurfaceVisible(visible);
   changed();
 }
 
 void SurfaceView::setComparisonVisible(bool visible) {
+  if (std::exchange(state_->comparisonVisible, visible) == visible) return;
   state_->scene.setComparisonVisible(visible);
   changed();
 }
 
 void SurfaceView::setEdgesVisible(bool visible) {
+  if (std::exchange(state_->edgesVisible, visible) == visible) return;
   state_->scene.setEdgesVisible(visible);
   changed();
 }
@@ -124,11 +133,15 @@ void SurfaceView::clearSurfaceColours() {
 }
 
 void SurfaceView::setSeeds(std::vector<Eigen::Vector3d> lps) {
+  if (lps == state_->seeds) return;
+  state_->seeds = lps;
   state_->scene.setSeeds(std::move(lps));
   changed();
 }
 
 void SurfaceView::setRoi(std::optional<RoiBox> roi) {
+  if (roi == state_->roi) return;
+  state_->roi = roi;
   state_->scene.setRoi(roi);
   changed();
 }

@@ -155,6 +155,32 @@ class TestViews : public QObject {
     QVERIFY(view->windowWidth() > 0.0);
   }
 
+  void tellingTheSameAgainLeavesADragAlone() {
+    const auto view = sliceView(2);
+    connect(view.get(), &SliceView::windowLevelChanged, view.get(), [&](double w, double l) {
+      view->setWindowLevel(w, l);
+      view->setTool(Tool::Navigate);
+      view->setSlab(SlabMode::None, 0.0);
+      view->setRoi(std::nullopt);
+    });
+    QSignalSpy changed(view.get(), &SliceView::windowLevelChanged);
+    drag(*view, Qt::LeftButton, {100, 100}, {140, 100});
+    QCOMPARE(changed.count(), 5);
+    SurfaceView surface;
+    surface.setImage(image_);
+    surface.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&surface));
+    QTest::qWait(600);  // past the refinement
+    QSignalSpy frames(&surface, &VtkView::rendered);
+    surface.setMipVisible(true);
+    surface.setSurfaceVisible(true);
+    surface.setEdgesVisible(false);
+    surface.setSeeds({});
+    surface.setRoi(std::nullopt);
+    QTest::qWait(500);
+    QCOMPARE(frames.count(), 0);
+  }
+
   void wheelAndKeysStepSlices() {
     const auto view = sliceView(2);
     const int middle = view->slice();
