@@ -119,9 +119,7 @@ EvolveResult evolve(const VesselnessResult& vessels, const SeedsResult& seeds,
                     std::vector<std::string>& warnings) {
   const LevelSetParams& p = params.levelset;
   EvolveResult result;
-  result.thresholds =
-      thresholds(*vessels.multiScale, p.bRule, p.xi,
-                 vessels.scalesMm.back() / vessels.scalesMm.front(), p.b, p.bMin, p.bMax);
+  result.thresholds = thresholdsFor(vessels, p);
   if (result.thresholds.clamped)
     warnings.push_back("b was clamped to " + std::to_string(result.thresholds.b) +
                        ": eq. 3.20 lies outside levelset.bMin to levelset.bMax on this image");
@@ -372,6 +370,12 @@ Source makeSource(Volume<float> image, const std::string& name) {
   source.image = std::make_shared<const Volume<float>>(std::move(image));
   source.name = name;
   return source;
+}
+
+Thresholds thresholdsFor(const VesselnessResult& vessels, const LevelSetParams& params) {
+  return thresholds(*vessels.multiScale, params.bRule, params.xi,
+                    vessels.scalesMm.back() / vessels.scalesMm.front(), params.b, params.bMin,
+                    params.bMax);
 }
 
 Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thresholds) {

@@ -161,6 +161,9 @@ class Pipeline {
   std::unique_ptr<State> state_;
 };
 
+/// a and b as the evolve step takes them.
+Thresholds thresholdsFor(const VesselnessResult& vessels, const LevelSetParams& params);
+
 /// p of eq. 3.21 at each voxel of the vesselness.
 Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thresholds);
 

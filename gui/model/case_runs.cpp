@@ -18,10 +18,7 @@ struct CaseController::SpeedJob {
 
   void execute() noexcept {
     try {
-      const std::vector<double>& scales = vesselness->scalesMm;
-      const Thresholds t =
-          thresholds(*vesselness->multiScale, params.bRule, params.xi,
-                     scales.back() / scales.front(), params.b, params.bMin, params.bMax);
+      const Thresholds t = thresholdsFor(*vesselness, params);
       speed = std::make_shared<const Volume<float>>(speedVolume(*vesselness->multiScale, t));
     } catch (const std::exception& failure) {
       error = failure.what();
@@ -282,11 +279,10 @@ void CaseController::finishRun() {
 }
 
 std::string CaseController::speedKey() const {
+  const LevelSetParams& l = params_.levelset;
   std::string key = keys_[static_cast<std::size_t>(Step::Vesselness)];
-  for (const char* name :
-       {"levelset.xi", "levelset.b", "levelset.bRule", "levelset.bMin", "levelset.bMax"}) {
-    const Field& field = findField(name);
-    key += '/' + fieldText(field.get(params_), field);
+  for (const double value : {l.xi, l.b.value_or(-1.0), l.bMin, l.bMax}) {
+    key += '/' + std::to_string(value);
   }
   return key;
 }
