@@ -44,7 +44,7 @@ if [ -z "$input" ]; then
   name=sample
   input="$build/sample/image.mha"
   truth=(--truth "$build/sample/truth.mha")
-  if [ ! -f "$build/sample/truth.json" ]; then
+  if [ ! "$build/sample/truth.json" -nt "$cli" ]; then
     "$cli" phantom tree --size 128 --noise 20 -o "$build/sample" >/dev/null ||
       fail "the built-in sample could not be made"
   fi
