@@ -101,6 +101,11 @@ void ProjectionVolume::setSoftware(bool software) {
   if (software == parts_->software) return;
   parts_->software = software;
   parts_->update();
+  // The mapper out of use would hold on to its image.
+  if (software)
+    parts_->hardware = nullptr;
+  else
+    parts_->processor = nullptr;
 }
 
 void ProjectionVolume::setCoarseness(double coarseness) {

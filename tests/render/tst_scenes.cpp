@@ -249,6 +249,28 @@ class TestScenes : public QObject {
     QCOMPARE(Frame(pane.window).centreWhere(white)[2], 0.0);
   }
 
+  void imagesAreLetGo() {
+    auto image = emptyImage(Eigen::Matrix3d::Identity());
+    const std::weak_ptr<Volume<float>> watched = image;
+    SlicePane slices(100, 100);
+    SurfacePane surface(100, 100);
+    slices.scene.setImage(image);
+    slices.scene.setContours({{image, {1.0, 0.0, 0.0}}});
+    surface.scene.setImage(image);
+    slices.window->Render();
+    surface.window->Render();
+    image.reset();
+    QVERIFY(!watched.expired());
+    slices.window->Render();
+    surface.window->Render();
+    const auto other = emptyImage(Eigen::Matrix3d::Identity());
+    slices.scene.setImage(other);
+    slices.scene.setContours({});
+    surface.scene.setImage(other);
+    surface.window->Render();  // the ray caster compares with its last image first
+    QVERIFY(watched.expired());
+  }
+
   void surfacesAppearWhereTheyAre() {
     for (const Eigen::Matrix3d& direction : {directions()[0], directions()[4]}) {
       const auto image = emptyImage(direction);
