@@ -52,12 +52,14 @@ TriMesh WallSmoother::run(const Progress& progress) {
     if (i % 5 == 4) flipEdges(i + 10 < sweeps, progress);
     progress.report(0.8 * (i + 1) / sweeps);
   }
+  refreshNormals();
   for (int i = 0; i < 6; ++i) {
     if (improveWorst(progress) == 0) break;
     flipEdges(false, progress);
   }
   progress.report(0.9);
   for (int i = 0; i < 3; ++i) relax(0.0, progress);
+  refreshNormals();
   std::vector<double> given(points_.size(), 0.0);
   for (int i = 0; i < 2; ++i) restoreOffsets(before, given, progress);
   enforceBound(progress);
@@ -92,12 +94,18 @@ bool WallSmoother::inOneCap(const Corners& t) const {
          a.planeNormal == c.planeNormal;
 }
 
-// A cap of no triangle has no inside to smooth.
+// A cap of no triangle has no inside to smooth, and where two caps meet there is no wall to follow.
 void WallSmoother::fixTips() {
   std::vector<char> covered(points_.size(), 0);
   for (const Corners& t : edges_.triangles()) {
-    if (!inOneCap(t)) continue;
-    for (const std::uint32_t v : t) covered[v] = 1;
+    const bool inOne = inOneCap(t);
+    for (const std::uint32_t v : t) {
+      if (inOne) covered[v] = 1;
+      for (const std::uint32_t u : t) {
+        const Freedom &a = freedom_[u], &b = freedom_[v];
+        if (a.cap && b.cap && a.planeNormal != b.planeNormal) freedom_[v].fixed = true;
+      }
+    }
   }
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
     if (freedom_[v].cap && covered[v] == 0) freedom_[v].fixed = true;
@@ -180,7 +188,8 @@ void WallSmoother::refreshNormals() {
 
 // One sweep: towards the neighbours' mean along the wall, then back onto the wall.
 void WallSmoother::relax(double factor, const Progress& progress) {
-  std::vector<Vector3d> moved = points_;
+  const std::vector<Vector3d> before = points_;
+  std::vector<Vector3d> moved = points_, normals = normals_;
   const double longest = 0.25 * wall_.unitMm();
   parallelFor(0, points_.size(), blockSize, [&](std::size_t first, std::size_t last) {
     progress.check();
@@ -199,14 +208,21 @@ void WallSmoother::relax(double factor, const Progress& progress) {
         step -= step.dot(normals_[v]) * normals_[v];
       }
       step = heldStep(v, step);
-      if (!s.insideCap) step += toWall(v, wall_.at(points_[v] + step), 0.0);
+      if (!s.insideCap) {
+        const Wall::Sample sample = wall_.at(points_[v] + step);
+        step += toWall(v, sample, 0.0);
+        normals[v] = sample.normal;
+      }
       const double length = step.norm();
       if (length > longest) step *= longest / length;
       moved[v] += step;
     }
   });
   accept(moved, {}, progress);
-  refreshNormals();
+  // The wall is sampled once in a sweep: the normal just short of the new place will do.
+  for (std::size_t v = 0; v < points_.size(); ++v) {
+    if (points_[v] != before[v]) normals_[v] = normals[v];
+  }
 }
 
 WallSmoother::Fitness WallSmoother::fitness(const Corners& t,
