@@ -11,6 +11,7 @@
 #include "core/base/random.h"
 #include "core/image/volume.h"
 #include "core/surface/tri_mesh.h"
+#include "tests/core/analytic.h"
 
 // Meshes and fields with known properties.
 namespace angiomesh::shapes {
@@ -28,16 +29,7 @@ inline Geometry obliqueGeometry(const Index3& size, bool mirrored = false) {
   return g;
 }
 
-/// f(LPS point) at every voxel centre.
-template <class F>
-Volume<float> sampled(const Geometry& g, F f) {
-  Volume<float> volume(g);
-  for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
-    const Index3 p = g.indexOf(i);
-    volume.voxels[i] = static_cast<float>(f(g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]})));
-  }
-  return volume;
-}
+using analytic::sampled;
 
 /// Independent standard normal values.
 inline Volume<float> noise(const Index3& size, std::uint64_t seed) {

@@ -1,42 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Geometry>
 #include <QTest>
 #include <cmath>
 
 #include "core/base/random.h"
 #include "core/surface/spline_field.h"
+#include "tests/core/analytic.h"
 
 using namespace angiomesh;
-
-namespace {
-
-Geometry skewGeometry() {
-  Geometry g;
-  g.size = {14, 12, 11};
-  g.spacing = {0.4, 0.5, 0.9};
-  g.origin = {-12.0, 30.0, 7.0};
-  g.direction = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
-  return g;
-}
-
-template <class F>
-Volume<float> sampled(const Geometry& g, F f) {
-  Volume<float> volume(g);
-  for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
-    const Index3 p = g.indexOf(i);
-    volume.voxels[i] = static_cast<float>(f(g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]})));
-  }
-  return volume;
-}
-
-}  // namespace
+using namespace angiomesh::analytic;
 
 class TestSplineField : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void interpolatingKindsTakeTheVoxelValues() {
-    Volume<float> noise(skewGeometry());
+    Volume<float> noise(oblique(14, 12, 11));
     for (std::size_t i = 0; i < noise.voxels.size(); ++i)
       noise.voxels[i] = static_cast<float>(randomNormal(3, i));
     for (const SplineKind kind : {SplineKind::InterpolatingBspline, SplineKind::CatmullRom}) {
@@ -52,7 +30,7 @@ class TestSplineField : public QObject {
   void reproducesALinearFieldAndItsGradient() {
     const Eigen::Vector3d slope(0.3, -1.1, 0.7);
     const auto volume =
-        sampled(skewGeometry(), [&](const Eigen::Vector3d& x) { return slope.dot(x) + 2.0; });
+        sampled(oblique(14, 12, 11), [&](const Eigen::Vector3d& x) { return slope.dot(x) + 2.0; });
     for (const SplineKind kind : {SplineKind::Bspline, SplineKind::CatmullRom}) {
       const SplineField field(volume, kind);
       const Eigen::Vector3d x = volume.geometry.toPhysical({5.3, 6.7, 4.2});
@@ -62,7 +40,7 @@ class TestSplineField : public QObject {
   }
 
   void gradientIsTheDerivativeOfTheValue() {
-    const auto volume = sampled(skewGeometry(), [](const Eigen::Vector3d& x) {
+    const auto volume = sampled(oblique(14, 12, 11), [](const Eigen::Vector3d& x) {
       return std::sin(x[0]) * std::cos(0.7 * x[1]) + x[2] * x[2] * 0.1;
     });
     for (const SplineKind kind :
@@ -82,12 +60,11 @@ class TestSplineField : public QObject {
   }
 
   void projectsOntoASphere() {
-    const Geometry g = skewGeometry();
+    const Geometry g = oblique(14, 12, 11);
     const Eigen::Vector3d centre = g.toPhysical({6.5, 5.5, 5.0});
     const double radius = 1.9;
-    const auto ball =
-        sampled(g, [&](const Eigen::Vector3d& x) { return (x - centre).norm() - radius; });
-    const SplineField field(ball, SplineKind::InterpolatingBspline);
+    const auto phi = sampled(g, [&](const Eigen::Vector3d& x) { return ball(x, centre, radius); });
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
     for (std::uint64_t i = 0; i < 50; ++i) {
       Eigen::Vector3d direction(randomNormal(1, 3 * i), randomNormal(1, 3 * i + 1),
                                 randomNormal(1, 3 * i + 2));
