@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <array>
-#include <cstring>
 #include <map>
 
 #include "core/base/error.h"
+#include "io/mesh_number.h"
 #include "io/polygon_mesh.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
-
-enum class Encoding { Ascii, LittleEndian, BigEndian };
-enum class Scalar { None, Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 
 struct Property {
   std::string name;
@@ -36,10 +30,6 @@ struct Header {
 [[noreturn]] void broken(const fs::path& path, const std::string& what) {
   throw InputError("the PLY header is not usable (" + what + ")", path.string(),
                    "write the mesh again with another program");
-}
-
-[[noreturn]] void truncated(const fs::path& path) {
-  throw IoError("the PLY file is truncated or damaged", path.string(), "copy or download it again");
 }
 
 Scalar scalarOf(std::string_view name, const fs::path& path) {
@@ -97,56 +87,19 @@ Header readHeader(TextScanner& lines, PolygonMesh& mesh, const fs::path& path) {
       header.elements.back().properties.push_back(std::move(property));
     }
   }
-  truncated(path);
+  throwTruncated(path);
 }
 
 /// The numbers behind the header, one after the other.
 class Body {
  public:
-  Body(std::string_view bytes, Encoding encoding, const fs::path& path)
-      : bytes_(bytes), scan_(bytes), encoding_(encoding), path_(path) {}
+  Body(const TextScanner& text, Encoding encoding, const fs::path& path)
+      : text_(text), encoding_(encoding), path_(path) {}
 
-  double next(Scalar type) {
-    if (encoding_ == Encoding::Ascii) {
-      double value = 0.0;
-      if (!scan_.number(value)) truncated(path_);
-      return value;
-    }
-    switch (type) {
-      case Scalar::Int8:
-        return raw<std::int8_t>();
-      case Scalar::Uint8:
-        return raw<std::uint8_t>();
-      case Scalar::Int16:
-        return raw<std::int16_t>();
-      case Scalar::Uint16:
-        return raw<std::uint16_t>();
-      case Scalar::Int32:
-        return raw<std::int32_t>();
-      case Scalar::Uint32:
-        return raw<std::uint32_t>();
-      case Scalar::Float32:
-        return static_cast<double>(raw<float>());
-      default:
-        return raw<double>();
-    }
-  }
+  double next(Scalar type) { return takeNumber(text_, encoding_, type, path_); }
 
  private:
-  template <class T>
-  T raw() {
-    if (bytes_.size() < sizeof(T)) truncated(path_);
-    std::array<char, sizeof(T)> part{};
-    std::memcpy(part.data(), bytes_.data(), sizeof(T));
-    bytes_.remove_prefix(sizeof(T));
-    if (encoding_ == Encoding::BigEndian) std::reverse(part.begin(), part.end());
-    T value;
-    std::memcpy(&value, part.data(), sizeof(T));
-    return value;
-  }
-
-  std::string_view bytes_;
-  TextScanner scan_;
+  TextScanner text_;
   Encoding encoding_;
   const fs::path& path_;
 };
@@ -182,7 +135,7 @@ void readRows(const Element& element, Body& body, PolygonMesh* mesh, const fs::p
       const bool corners =
           mesh != nullptr && (property.name == "vertex_indices" || property.name == "vertex_index");
       const double count = body.next(property.countType);
-      if (!(count >= 0.0) || (corners && count < 3.0)) truncated(path);
+      if (!(count >= 0.0) || (corners && count < 3.0)) throwTruncated(path);
       std::vector<std::uint32_t> polygon;
       for (double c = 0.0; c < count; ++c) {
         const double value = body.next(property.type);
@@ -198,7 +151,7 @@ PolygonMesh readPly(const std::string& bytes, const fs::path& path) {
   PolygonMesh mesh;
   TextScanner lines(bytes);
   const Header header = readHeader(lines, mesh, path);
-  Body body(lines.rest(), header.encoding, path);
+  Body body(lines, header.encoding, path);
   for (const Element& element : header.elements) {
     const auto has = [&](const char* name) {
       for (const Property& property : element.properties)

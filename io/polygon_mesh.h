@@ -30,7 +30,8 @@ std::string unitWord(LengthUnit unit);
 PolygonMesh readPly(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path);
-/// .vtp and legacy .vtk.
+PolygonMesh readLegacyVtk(const std::string& bytes, const std::filesystem::path& path);
+/// .vtp and legacy .vtk, by content.
 PolygonMesh readVtkPolyData(const std::string& bytes, const std::filesystem::path& path);
 
 /// Cuts polygons with more than three corners into triangles. Indices must be in range.

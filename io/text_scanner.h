@@ -48,6 +48,14 @@ class TextScanner {
     return text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
   }
 
+  /// The next `count` bytes, whatever they are; empty when there are not so many.
+  std::string_view take(std::size_t count) {
+    if (count > rest_.size()) return {};
+    const std::string_view result = rest_.substr(0, count);
+    rest_.remove_prefix(count);
+    return result;
+  }
+
   [[nodiscard]] bool done() const { return rest_.empty(); }
   [[nodiscard]] std::string_view rest() const { return rest_; }
 

@@ -6,7 +6,6 @@
 #include <vtkOutputWindow.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
 #include <vtkPolygon.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
@@ -20,6 +19,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "io/mesh_number.h"
 #include "io/polygon_mesh.h"
 #include "io/quiet_terminal.h"
 
@@ -91,13 +91,19 @@ void addPolygon(vtkCellArray* cells, const Polygon& polygon) {
   for (const std::uint32_t corner : polygon) cells->InsertCellPoint(static_cast<vtkIdType>(corner));
 }
 
+std::uint32_t pointNumber(vtkIdType id) {
+  // What does not fit is out of range of any mesh that is read, and refused there.
+  const auto largest = std::numeric_limits<std::uint32_t>::max();
+  return id < 0 || id > static_cast<vtkIdType>(largest) ? largest : static_cast<std::uint32_t>(id);
+}
+
 void appendCells(vtkCellArray* cells, PolygonMesh& mesh) {
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
     cells->GetCellAtId(c, ids);
     std::vector<std::uint32_t> polygon;
     for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-      polygon.push_back(static_cast<std::uint32_t>(ids->GetId(i)));
+      polygon.push_back(pointNumber(ids->GetId(i)));
     if (polygon.size() >= 3) mesh.polygons.push_back(std::move(polygon));
   }
 }
@@ -117,10 +123,9 @@ PolygonMesh fromVtk(vtkPolyData* data) {
       data->GetStrips()->GetCellAtId(c, ids);
       for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); ++i) {
         const vtkIdType odd = i % 2;
-        addPolygon(triangles, std::array<std::uint32_t, 3>{
-                                  static_cast<std::uint32_t>(ids->GetId(i)),
-                                  static_cast<std::uint32_t>(ids->GetId(i + 1 + odd)),
-                                  static_cast<std::uint32_t>(ids->GetId(i + 2 - odd))});
+        addPolygon(triangles, std::array<std::uint32_t, 3>{pointNumber(ids->GetId(i)),
+                                                           pointNumber(ids->GetId(i + 1 + odd)),
+                                                           pointNumber(ids->GetId(i + 2 - odd))});
       }
     }
     appendCells(triangles, mesh);
@@ -129,28 +134,9 @@ PolygonMesh fromVtk(vtkPolyData* data) {
   return mesh;
 }
 
-[[noreturn]] void broken(const fs::path& path) {
-  throw IoError("the VTK file is truncated or damaged", path.string(),
-                "copy it again or write it with another program");
-}
-
-PolygonMesh readLegacy(const std::string& bytes, const fs::path& path) {
-  if (bytes.substr(0, 1000).find("POLYDATA") == std::string::npos)
-    throw InputError("the VTK file does not hold a surface", path.string(),
-                     "give a file with DATASET POLYDATA");
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw InputError("the VTK file is larger than 2 GB", path.string(), "convert it to .vtp");
-  vtkNew<vtkPolyDataReader> reader;
-  if (!succeeds([&] {
-        reader->ReadFromInputStringOn();
-        reader->SetBinaryInputString(bytes.data(), static_cast<int>(bytes.size()));
-        reader->Update();
-        return reader->GetErrorCode() == 0 && reader->GetOutput() != nullptr;
-      }))
-    broken(path);
-  PolygonMesh mesh = fromVtk(reader->GetOutput());
-  readFrameAndUnit(bytes.substr(0, 300), mesh);
-  return mesh;
+/// The list of the cells' beginnings comes from the file too.
+void checkCells(vtkPolyData* data, const fs::path& path) {
+  if (!data->GetPolys()->IsValid() || !data->GetStrips()->IsValid()) throwTruncated(path);
 }
 
 /// VTK's reader crashes on an array of a type that it does not know.
@@ -175,7 +161,8 @@ PolygonMesh readXml(const std::string& bytes, const fs::path& path) {
   if (bytes.substr(0, 1000).find("PolyData") == std::string::npos)
     throw InputError("the VTK file does not hold a surface", path.string(),
                      "give a .vtp file (PolyData)");
-  if (bytes.rfind("</VTKFile>") == std::string::npos || !arrayTypesAreKnown(bytes)) broken(path);
+  if (bytes.rfind("</VTKFile>") == std::string::npos || !arrayTypesAreKnown(bytes))
+    throwTruncated(path);
   vtkNew<vtkXMLPolyDataReader> reader;
   if (!succeeds([&] {
         reader->ReadFromInputStringOn();
@@ -183,14 +170,15 @@ PolygonMesh readXml(const std::string& bytes, const fs::path& path) {
         reader->Update();
         return reader->GetErrorCode() == 0 && reader->GetOutput() != nullptr;
       }))
-    broken(path);
+    throwTruncated(path);
+  checkCells(reader->GetOutput(), path);
   return fromVtk(reader->GetOutput());
 }
 
 }  // namespace
 
 PolygonMesh readVtkPolyData(const std::string& bytes, const fs::path& path) {
-  if (bytes.starts_with("# vtk DataFile")) return readLegacy(bytes, path);
+  if (bytes.starts_with("# vtk DataFile")) return readLegacyVtk(bytes, path);
   if (bytes.substr(0, 1000).find("<VTKFile") != std::string::npos) return readXml(bytes, path);
   throw InputError("not a VTK file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
 }

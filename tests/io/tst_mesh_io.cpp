@@ -4,12 +4,9 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <set>
 
 #include "core/base/error.h"
-#include "io/files.h"
 #include "tests/io/io_test.h"
 
 using namespace angiomesh;
@@ -246,6 +243,37 @@ class TestMeshIo : public QObject {
     }
   }
 
+  void legacyVtkOfAnyKindIsRead() {
+    const Folder folder;
+    std::string binary =
+        "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET POLYDATA\nFIELD FieldData 1\n"
+        "TIME 1 2 double\n" +
+        std::string(16, '\0') + "\nPOINTS 3 float\n";
+    const auto swapped = [&](auto value) {
+      std::string raw;
+      append(raw, value);
+      std::reverse(raw.begin(), raw.end());
+      binary += raw;
+    };
+    for (const float x : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F}) swapped(x);
+    binary += "\nLINES 1 3\n";
+    for (const std::int32_t i : {2, 0, 1}) swapped(i);
+    binary += "\nPOLYGONS 1 4\n";
+    for (const std::int32_t i : {3, 0, 1, 2}) swapped(i);
+    binary += "\nPOINT_DATA 3\nanything";
+    save(folder / "binary.vtk", binary);
+    save(folder / "five.vtk",
+         "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+         "0 0 0 1 0 0 0 1 0\nMETADATA\nINFORMATION 0\n\nPOLYGONS 2 3\n"
+         "OFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 2\n");
+    for (const char* name : {"binary.vtk", "five.vtk"}) {
+      const TriMesh mesh = readMesh(folder / name);
+      QCOMPARE(mesh.points.size(), std::size_t{3});
+      QCOMPARE(mesh.points[2], Eigen::Vector3d(0, 1, 0));
+      QCOMPARE(mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
+    }
+  }
+
   void badInputIsRefusedInOneLine_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QByteArray>("file");
@@ -279,6 +307,31 @@ class TestMeshIo : public QObject {
     row("cut vtk", "m.vtk",
         "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0", false);
     row("cut vtp", "m.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">\n<PolyData>\n",
+        false);
+    const auto vtp = [](const char* corners, const char* ends) {
+      return std::string(
+                 "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>"
+                 "<Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\"><Points>"
+                 "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">"
+                 "0 0 0 1 0 0 0 1 0</DataArray></Points><Polys>"
+                 "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">") +
+             corners + "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">" +
+             ends + "</DataArray></Polys></Piece></PolyData></VTKFile>\n";
+    };
+    row("index too large vtp", "m.vtp", vtp("0 1 4294967297", "3"), true);
+    row("end too large vtp", "m.vtp", vtp("0 1 2", "3000000"), false);
+    row("negative end vtp", "m.vtp", vtp("0 1 2", "-3"), false);
+    row("cut cells vtk", "m.vtk",
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+        "0 0 0 1 0 0 0 1 0\nPOLYGONS 2 8\n3 0 1 2\n3 0",
+        false);
+    row("wrong count of corners vtk", "m.vtk",
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+        "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n900 0 1 2\n",
+        false);
+    row("absurd sizes vtk", "m.vtk",
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 99999999999999 float\n0 0 "
+        "0\n",
         false);
     row("broken vtp", "m.vtp",
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
@@ -386,54 +439,6 @@ class TestMeshIo : public QObject {
       QCOMPARE(bytesOf(folder / name), std::string("old"));
     }
     QCOMPARE(entriesOf(folder.path()), 6);
-  }
-
-  void textAndPicturesAreWrittenWhole() {
-    const Folder folder;
-    writeText(folder / "a.json", "one");
-    writeText(folder / "a.json", "two");
-    QCOMPARE(readText(folder / "a.json"), std::string("two"));
-    fs::create_symlink(folder / "a.json", folder / "link.json");
-    writeText(folder / "link.json", "three");
-    QVERIFY(fs::is_symlink(folder / "link.json"));
-    QCOMPARE(readText(folder / "a.json"), std::string("three"));
-    QVERIFY_EXCEPTION_THROWN(writeText("/dev/full", "x"), IoError);
-    QVERIFY(fs::exists("/dev/full") && !fs::is_regular_file("/dev/full"));
-    QVERIFY_EXCEPTION_THROWN(readText(folder / "none"), IoError);
-    QVERIFY_EXCEPTION_THROWN(readText(folder.path()), IoError);
-
-    Picture picture{2, 3, {}};
-    for (int i = 0; i < 18; ++i) picture.rgb.push_back(static_cast<std::uint8_t>(10 * i));
-    writePng(picture, folder / "p.png");
-    const std::string png = bytesOf(folder / "p.png");
-    QVERIFY(png.starts_with("\x89PNG"));
-    QVERIFY(png.find("IEND") != std::string::npos);
-    QCOMPARE(static_cast<int>(png[19]), 2);  // width and height stand in IHDR
-    QCOMPARE(static_cast<int>(png[23]), 3);
-    QVERIFY_EXCEPTION_THROWN(writePng(Picture{2, 3, {}}, folder / "q.png"), InputError);
-    QCOMPARE(entriesOf(folder.path()), 3);
-  }
-
-  void aWriterThatThrowsLeavesNothing() {
-    const Folder folder;
-    save(folder / "a.txt", "old");
-    QVERIFY_EXCEPTION_THROWN(writeAtomically(folder / "a.txt",
-                                             [](const fs::path& temporary) {
-                                               save(temporary, "half");
-                                               throw InputError("x", "y", "z");
-                                             }),
-                             InputError);
-    QCOMPARE(bytesOf(folder / "a.txt"), std::string("old"));
-    QCOMPARE(entriesOf(folder.path()), 1);
-    std::set<std::string> names;
-    for (int i = 0; i < 3; ++i)
-      writeAtomically(folder / "b.nii.gz", [&](const fs::path& temporary) {
-        QCOMPARE(temporary.parent_path(), folder.path());
-        QVERIFY(temporary.string().ends_with(".nii.gz"));
-        names.insert(temporary.string());
-        save(temporary, "x");
-      });
-    QCOMPARE(names.size(), std::size_t{3});
   }
 
   void aRealSurfaceIsRead() {

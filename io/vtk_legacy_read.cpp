@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <limits>
+#include <map>
+
+#include "core/base/error.h"
+#include "io/mesh_number.h"
+#include "io/polygon_mesh.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// VTK's own reader crashes on damaged lists of cells.
+class LegacyReader {
+ public:
+  LegacyReader(const std::string& bytes, const fs::path& path) : text_(bytes), path_(path) {}
+
+  PolygonMesh read() {
+    readHeader();
+    for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
+      if (word == "DATASET") {
+        if (text_.word() != "POLYDATA")
+          throw InputError("the VTK file does not hold a surface", path_.string(),
+                           "give a file with DATASET POLYDATA");
+      } else if (word == "POINTS") {
+        readPoints();
+      } else if (word == "VERTICES" || word == "LINES") {
+        readCells();
+      } else if (word == "POLYGONS") {
+        for (auto& polygon : readCells()) mesh_.polygons.push_back(std::move(polygon));
+      } else if (word == "TRIANGLE_STRIPS") {
+        addStrips(readCells());
+      } else if (word == "METADATA") {
+        skipMetadata();
+      } else if (word == "FIELD") {
+        skipField();
+      } else if (word == "POINT_DATA" || word == "CELL_DATA") {
+        break;
+      } else {
+        throwTruncated(path_);
+      }
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  using Cells = std::vector<std::vector<std::uint32_t>>;
+
+  void readHeader() {
+    const std::string_view first = text_.line();
+    newCells_ = first.find("Version 5") != std::string_view::npos;
+    readFrameAndUnit(std::string(text_.line()), mesh_);
+    const std::string_view encoding = text_.word();
+    if (encoding != "ASCII" && encoding != "BINARY") throwTruncated(path_);
+    encoding_ = encoding == "ASCII" ? Encoding::Ascii : Encoding::BigEndian;
+  }
+
+  Scalar typeOf(std::string_view name) const {
+    static const std::map<std::string_view, Scalar> types = {{"char", Scalar::Int8},
+                                                             {"signed_char", Scalar::Int8},
+                                                             {"unsigned_char", Scalar::Uint8},
+                                                             {"short", Scalar::Int16},
+                                                             {"unsigned_short", Scalar::Uint16},
+                                                             {"int", Scalar::Int32},
+                                                             {"vtkIdType", Scalar::Int32},
+                                                             {"vtktypeint32", Scalar::Int32},
+                                                             {"unsigned_int", Scalar::Uint32},
+                                                             {"long", Scalar::Int64},
+                                                             {"vtktypeint64", Scalar::Int64},
+                                                             {"unsigned_long", Scalar::Uint64},
+                                                             {"vtktypeuint64", Scalar::Uint64},
+                                                             {"float", Scalar::Float32},
+                                                             {"double", Scalar::Float64}};
+    const auto found = types.find(name);
+    if (found == types.end()) throwTruncated(path_);
+    return found->second;
+  }
+
+  std::size_t takeCount() {
+    double count = -1.0;
+    if (!text_.number(count) || !(count >= 0.0) || count > 1e12) throwTruncated(path_);
+    return static_cast<std::size_t>(count);
+  }
+
+  /// Stands before a block of `count` numbers afterwards. Refuses more than the file can hold, so
+  /// that no memory is reserved for nonsense.
+  void beginBlock(std::size_t count, Scalar type) {
+    text_.line();
+    const std::size_t each = encoding_ == Encoding::Ascii ? 2 : bytesOf(type);
+    if (count > (text_.rest().size() + 1) / each) throwTruncated(path_);
+  }
+
+  double take(Scalar type) { return takeNumber(text_, encoding_, type, path_); }
+
+  std::uint32_t takeIndex(Scalar type) {
+    const double value = take(type);
+    if (!(value >= 0.0) || value >= std::numeric_limits<std::uint32_t>::max())
+      throw InputError("a face names a point that does not exist", path_.string(),
+                       "write the mesh again with another program");
+    return static_cast<std::uint32_t>(value);
+  }
+
+  void readPoints() {
+    const std::size_t count = takeCount();
+    const Scalar type = typeOf(text_.word(false));
+    beginBlock(3 * count, type);
+    mesh_.points.resize(count);
+    for (Eigen::Vector3d& point : mesh_.points)
+      for (int a = 0; a < 3; ++a) point[a] = take(type);
+  }
+
+  Cells readCells() {
+    const std::size_t count = takeCount();
+    const std::size_t numbers = takeCount();
+    return newCells_ ? readOffsets(count, numbers) : readCounted(count, numbers);
+  }
+
+  /// Each cell is the number of its corners and the corners.
+  Cells readCounted(std::size_t count, std::size_t numbers) {
+    beginBlock(numbers, Scalar::Int32);
+    Cells cells;
+    for (std::size_t c = 0; c < count; ++c) {
+      if (numbers == 0) throwTruncated(path_);
+      const std::uint32_t corners = takeIndex(Scalar::Int32);
+      if (corners > --numbers) throwTruncated(path_);
+      numbers -= corners;
+      std::vector<std::uint32_t> cell(corners);
+      for (std::uint32_t& corner : cell) corner = takeIndex(Scalar::Int32);
+      cells.push_back(std::move(cell));
+    }
+    if (numbers != 0) throwTruncated(path_);
+    return cells;
+  }
+
+  /// File version 5: where each cell begins, then all corners.
+  Cells readOffsets(std::size_t count, std::size_t numbers) {
+    if (count == 0) return {};
+    if (text_.word() != "OFFSETS") throwTruncated(path_);
+    Scalar type = typeOf(text_.word(false));
+    beginBlock(count, type);
+    std::vector<std::uint32_t> ends(count);
+    for (std::uint32_t& end : ends) end = takeIndex(type);
+    if (text_.word() != "CONNECTIVITY") throwTruncated(path_);
+    type = typeOf(text_.word(false));
+    beginBlock(numbers, type);
+    if (ends.front() != 0 || ends.back() != numbers) throwTruncated(path_);
+    Cells cells;
+    for (std::size_t c = 1; c < count; ++c) {
+      if (ends[c] < ends[c - 1] || ends[c] > numbers) throwTruncated(path_);
+      std::vector<std::uint32_t> cell(ends[c] - ends[c - 1]);
+      for (std::uint32_t& corner : cell) corner = takeIndex(type);
+      cells.push_back(std::move(cell));
+    }
+    return cells;
+  }
+
+  void addStrips(const Cells& strips) {
+    for (const std::vector<std::uint32_t>& strip : strips)
+      for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
+        const std::size_t odd = i % 2;
+        mesh_.polygons.push_back({strip[i], strip[i + 1 + odd], strip[i + 2 - odd]});
+      }
+  }
+
+  /// Names of components and the like, in words up to an empty line.
+  void skipMetadata() {
+    text_.line();
+    while (!text_.done() && !text_.line().empty()) continue;
+  }
+
+  void skipField() {
+    text_.word();
+    for (std::size_t arrays = takeCount(); arrays > 0; --arrays) {
+      std::string_view name = text_.word();
+      if (name == "METADATA") {
+        skipMetadata();
+        name = text_.word();
+      }
+      const std::size_t components = takeCount();
+      const std::size_t tuples = takeCount();
+      const Scalar type = typeOf(text_.word(false));
+      if (components > 0 && tuples > text_.rest().size() / components) throwTruncated(path_);
+      beginBlock(components * tuples, type);
+      for (std::size_t i = 0; i < components * tuples; ++i) take(type);
+    }
+  }
+
+  TextScanner text_;
+  const fs::path& path_;
+  PolygonMesh mesh_;
+  Encoding encoding_ = Encoding::Ascii;
+  bool newCells_ = false;
+};
+
+}  // namespace
+
+PolygonMesh readLegacyVtk(const std::string& bytes, const fs::path& path) {
+  PolygonMesh mesh = LegacyReader(bytes, path).read();
+  for (const auto& polygon : mesh.polygons)
+    if (polygon.size() < 3) throwTruncated(path);
+  return mesh;
+}
+
+}  // namespace angiomesh
