@@ -189,6 +189,13 @@ void MainWindow::runOnceLoaded() {
     QMetaObject::invokeMethod(
         controller_, [this] { controller_->run(); }, Qt::QueuedConnection);
   });
+  // A file that cannot be opened must not make the next one run.
+  connect(controller_, &CaseController::statesChanged, once, [this, once] {
+    if (!controller_->loading()) {
+      once->deleteLater();
+      QObject::disconnect(controller_, nullptr, once, nullptr);
+    }
+  });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QStyleOptionSlider>
+#include <QTableWidget>
+#include <QToolButton>
+
+#include "io/image_io.h"
+#include "window_case.h"
+
+using namespace angiomesh;
+using angiomesh::test::twoTubes;
+using angiomesh::test::WindowCase;
+
+class TestMainWindow : public QObject {
+  Q_OBJECT
+
+ private:
+  static QString saveTubes(const WindowCase& c) {
+    const QString path = c.folder.filePath("tubes.mha");
+    writeVolume(*twoTubes().image, path.toStdString());
+    return path;
+  }
+
+ private Q_SLOTS:
+  void opensAFileThroughTheDialog() {
+    WindowCase c;
+    c.openPath = saveTubes(c);
+    c.clickTool("open");
+    QCOMPARE(c.window->windowTitle(), QString("tubes — Angiomesh"));
+    for (int plane = 0; plane < 3; ++plane) {
+      QCOMPARE(c.window->views().slice(plane)->sliceCount(), 40);
+    }
+    QCOMPARE(QSettings().value("recent").toStringList(), QStringList{c.openPath});
+    c.openPath.clear();
+    c.clickTool("open");
+    QCOMPARE(c.controller().caseName(), QString("tubes"));
+  }
+
+  void takesAFileThatIsDropped() {
+    WindowCase c;
+    QMimeData mime;
+    mime.setUrls({QUrl::fromLocalFile(saveTubes(c))});
+    QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(c.window.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(c.window.get(), &drop);
+    QCOMPARE(c.controller().caseName(), QString("tubes"));
+  }
+
+  void aBadFileGivesALine() {
+    WindowCase c;
+    c.openPath = c.folder.filePath("broken.nrrd");
+    QFile file(c.openPath);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("NRRD0004\n");
+    file.close();
+    c.clickTool("open");
+    const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
+    QCOMPARE(log.count('\n'), 0);
+    QVERIFY2(log.contains("Error") && log.contains("broken"), qPrintable(log));
+    QVERIFY(!c.controller().hasCase());
+    QVERIFY(!c.find<QPushButton>("run")->isEnabled());
+  }
+
+  void theSampleOpensByItsMenuEntry() {
+    WindowCase c;
+    c.window->findChild<QAction*>("openSample")->trigger();
+    QCOMPARE(c.window->windowTitle(), QString("sample — Angiomesh"));
+    QCOMPARE(c.controller().image()->geometry.size[0], 128);
+  }
+
+  void slidersMakeStepsStaleAndUndoMakesThemFresh() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
+    auto* slider = c.find<QSlider>("slider", "field:levelset.xi");
+    QStyleOptionSlider option;
+    option.initFrom(slider);
+    option.orientation = Qt::Horizontal;
+    option.maximum = slider->maximum();
+    option.sliderPosition = option.sliderValue = slider->value();
+    const QPoint handle =
+        slider->style()
+            ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider)
+            .center();
+    c.drag(slider, handle, handle + QPoint(12, 0));
+    QVERIFY(c.controller().parameters().levelset.xi > 20.0);
+    QVERIFY(c.controller().state(Step::Seeds) == StepState::Fresh);
+    QVERIFY(c.controller().state(Step::Evolve) == StepState::Stale);
+    QVERIFY(c.controller().state(Step::Quality) == StepState::Stale);
+    QCOMPARE(c.find<QLabel>("state", "step:evolve")->text(), QString("stale"));
+    QCOMPARE(c.controller().undoStack()->count(), 1);
+    c.clickTool("undo");
+    QCOMPARE(c.controller().parameters().levelset.xi, 20.0);
+    QCOMPARE(c.find<QDoubleSpinBox>("spin", "field:levelset.xi")->value(), 20.0);
+    QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
+    c.clickTool("redo");
+    QVERIFY(c.controller().state(Step::Evolve) == StepState::Stale);
+  }
+
+  void vesselSizesAreShownAsDiameters() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    auto* spin = c.find<QDoubleSpinBox>("spin", "field:vesselness.sigmaMinMm");
+    QVERIFY(!spin->isEnabled());
+    QCOMPARE(spin->value(), 1.0);
+    QTest::mouseClick(c.find<QCheckBox>("empty", "field:vesselness.sigmaMinMm"), Qt::LeftButton,
+                      Qt::NoModifier, QPoint(8, 8));
+    QVERIFY(spin->isEnabled());
+    QCOMPARE(*c.controller().parameters().vesselness.sigmaMinMm, 0.5);
+    spin->selectAll();
+    QTest::keyClicks(spin, "1.6");
+    QTest::keyClick(spin, Qt::Key_Return);
+    QCOMPARE(*c.controller().parameters().vesselness.sigmaMinMm, 0.8);
+  }
+
+  void everyFieldHasAnEditorOfItsKind() {
+    WindowCase c;
+    for (const Field& field : parameterFields()) {
+      const QString name = "field:" + QString::fromStdString(field.key);
+      const char* kinds[] = {"check", "spin", "spin", "combo", "clear"};
+      QVERIFY2(c.find<QWidget>(kinds[static_cast<int>(field.kind)], name), qPrintable(name));
+      const bool hidden = c.find<QWidget>(name)->parentWidget()->objectName() == "rest";
+      QCOMPARE(hidden, !field.main);
+    }
+  }
+
+  void moreShowsTheRest() {
+    WindowCase c;
+    auto* rest = c.find<QWidget>("rest", "step:surface");
+    QVERIFY(!rest->isVisible());
+    QTest::mouseClick(c.find<QToolButton>("more", "step:surface"), Qt::LeftButton);
+    QVERIFY(rest->isVisible());
+    auto* border = c.find<QComboBox>("combo", "field:surface.border");
+    c.choose(border, 1);
+    QVERIFY(c.controller().parameters().surface.border == SurfaceBorder::Open);
+  }
+
+  void presetsAreChosen() {
+    WindowCase c;
+    auto* preset = c.find<QComboBox>("preset");
+    c.choose(preset, preset->findText("thesis"));
+    QVERIFY(c.controller().parameters().smooth.method == SmoothMethod::Taubin);
+    c.controller().setField("levelset.d", 0.5);
+    QCOMPARE(preset->currentIndex(), -1);
+  }
+
+  void aClickOnASlicePicksASeed() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    c.clickTool("toolSeed");
+    SliceView* axial = c.window->views().slice(2);
+    const QPoint at(axial->width() / 3, axial->height() / 2);
+    const Eigen::Vector3d expected = axial->lpsAt(at);
+    QTest::mouseClick(axial, Qt::LeftButton, Qt::NoModifier, at);
+    QCOMPARE(c.controller().seeds().size(), std::size_t(1));
+    QVERIFY((c.controller().seeds().front() - expected).norm() < 1e-6);
+    auto* list = c.find<QListWidget>("seedList");
+    QCOMPARE(list->count(), 1);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier,
+                      list->visualItemRect(list->item(0)).center());
+    c.click(c.find<QPushButton>("removeSeed"));
+    QVERIFY(c.controller().seeds().empty());
+    c.clickTool("undo");
+    QCOMPARE(list->count(), 1);
+  }
+
+  void aDragOnASliceDrawsTheRegion() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    c.clickTool("toolRoi");
+    SliceView* axial = c.window->views().slice(2);
+    const QPoint centre = axial->rect().center();
+    c.drag(axial, centre - QPoint(60, 50), centre + QPoint(60, 50));
+    QVERIFY(c.controller().parameters().preprocess.roi.has_value());
+    QVERIFY(c.state().tool() == Tool::Navigate);
+    QTest::mouseClick(c.find<QToolButton>("runToHere", "step:preprocess"), Qt::LeftButton);
+    const Geometry& cropped = c.controller().layer(Layer::Preprocessed)->geometry;
+    QVERIFY(cropped.size[0] < 40 && cropped.size[1] < 40);
+    QTest::mouseClick(c.find<QToolButton>("more", "step:preprocess"), Qt::LeftButton);
+    c.click(c.find<QPushButton>("clear", "field:preprocess.roi"));
+    QVERIFY(!c.controller().parameters().preprocess.roi.has_value());
+  }
+
+  void aPartIsTickedOffInTheTable() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    c.click(c.find<QPushButton>("run"));
+    const std::size_t before = c.controller().mesh(MeshKind::Exported)->triangles.size();
+    auto* table = c.find<QTableWidget>("components");
+    QCOMPARE(table->rowCount(), 2);
+    const QRect cell = table->visualItemRect(table->item(1, 0));
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier,
+                      QPoint(cell.left() + 12, cell.center().y()));
+    QTRY_VERIFY(c.controller().state(Step::Surface) == StepState::Stale);
+    QVERIFY(table->item(1, 0)->checkState() == Qt::Unchecked);
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY(c.controller().mesh(MeshKind::Exported)->triangles.size() < before);
+    c.clickTool("undo");
+    QVERIFY(table->item(1, 0)->checkState() == Qt::Checked);
+  }
+
+  void layersAreSwitched() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    auto* layer = c.find<QComboBox>("layer");
+    c.choose(layer, 2);
+    QVERIFY(c.state().layer() == Layer::Source);
+    QTest::mouseClick(c.find<QToolButton>("runToHere", "step:vesselness"), Qt::LeftButton);
+    SliceView* axial = c.window->views().slice(2);
+    const QImage source = axial->grabFramebuffer();
+    const double window = axial->windowWidth();
+    for (const Layer wanted : {Layer::Preprocessed, Layer::Vesselness, Layer::Speed}) {
+      c.choose(layer, static_cast<int>(wanted));
+      QVERIFY(c.state().layer() == wanted);
+    }
+    QCOMPARE(axial->windowWidth(), 2.0);
+    QVERIFY(axial->grabFramebuffer() != source);
+    c.choose(layer, 0);
+    QCOMPARE(axial->windowWidth(), window);
+    QVERIFY(axial->grabFramebuffer() == source);
+  }
+
+  void panesAreLinked() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    ViewGrid& views = c.window->views();
+    SliceView* axial = views.slice(2);
+    const double before = axial->windowWidth();
+    const QPoint centre = axial->rect().center();
+    c.drag(axial, centre, centre + QPoint(40, 20));
+    QVERIFY(axial->windowWidth() != before);
+    QCOMPARE(views.slice(0)->windowWidth(), axial->windowWidth());
+    QCOMPARE(views.slice(1)->windowLevel(), axial->windowLevel());
+    c.window->findChild<QAction*>("resetWindow")->trigger();
+    QCOMPARE(axial->windowWidth(), before);
+    QTest::keyClick(axial, Qt::Key_Up);
+    QVERIFY((views.slice(0)->cursor() - axial->cursor()).norm() < 1e-6);
+  }
+
+  void aDoubleClickMaximisesAPane() {
+    WindowCase c;
+    ViewGrid& views = c.window->views();
+    QTest::mouseDClick(views.slice(1), Qt::LeftButton);
+    QVERIFY(views.maximised());
+    QVERIFY(views.slice(1)->isVisible() && !views.slice(0)->isVisible());
+    QTRY_VERIFY(views.slice(1)->width() > views.width() - 10);
+    QTest::mouseDClick(views.slice(1), Qt::LeftButton);
+    QVERIFY(views.surface()->isVisible());
+    QTRY_VERIFY(views.slice(1)->width() < views.width() - 10);
+  }
+
+  void slabsAreChosen() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    auto* thickness = c.find<QDoubleSpinBox>("thickness");
+    QVERIFY(!thickness->isEnabled());
+    c.choose(c.find<QComboBox>("slab"), 1);
+    QVERIFY(thickness->isEnabled());
+    thickness->selectAll();
+    QTest::keyClicks(thickness, "6");
+    QTest::keyClick(thickness, Qt::Key_Return);
+    QVERIFY(c.window->views().slice(0)->slabMode() == SlabMode::Mip);
+    QCOMPARE(c.window->views().slice(0)->slabThicknessMm(), 6.0);
+  }
+
+  void contoursAndSurfaceAreSwitched() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    c.click(c.find<QPushButton>("run"));
+    ViewGrid& views = c.window->views();
+    const QImage with = views.slice(2)->grabFramebuffer();
+    c.clickTool("contours");
+    QVERIFY(views.slice(2)->grabFramebuffer() != with);
+    c.clickTool("contours");
+    QVERIFY(views.slice(2)->grabFramebuffer() == with);
+    c.clickTool("mip");
+    const QImage surface = views.surface()->grabFramebuffer();
+    c.clickTool("surface");
+    QVERIFY(views.surface()->grabFramebuffer() != surface);
+  }
+
+  void shortcutsAreListed() {
+    WindowCase c;
+    QTest::keyClick(c.window.get(), Qt::Key_F1);
+    QTRY_VERIFY(c.find<QTableWidget>("shortcutsTable"));
+    QVERIFY(c.find<QTableWidget>("shortcutsTable")->rowCount() > 20);
+  }
+
+  void noTwoActionsShareAShortcut() {
+    WindowCase c;
+    QStringList seen;
+    for (const QAction* action : c.window->findChildren<QAction*>()) {
+      if (!action->shortcut().isEmpty()) {
+        QVERIFY2(!seen.contains(action->shortcut().toString()), qPrintable(action->text()));
+        seen << action->shortcut().toString();
+      }
+    }
+  }
+};
+
+int main(int argc, char** argv) { return test::runWindowTests<TestMainWindow>(argc, argv); }
+#include "tst_main_window.moc"

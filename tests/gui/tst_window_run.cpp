@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QCheckBox>
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTableWidget>
+#include <cmath>
+#include <numeric>
+
+#include "gui/panel/plot_widget.h"
+#include "io/image_io.h"
+#include "io/mesh_io.h"
+#include "window_case.h"
+
+using namespace angiomesh;
+using angiomesh::test::kPatienceMs;
+using angiomesh::test::slowTree;
+using angiomesh::test::twoTubes;
+using angiomesh::test::WindowCase;
+
+namespace {
+
+/// Until somebody ends it.
+void makeEndless(CaseController& controller) {
+  controller.setField("levelset.tolerance", 0.0);
+  controller.setField("levelset.toleranceDelta", 0.0);
+  controller.setField("levelset.maxIterations", std::int64_t(1000000));
+  controller.setField("levelset.checkEvery", std::int64_t(20));
+}
+
+}  // namespace
+
+class TestWindowRun : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void theEvolutionIsPausedSteppedAndFinished() {
+    WindowCase c(makeThreadedJobRunner);
+    c.controller().take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+    makeEndless(c.controller());
+    auto* pause = c.find<QPushButton>("pause");
+    auto* step = c.find<QPushButton>("step");
+    auto* finish = c.find<QPushButton>("finish");
+    QVERIFY(!pause->isEnabled() && !step->isEnabled() && !finish->isEnabled());
+    QSignalSpy snapshots(&c.controller(), &CaseController::snapshotArrived);
+    c.click(c.find<QPushButton>("run"));
+    QTRY_VERIFY_WITH_TIMEOUT(snapshots.size() >= 2, kPatienceMs);
+    QVERIFY(!c.find<QPushButton>("run")->isEnabled());
+    QVERIFY(pause->isEnabled() && !step->isEnabled() && finish->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().history().size() >= 2, kPatienceMs);
+    QVERIFY(c.find<QLabel>("evolutionText")->text().contains("change"));
+
+    c.click(pause);
+    QTRY_COMPARE(pause->text(), QString("Resume"));
+    QVERIFY(step->isEnabled());
+    int before = -1;
+    QTRY_VERIFY_WITH_TIMEOUT(
+        std::exchange(before, c.controller().iterations()) == c.controller().iterations(),
+        kPatienceMs);
+    c.click(step);
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().iterations() >= before + 10, kPatienceMs);
+    c.click(finish);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
+    QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
+    QVERIFY(!pause->isEnabled() && !finish->isEnabled());
+    QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("Done up to Quality"));
+  }
+
+  void theSurfaceMovesTwicePerSecond() {
+    WindowCase c(makeThreadedJobRunner);
+    c.controller().take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+    makeEndless(c.controller());
+    QSignalSpy snapshots(&c.controller(), &CaseController::snapshotArrived);
+    QSignalSpy drawn(c.window->views().surface(), &VtkView::rendered);
+    c.click(c.find<QPushButton>("run"));
+    QTRY_VERIFY_WITH_TIMEOUT(snapshots.size() >= 1, kPatienceMs);
+    QElapsedTimer timer;
+    timer.start();
+    const auto first = snapshots.size();
+    const auto firstDrawn = drawn.size();
+    QTRY_VERIFY_WITH_TIMEOUT(snapshots.size() >= first + 8, kPatienceMs);
+    // 2 per second, and as much again for a machine that does other work besides.
+    QVERIFY2(timer.elapsed() < 8000, qPrintable(QString::number(timer.elapsed())));
+    QVERIFY(drawn.size() > firstDrawn);
+    c.click(c.find<QPushButton>("cancel"));
+    QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), 3000);
+    QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("Cancelled"));
+    QVERIFY(c.find<QPushButton>("run")->isEnabled());
+  }
+
+  void aSliderMovedInMidRunRestartsIt() {
+    WindowCase c(makeThreadedJobRunner);
+    c.controller().take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+    c.controller().setField("levelset.maxIterations", std::int64_t(200));
+    c.controller().setField("levelset.tolerance", 0.0);
+    c.click(c.find<QPushButton>("run"));
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().evolving() && c.controller().iterations() > 0,
+                             kPatienceMs);
+    const auto vesselness = c.controller().vesselnessResult();
+    auto* slider = c.find<QSlider>("slider", "field:levelset.gamma");
+    for (int i = 0; i < 5; ++i) {
+      QTest::keyClick(slider, Qt::Key_PageUp);
+    }
+    QVERIFY(c.controller().parameters().levelset.gamma > 0.7);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
+    QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
+    QVERIFY(c.controller().vesselnessResult() == vesselness);
+  }
+
+  void closesWhileRunning() {
+    WindowCase c(makeThreadedJobRunner);
+    c.controller().take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+    makeEndless(c.controller());
+    c.click(c.find<QPushButton>("run"));
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().evolving(), kPatienceMs);
+    QVERIFY(c.window->close());
+    c.window.reset();
+  }
+
+  void opensAndRunsAtOnce() {
+    WindowCase c;
+    const QString path = c.folder.filePath("tubes.mha");
+    writeVolume(*twoTubes().image, path.toStdString());
+    c.window->open(c.folder.filePath("missing.mha"), true);
+    c.window->open(path);
+    QCoreApplication::processEvents();
+    QVERIFY(!c.controller().results().preprocessed);
+    c.window->open(path, true);
+    QTRY_VERIFY(c.controller().meshFresh());
+  }
+
+  void theInspectorShowsNumbersAndColours() {
+    WindowCase c;
+    auto* table = c.find<QTableWidget>("quality");
+    QCOMPARE(table->item(0, 0)->text(), QString("–"));
+    c.controller().take(twoTubes());
+    c.click(c.find<QPushButton>("run"));
+    for (int kind = 0; kind < kMeshKindCount; ++kind) {
+      QCOMPARE(QLocale().toULongLong(table->item(0, kind)->text()),
+               static_cast<qulonglong>(
+                   c.controller().mesh(static_cast<MeshKind>(kind))->triangles.size()));
+      const auto& shares =
+          c.find<HistogramWidget>("angleHistogram")->shares(static_cast<MeshKind>(kind));
+      QVERIFY(std::abs(std::accumulate(shares.begin(), shares.end(), 0.0) - 100.0) < 1e-6);
+    }
+    QVERIFY(c.find<QLabel>("hints")->text().contains("closed"));
+    SurfaceView* view = c.window->views().surface();
+    c.clickTool("mip");
+    const QImage plain = view->grabFramebuffer();
+    c.choose(c.find<QComboBox>("meshColour"), 1);
+    const QImage angles = view->grabFramebuffer();
+    QVERIFY(angles != plain);
+    c.choose(c.find<QComboBox>("meshColour"), 2);
+    QVERIFY(view->grabFramebuffer() != angles);
+    c.choose(c.find<QComboBox>("meshColour"), 0);
+    c.choose(c.find<QComboBox>("meshShown"), 2);
+    QVERIFY(c.state().meshKind() == MeshKind::MarchingCubes);
+    c.controller().setField("smooth.iterations", std::int64_t(7));
+    QVERIFY(c.find<QLabel>("hints")->text().contains("earlier parameters"));
+  }
+
+  void plyAndStlAreExported() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    c.click(c.find<QPushButton>("run"));
+    const std::size_t triangles = c.controller().mesh(MeshKind::Exported)->triangles.size();
+    for (int format = 0; format < 2; ++format) {
+      c.savePath = c.folder.filePath(format == 0 ? "vessels.ply" : "vessels");
+      c.clickTool("export");
+      auto* dialog = c.find<QDialog>("exportDialog");
+      QVERIFY(dialog);
+      QTRY_VERIFY(dialog->isVisible());
+      c.choose(dialog->findChild<QComboBox*>("exportFormat"), format);
+      auto* size = dialog->findChild<QLabel*>("exportSize");
+      QVERIFY(size->text().endsWith(" mm"));
+      if (format == 1) {
+        c.choose(dialog->findChild<QComboBox*>("exportUnit"), 1);
+        QVERIFY(size->text().endsWith(" m"));
+        QTest::mouseClick(dialog->findChild<QCheckBox*>("exportReport"), Qt::LeftButton,
+                          Qt::NoModifier, QPoint(8, 8));
+      }
+      c.click(dialog->findChild<QPushButton*>("exportGo"));
+      QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
+      const QString path = c.folder.filePath(format == 0 ? "vessels.ply" : "vessels.stl");
+      QCOMPARE(readMesh(path.toStdString()).triangles.size(), triangles);
+    }
+    QVERIFY(QFile::exists(c.folder.filePath("vessels.report.json")));
+    QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("Wrote vessels.stl"));
+  }
+
+  void anExportToNowhereSaysSo() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    c.click(c.find<QPushButton>("run"));
+    c.savePath = c.folder.filePath("missing/vessels.ply");
+    c.clickTool("export");
+    c.click(c.find<QDialog>("exportDialog")->findChild<QPushButton*>("exportGo"));
+    const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
+    QVERIFY2(log.contains("Cannot export"), qPrintable(log));
+    QVERIFY(!QFile::exists(c.folder.filePath("missing")));
+  }
+};
+
+int main(int argc, char** argv) { return test::runWindowTests<TestWindowRun>(argc, argv); }
+#include "tst_window_run.moc"

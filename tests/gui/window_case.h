@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDir>
+#include <QMouseEvent>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolBar>
+#include <utility>
+
+#include "gui/main_window.h"
+#include "gui/model/view_state.h"
+#include "gui/panel/view_grid.h"
+#include "gui/view/open_gl.h"
+#include "gui/view/slice_view.h"
+#include "gui/view/surface_view.h"
+#include "small_case.h"
+
+namespace angiomesh::test {
+
+constexpr int kPatienceMs = 60000;
+
+/// A window on the screen whose path questions are answered at once.
+struct WindowCase {
+  explicit WindowCase(const JobRunnerFactory& makeRunner = makeInlineJobRunner) {
+    MainWindowOptions options;
+    options.makeRunner = makeRunner;
+    options.chooser.openFile = [this](QWidget*) { return openPath; };
+    options.chooser.openFolder = [this](QWidget*) { return openPath; };
+    options.chooser.save = [this](QWidget*, const QString&, const QString&) { return savePath; };
+    window = std::make_unique<MainWindow>(std::move(options));
+    window->resize(1240, 860);
+    window->show();
+    QApplication::setActiveWindow(window.get());
+    [[maybe_unused]] const bool shown = QTest::qWaitForWindowExposed(window.get());
+  }
+
+  CaseController& controller() { return window->controller(); }
+  ViewState& state() { return window->viewState(); }
+
+  /// The widget with this name, anywhere or inside the step's panel.
+  template <class T>
+  T* find(const QString& name, const QString& inside = {}) {
+    QWidget* from = window.get();
+    if (!inside.isEmpty()) {
+      from = window->findChild<QWidget*>(inside);
+    }
+    return from ? from->findChild<T*>(name) : nullptr;
+  }
+  void click(QWidget* widget) {
+    QTest::mouseClick(widget, Qt::LeftButton, Qt::NoModifier, widget->rect().center());
+  }
+  /// Clicks the tool bar's button of an action.
+  void clickTool(const char* action) {
+    auto* bar = window->findChild<QToolBar*>("toolBar");
+    click(bar->widgetForAction(window->findChild<QAction*>(QLatin1String(action))));
+  }
+  /// Chooses an entry as the arrow keys do.
+  void choose(QComboBox* combo, int index) {
+    for (int i = 0; i < combo->count() && combo->currentIndex() != index; ++i) {
+      QTest::keyClick(combo, combo->currentIndex() < index ? Qt::Key_Down : Qt::Key_Up);
+    }
+  }
+  void drag(QWidget* widget, const QPoint& from, const QPoint& to) {
+    const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button,
+                          Qt::MouseButtons buttons) {
+      QMouseEvent event(type, at, widget->mapToGlobal(QPointF(at)), button, buttons,
+                        Qt::NoModifier);
+      QApplication::sendEvent(widget, &event);
+    };
+    send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+    for (int i = 1; i <= 6; ++i) {
+      send(QEvent::MouseMove, from + (to - from) * i / 6, Qt::NoButton, Qt::LeftButton);
+    }
+    send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+  }
+
+  QTemporaryDir folder;
+  QString openPath, savePath;
+  std::unique_ptr<MainWindow> window;
+};
+
+/// main() of a test program with windows: settings go to a folder that vanishes.
+template <class T>
+int runWindowTests(int argc, char** argv) {
+  prepareOpenGl();
+  QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName("AngiomeshTest");
+  QCoreApplication::setApplicationName("AngiomeshTest");
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  T test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+}  // namespace angiomesh::test
