@@ -279,10 +279,11 @@ void CaseController::finishRun() {
 }
 
 std::string CaseController::speedKey() const {
-  const LevelSetParams& l = params_.levelset;
   std::string key = keys_[static_cast<std::size_t>(Step::Vesselness)];
-  for (const double value : {l.xi, l.b.value_or(-1.0), l.bMin, l.bMax}) {
-    key += '/' + std::to_string(value);
+  for (const char* name :
+       {"levelset.xi", "levelset.b", "levelset.bRule", "levelset.bMin", "levelset.bMax"}) {
+    const Field& field = findField(name);
+    key += '/' + fieldText(field.get(params_), field);
   }
   return key;
 }

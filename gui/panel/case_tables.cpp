@@ -19,6 +19,7 @@ namespace {
 
 /// Noise can leave thousands of specks; the largest parts are those that anybody ticks.
 constexpr int kMostRows = 300;
+constexpr int kRowsInView = 6;
 constexpr int kStepIterations = 10;
 
 QVBoxLayout* tightColumn(QWidget* parent) {
@@ -91,7 +92,8 @@ ComponentTable::ComponentTable(CaseController& controller, QWidget* parent)
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setFixedHeight(140);
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   column->addWidget(table_);
   connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
     if (item->column() == 0) {
@@ -128,11 +130,14 @@ void ComponentTable::refresh() {
     table_->setItem(i, 1, voxels);
     table_->setItem(i, 2, volume);
   }
+  const int rowHeight = table_->verticalHeader()->defaultSectionSize();
+  table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
+                         std::min(count, kRowsInView) * rowHeight + 2 * table_->frameWidth());
   table_->setVisible(count > 0);
   summary_->setVisible(count > 0);
   summary_->setText(static_cast<int>(rows.size()) > count
-                        ? tr("%1 parts, the largest %2:").arg(rows.size()).arg(count)
-                        : tr("%n part(s):", nullptr, count));
+                        ? tr("Parts: %1 (the largest %2 are listed)").arg(rows.size()).arg(count)
+                        : tr("Parts: %1").arg(count));
 }
 
 EvolutionControls::EvolutionControls(CaseController& controller, QWidget* parent)

@@ -240,7 +240,7 @@ void FieldEditor::display(const FieldValue& value, const FieldValue& suggested,
     const std::size_t group = std::max<std::size_t>(field_.groupOf, 1);
     clear_->setEnabled(count > 0);
     summary_->setText(count == 0   ? tr("none")
-                      : group == 3 ? tr("%n point(s)", nullptr, static_cast<int>(count / group))
+                      : group == 3 ? tr("points: %1").arg(count / group)
                                    : tr("set"));
   }
 }

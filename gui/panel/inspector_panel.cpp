@@ -198,7 +198,7 @@ void InspectorPanel::refreshHints() {
   const bool manifold = q->nonManifoldEdges == 0 && q->nonManifoldVertices == 0;
   QStringList lines;
   lines << mark(q->closed) +
-               (q->closed ? tr("closed") : tr("open at %1 rim(s)").arg(q->boundaryLoops));
+               (q->closed ? tr("closed") : tr("open, rims: %1").arg(q->boundaryLoops));
   lines << mark(manifold) + (manifold ? tr("manifold") : tr("not manifold: a solver refuses it"));
   lines << mark(q->selfIntersections == 0) +
                (q->selfIntersections == 0 ? tr("no self-intersections")
