@@ -29,7 +29,7 @@ std::vector<DicomSeries> seriesOf(const fs::path& path, const Progress& progress
 /// The shortest ending, of 8 characters at least, that only this series' UID has.
 std::string shortUid(const DicomSeries& one, const std::vector<DicomSeries>& all) {
   for (std::size_t length = 8; length < one.uid.size(); ++length) {
-    const std::string ending = one.uid.substr(one.uid.size() - length);
+    std::string ending = one.uid.substr(one.uid.size() - length);
     if (std::count_if(all.begin(), all.end(),
                       [&](const DicomSeries& other) { return other.uid.ends_with(ending); }) == 1)
       return ending;

@@ -212,6 +212,7 @@ std::vector<DicomSeries> scanDicom(const fs::path& path, const Progress& progres
     scanFile(path, series);
   }
   std::vector<DicomSeries> result;
+  result.reserve(series.size());
   for (auto& [uid, one] : series) result.push_back(std::move(one));
   return result;
 }

@@ -166,6 +166,7 @@ Geometry stackFrames(DicomSeries& series, const std::string& where,
     return a.position.dot(normal) < b.position.dot(normal);
   });
   std::vector<double> heights;
+  heights.reserve(frames.size());
   for (const DicomFrame& frame : frames) heights.push_back(frame.position.dot(normal));
   const DicomFrame& first = frames.front();
   geometry.spacing = {first.spacingX, first.spacingY,
@@ -176,6 +177,7 @@ Geometry stackFrames(DicomSeries& series, const std::string& where,
   geometry.direction.col(0) = x;
   geometry.direction.col(1) = normal.cross(x);
   geometry.direction.col(2) = normal;
+  geometry.direction.array() += 0.0;  // -0 becomes 0
 
   const auto scaledAsFirst = [&](const DicomFrame& frame) {
     return frame.slope == first.slope && frame.intercept == first.intercept;

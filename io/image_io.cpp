@@ -31,6 +31,9 @@ LoadedImage read(const fs::path& path, const std::string& seriesUid, const Progr
   if (isFolder(path)) return readDicom(path, seriesUid, progress);
   const ImageFormat format = imageFormat(path);
   if (format == ImageFormat::Dicom) return readDicom(path, seriesUid, progress);
+  if (!seriesUid.empty())
+    throw InputError("a series is chosen, but this is not DICOM", path.string(),
+                     "leave the series out");
   HeaderFacts facts = checkHeader(path, format, true);
   progress.report(0.4);
   LoadedImage loaded = itkRead(path, format);

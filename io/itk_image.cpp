@@ -144,6 +144,7 @@ Geometry geometryOf(const Io& io, const fs::path& path) {
       geometry.direction.col(a) = -geometry.direction.col(a);
     }
   }
+  geometry.direction.array() += 0.0;  // -0 becomes 0
   return geometry;
 }
 

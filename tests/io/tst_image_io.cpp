@@ -255,6 +255,7 @@ class TestImageIo : public QObject {
          "ElementDataFile = LOCAL\n" +
              rawVoxels<float>());
     QCOMPARE(readImage(folder / "v.mha").info.warnings.size(), std::size_t{1});
+    QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.mha", "1.2.3"), InputError);
   }
 
   void badInputIsRefusedInOneLine_data() {
@@ -424,6 +425,7 @@ class TestImageIo : public QObject {
     QVERIFY_EXCEPTION_THROWN(writeVolume(image, "/dev/null.nrrd/v.nrrd"), IoError);
     QVERIFY_EXCEPTION_THROWN(writeVolume(image, folder / "v.png"), InputError);
     QVERIFY_EXCEPTION_THROWN(readImage(folder / "none.mha"), IoError);
+    QVERIFY_EXCEPTION_THROWN(describeImages(folder / "none.mha"), IoError);
     QCOMPARE(entriesOf(folder.path()), 2);
   }
 
