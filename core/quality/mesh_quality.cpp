@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string>
 
-#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/quality/self_intersection.h"
 #include "core/quality/triangle_intersection.h"
@@ -19,23 +17,6 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 constexpr std::size_t listedPairs = 1000;
-
-void checkMesh(const TriMesh& mesh) {
-  for (const auto& t : mesh.triangles) {
-    for (const std::uint32_t v : t) {
-      if (v >= mesh.points.size()) {
-        throw InputError("a triangle names vertex " + std::to_string(v) + " of " +
-                             std::to_string(mesh.points.size()),
-                         "mesh", "repair or re-export the mesh file");
-      }
-    }
-  }
-  for (const auto& p : mesh.points) {
-    if (!p.allFinite()) {
-      throw InputError("a vertex is not a number", "mesh", "repair or re-export the mesh file");
-    }
-  }
-}
 
 // Value of the sorted sample at a fraction of its ranks, linear between ranks.
 double atFraction(const std::vector<double>& sorted, double fraction) {
@@ -106,11 +87,14 @@ void countLoops(const TriMesh& mesh, const std::vector<EdgeSide>& sides, Fans& f
   }
 }
 
-void countTopology(const TriMesh& mesh, MeshQuality& q) {
+void countTopology(const TriMesh& mesh, MeshQuality& q, const Progress& progress) {
   const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  progress.report(0.05);
   const MeshComponents components = meshComponents(mesh);
+  progress.report(0.1);
   std::vector<ComponentCount> counts(components.count);
   Fans fans = findFans(mesh, sides);
+  progress.report(0.15);
 
   std::size_t edges = 0;
   bool consistent = true;
@@ -250,7 +234,7 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Pr
   MeshQuality q;
   q.vertices = mesh.points.size();
   q.triangles = mesh.triangles.size();
-  countTopology(mesh, q);
+  countTopology(mesh, q, progress);
   progress.report(0.2);
   measureShapes(mesh, q);
   progress.report(0.3);

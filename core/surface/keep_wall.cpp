@@ -40,6 +40,7 @@ bool freezeMeeting(const TriMesh& smoothed, std::vector<char>& frozen, int rings
 TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params, const SplineField* phi,
                        const Progress& progress) {
   progress.report(0.0);
+  checkMesh(mesh);
   if (mesh.triangles.empty() || params.iterations <= 0) return mesh;
   std::unique_ptr<Wall> wall;
   if (phi != nullptr) {

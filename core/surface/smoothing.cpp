@@ -47,6 +47,7 @@ Neighbours averagingNeighbours(const TriMesh& mesh) {
 
 TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params, const Progress& progress) {
   progress.report(0.0);
+  checkMesh(mesh);
   const Neighbours neighbours = averagingNeighbours(mesh);
   TriMesh result = mesh;
   std::vector<Eigen::Vector3d> moved(mesh.points.size());

@@ -21,12 +21,20 @@ struct SmoothParams {
 /// Taubin's lambda-mu filter (Taubin 1995; thesis eq. 4.5-4.7) with uniform weights 1/valence: each
 /// iteration is one step with lambda, then one with mu. Vertices of an open rim average along the
 /// rim only.
+/// @throws InputError (see checkMesh), Cancelled
 TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params,
                      const Progress& progress = {});
 
-/// Smooths the triangulation, not the vessel: vertices move as by taubinSmooth() but within the
-/// wall. With `phi`, each vertex is brought back to within wallBoundVoxels of phi = 0; without it,
-/// to the same distance from the input surface. Topology and number of vertices stay.
+/// Smooths the triangulation, not the vessel. In each of `iterations` sweeps the vertices slide
+/// along the wall towards their neighbours' mean (by lambda; mu is not used, as nothing shrinks),
+/// and edges are flipped where that makes better triangles; then the worst triangles are worked on
+/// one by one, and the volume that the input enclosed is given back place by place.
+/// The wall is phi = 0: vertices end within wallBoundVoxels of it, except where a triangle would
+/// fold over. Without `phi` it is the input surface, and the mean edge length counts as a voxel.
+/// Vertices of caps (outside the outermost voxel centres of phi) and of open rims stay in their
+/// planes. Topology and numbers of vertices and triangles stay, irregular vertices stay in place,
+/// and surroundings of triangles that would come to meet are left as they were.
+/// @throws InputError (see checkMesh), Cancelled
 TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params,
                        const SplineField* phi = nullptr, const Progress& progress = {});
 

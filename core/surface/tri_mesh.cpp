@@ -2,7 +2,9 @@
 #include "core/surface/tri_mesh.h"
 
 #include <Eigen/Geometry>
+#include <string>
 
+#include "core/base/error.h"
 #include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
@@ -19,6 +21,23 @@ double sixfoldVolume(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t,
 }
 
 }  // namespace
+
+void checkMesh(const TriMesh& mesh) {
+  for (const auto& t : mesh.triangles) {
+    for (const std::uint32_t v : t) {
+      if (v >= mesh.points.size()) {
+        throw InputError("a triangle names vertex " + std::to_string(v) + " of " +
+                             std::to_string(mesh.points.size()),
+                         "mesh", "repair or re-export the mesh file");
+      }
+    }
+  }
+  for (const auto& p : mesh.points) {
+    if (!p.allFinite()) {
+      throw InputError("a vertex is not a number", "mesh", "repair or re-export the mesh file");
+    }
+  }
+}
 
 double surfaceAreaMm2(const TriMesh& mesh) {
   double twice = 0.0;

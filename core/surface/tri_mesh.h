@@ -14,6 +14,9 @@ struct TriMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+/// @throws InputError when a triangle names a vertex that is not there, or a vertex is not finite
+void checkMesh(const TriMesh& mesh);
+
 double surfaceAreaMm2(const TriMesh& mesh);
 
 /// Enclosed volume by the divergence theorem, positive for outward faces. Meaningful for closed

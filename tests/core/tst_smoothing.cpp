@@ -249,6 +249,37 @@ class TestSmoothing : public QObject {
     }
   }
 
+  void anyTriangleListSurvives() {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      TriMesh soup;
+      for (std::uint64_t i = 0; i < 30; ++i) {
+        soup.points.emplace_back(randomUniform(seed, 3 * i), randomUniform(seed, 3 * i + 1),
+                                 seed % 4 == 0 ? 0.0 : randomUniform(seed, 3 * i + 2));
+      }
+      if (seed % 3 == 0) soup.points[7] = soup.points[8];
+      for (std::uint64_t i = 0; i < 80; ++i) {
+        std::array<std::uint32_t, 3> t{};
+        for (std::uint64_t k = 0; k < 3; ++k) {
+          t[k] = static_cast<std::uint32_t>(randomBits(seed, 1000 + 3 * i + k) % 30);
+        }
+        soup.triangles.push_back(t);
+      }
+      for (const SmoothMethod method : {SmoothMethod::KeepWall, SmoothMethod::Taubin}) {
+        SmoothParams params;
+        params.method = method;
+        const TriMesh smooth = smoothSurface(soup, params);
+        QCOMPARE(smooth.points.size(), soup.points.size());
+        QCOMPARE(smooth.triangles.size(), soup.triangles.size());
+        for (const Vector3d& p : smooth.points) QVERIFY(p.allFinite());
+        QCOMPARE(measureQuality(smooth).triangles, soup.triangles.size());
+      }
+    }
+    TriMesh wrong = shapes::cube();
+    wrong.triangles.push_back({0, 1, 99});
+    QVERIFY_EXCEPTION_THROWN(keepWallSmooth(wrong, {}), InputError);
+    QVERIFY_EXCEPTION_THROWN(taubinSmooth(wrong, {}), InputError);
+  }
+
   void flipsKeepTheAdjacency() {
     const TriMesh mesh = shapes::icosphere(2);
     HalfEdges edges(mesh);
