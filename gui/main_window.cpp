@@ -279,16 +279,11 @@ void MainWindow::showProgress() {
   if (controller_->loading()) {
     text = tr("Loading");
     fraction = controller_->loadFraction();
-  } else if (controller_->running()) {
-    for (int i = static_cast<int>(Step::Preprocess); i < kStepCount; ++i) {
-      const Step step = static_cast<Step>(i);
-      if (controller_->state(step) == StepState::Running) {
-        text = step == Step::Evolve
-                   ? tr("%1: iteration %2").arg(stepTitle(step)).arg(controller_->iterations())
-                   : stepTitle(step);
-        fraction = controller_->runFraction();
-      }
-    }
+  } else if (const std::optional<Step> step = controller_->stepInWork()) {
+    text = *step == Step::Evolve
+               ? tr("%1: iteration %2").arg(stepTitle(*step)).arg(controller_->iterations())
+               : stepTitle(*step);
+    fraction = controller_->runFraction();
   }
   work_->setText(text);
   progress_->setVisible(fraction >= 0.0);

@@ -11,13 +11,6 @@
 
 int main(int argc, char** argv) {
   using namespace angiomesh;
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName("Angiomesh");
-  QApplication::setApplicationName("Angiomesh");
-  QApplication::setApplicationVersion(versionText());
-  QApplication::setDesktopFileName("angiomesh");
-
   CLI::App cli("The vessel surface of an angiography volume.", "angiomesh");
   std::string input;
   bool sample = false;
@@ -30,11 +23,17 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 1024));
   cli.set_version_flag("--version", versionText());
   try {
-    // Qt has taken its own options out of argc and argv.
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& wrong) {
     return cli.exit(wrong) == 0 ? 0 : 2;
   }
+  prepareOpenGl();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Angiomesh");
+  QApplication::setApplicationName("Angiomesh");
+  QApplication::setApplicationVersion(versionText());
+  QApplication::setDesktopFileName("angiomesh");
+
   setThreads(threadCount);
 
   MainWindow window;

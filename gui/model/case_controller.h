@@ -87,12 +87,14 @@ class CaseController : public QObject {
   [[nodiscard]] bool busy() const { return run_ || load_ || export_ || speedRun_; }
 
   [[nodiscard]] StepState state(Step step) const;
+  /// Empty when nothing is computed.
+  [[nodiscard]] std::optional<Step> stepInWork() const;
   /// Of the run, and of the step in work: 0..1.
   [[nodiscard]] double runFraction() const;
   [[nodiscard]] double stepFraction() const;
   /// Why a step failed; empty where it did not.
   [[nodiscard]] QString failure(Step step) const;
-  /// Computing time of a result, seconds; negative without one.
+  /// Computing time of a fresh result, seconds; negative without one.
   [[nodiscard]] double seconds(Step step) const;
   [[nodiscard]] int iterations() const { return iterations_; }
   /// Last change of the evolution; negative without one.

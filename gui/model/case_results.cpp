@@ -28,8 +28,14 @@ StepState CaseController::state(Step step) const {
     return StepState::Empty;
   }
   const std::string now = pipeline_->key(step, params_);
-  if (run_ && !quietRun_ && run_->step() == step && key != now) {
-    return StepState::Running;
+  if (run_ && !quietRun_ && key != now && pipeline_->key(step, run_->params()) == now) {
+    const Step atWork = run_->step();
+    if (step == atWork) {
+      return StepState::Running;
+    }
+    if (step < atWork) {
+      return StepState::Fresh;  // computed, and on its way here
+    }
   }
   if (!failedKey_.empty() && step == failedStep_ && failedKey_ == now) {
     return StepState::Failed;
@@ -66,6 +72,10 @@ std::pair<double, double> CaseController::sliderRange(const Field& field) const 
   return {std::max(low, field.minimum), std::min(high, field.maximum)};
 }
 
+std::optional<Step> CaseController::stepInWork() const {
+  return run_ && !quietRun_ ? std::optional(run_->step()) : std::nullopt;
+}
+
 double CaseController::runFraction() const { return run_ ? run_->fraction() : 0.0; }
 
 double CaseController::stepFraction() const { return run_ ? run_->stepFraction() : 0.0; }
@@ -76,7 +86,9 @@ QString CaseController::failure(Step step) const {
 
 double CaseController::seconds(Step step) const {
   const auto i = static_cast<std::size_t>(step);
-  return keys_[i].empty() || i >= shown_.stages.size() ? -1.0 : shown_.stages[i].seconds;
+  const bool shown =
+      !keys_[i].empty() && i < shown_.stages.size() && keys_[i] == pipeline_->key(step, params_);
+  return shown ? shown_.stages[i].seconds : -1.0;
 }
 
 double CaseController::change() const { return change_; }

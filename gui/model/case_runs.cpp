@@ -8,6 +8,26 @@
 
 namespace angiomesh {
 
+namespace {
+
+QString stopText(StopReason reason) {
+  switch (reason) {
+    case StopReason::Converged:
+      return CaseController::tr("converged");
+    case StopReason::Settled:
+      return CaseController::tr("settled");
+    case StopReason::Limit:
+      return CaseController::tr("not converged at the limit");
+    case StopReason::Stopped:
+      return CaseController::tr("stopped by hand");
+    case StopReason::Running:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
 /// The speed layer, made off the window's thread.
 struct CaseController::SpeedJob {
   std::shared_ptr<const VesselnessResult> vesselness;
@@ -231,6 +251,12 @@ void CaseController::accept(const StepResult& result) {
       shown_.evolve = run.evolve;
       livePhi_.reset();
       iterations_ = run.evolve->iterations;
+      if (!quietRun_) {
+        say(Severity::Info, tr("Evolve: %1 after %2 iterations, threshold b = %3.")
+                                .arg(stopText(run.evolve->stopReason))
+                                .arg(run.evolve->iterations)
+                                .arg(run.evolve->thresholds.b, 0, 'g', 3));
+      }
       break;
     case Step::Surface:
     case Step::Smooth:
