@@ -59,7 +59,13 @@ fi
 
 display_opens() {
   [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || return 1
-  (ulimit -c 0; env -u QT_QPA_PLATFORM timeout 20 "$build/bin/angiomesh-display-check") >/dev/null 2>&1
+  # The outer braces keep the shell's own word about an aborted program off the terminal.
+  {
+    (
+      ulimit -c 0
+      env -u QT_QPA_PLATFORM timeout 20 "$build/bin/angiomesh-display-check"
+    ) >/dev/null 2>&1
+  } 2>/dev/null
 }
 
 if [ "$headless" = no ] && display_opens; then
