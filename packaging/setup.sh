@@ -12,14 +12,14 @@ fail() {
 
 say() { printf '%s\n' "$*" >&2; }
 
-# quietly LOG COMMAND...: runs the command with its output in $build/LOG; shows the end of it and
-# stops the script when the command fails.
+# quietly WORK LOG COMMAND...: runs the command with its output in $build/LOG; shows the end of it and
+# stops the script when the command fails, naming the work.
 quietly() {
-  local log="$build/$1"
-  shift
+  local work=$1 log="$build/$2"
+  shift 2
   if ! "$@" >"$log" 2>&1 </dev/null; then
     tail -n 40 "$log" >&2
-    fail "'$1' failed; all of its output is in $log"
+    fail "$work failed: see the lines above; all of its output is in $log"
   fi
 }
 
@@ -49,7 +49,7 @@ install_packages() {
   say "Installing Debian packages (2.4 GB on a minimal system, a few minutes): $missing"
   local options=(-y -q -o Acquire::Retries=3 -o DPkg::Lock::Timeout=600)
   # shellcheck disable=SC2086
-  quietly packages.log "${as_root[@]}" bash -c \
+  quietly "installing Debian packages" packages.log "${as_root[@]}" bash -c \
     'dpkg --configure -a; apt-get "${@:2}" update && apt-get "${@:2}" --no-install-recommends install $1' \
     apt "$missing" "${options[@]}"
 }
@@ -62,7 +62,7 @@ configure() {
   fi
   if [ ! -f "$build/CMakeCache.txt" ] || [ ! -f "$build/build.ninja" ]; then
     say "Configuring"
-    quietly configure.log cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
+    quietly configuring configure.log cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
   fi
 }
 
@@ -84,7 +84,7 @@ compile() {
   configure
   if ! ninja -C "$build" -n "$@" 2>&1 | grep -q 'no work to do'; then
     say "Building (a few minutes the first time; log: $build/build.log)"
-    quietly build.log ninja -C "$build" -j "$(jobs)" "$@"
+    quietly building build.log ninja -C "$build" -j "$(jobs)" "$@"
   fi
   flock -u 9
   exec 9>&-
