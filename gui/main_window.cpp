@@ -11,12 +11,14 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUrl>
+#include <algorithm>
 
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
@@ -30,6 +32,8 @@ namespace angiomesh {
 
 namespace {
 
+constexpr int kWidth = 1560, kHeight = 960;
+constexpr int kPanelWidth = 400, kNarrowPanelWidth = 360;
 constexpr int kMostRecent = 10;
 constexpr double kThickestSlabMm = 200.0;
 
@@ -57,7 +61,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       views_(new ViewGrid(*controller_, *state_, this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
-  resize(1500, 940);
+  const QSize room = screen()->availableSize();
+  resize(std::min(kWidth, room.width()), std::min(kHeight, room.height()));
   setCentralWidget(views_);
   buildDocks();
   buildMenus();
@@ -96,16 +101,18 @@ void MainWindow::buildDocks() {
   };
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  dock("pipelineDock", tr("Pipeline"), Qt::LeftDockWidgetArea,
-       new PipelinePanel(*controller_, this));
-  dock("inspectorDock", tr("Mesh inspector"), Qt::RightDockWidgetArea,
-       new InspectorPanel(*controller_, *state_, this));
+  QDockWidget* pipeline = dock("pipelineDock", tr("Pipeline"), Qt::LeftDockWidgetArea,
+                               new PipelinePanel(*controller_, this));
+  QDockWidget* inspector = dock("inspectorDock", tr("Mesh inspector"), Qt::RightDockWidgetArea,
+                                new InspectorPanel(*controller_, *state_, this));
   QDockWidget* log =
       dock("logDock", tr("Log"), Qt::BottomDockWidgetArea, new LogPanel(*controller_, this));
   QDockWidget* plot = dock("convergenceDock", tr("Convergence"), Qt::BottomDockWidgetArea,
                            new ConvergencePlot(*controller_, this));
   splitDockWidget(log, plot, Qt::Horizontal);
   resizeDocks({log, plot}, {150, 150}, Qt::Vertical);
+  const int side = width() < kWidth ? kNarrowPanelWidth : kPanelWidth;
+  resizeDocks({pipeline, inspector}, {side, side}, Qt::Horizontal);
 }
 
 void MainWindow::buildToolBar() {

@@ -18,8 +18,8 @@ namespace angiomesh {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr int kLabelWidth = 122;
-constexpr int kNumberWidth = 96;
+constexpr int kLabelWidth = 112;
+constexpr int kNumberWidth = 92;
 /// Decades that a logarithmic slider spans when its field begins at 0.
 constexpr double kDecades = 1e4;
 
@@ -97,7 +97,7 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
   slider_ = new QSlider(Qt::Horizontal, this);
   slider_->setObjectName("slider");
   slider_->setRange(0, kSliderSteps);
-  slider_->setMinimumWidth(60);
+  slider_->setMinimumWidth(40);
   keepFromWheel(slider_);
   row.addWidget(slider_, 1);
   spin_ = new QDoubleSpinBox(this);

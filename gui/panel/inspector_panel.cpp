@@ -43,37 +43,37 @@ const std::vector<Row>& rows() {
       {"Boundary edges", [](const Q& q) { return count(q.boundaryEdges); }},
       {"Boundary loops", [](const Q& q) { return count(q.boundaryLoops); }},
       {"Non-manifold edges", [](const Q& q) { return count(q.nonManifoldEdges); }},
-      {"Non-manifold vertices", [](const Q& q) { return count(q.nonManifoldVertices); }},
+      {"Non-manifold verts", [](const Q& q) { return count(q.nonManifoldVertices); }},
       {"Degenerate triangles", [](const Q& q) { return count(q.degenerateTriangles); }},
       {"Self-intersections", [](const Q& q) { return count(q.selfIntersections); }},
       {"Euler number", [](const Q& q) { return QString::number(q.euler); }},
       {"Genus", [](const Q& q) { return QString::number(q.genus); }},
       {"Area, mm²", [](const Q& q) { return fixed(q.areaMm2, 1); }},
       {"Volume, mm³", [](const Q& q) { return fixed(q.volumeMm3, 1); }},
-      {"Smallest angle, min, °", [](const Q& q) { return fixed(q.minAngleMin, 2); }},
-      {"Smallest angle, 1 %, °", [](const Q& q) { return fixed(q.minAngleP01, 2); }},
-      {"Smallest angle, mean, °", [](const Q& q) { return fixed(q.minAngleMean, 2); }},
-      {"Largest angle, max, °", [](const Q& q) { return fixed(q.maxAngleMax, 2); }},
-      {"Largest angle, 99 %, °", [](const Q& q) { return fixed(q.maxAngleP99, 2); }},
-      {"Below 20°, %", [](const Q& q) { return fixed(q.below20Percent, 2); }},
-      {"Below 30°, %", [](const Q& q) { return fixed(q.below30Percent, 2); }},
+      {"Min angle, least, °", [](const Q& q) { return fixed(q.minAngleMin, 2); }},
+      {"Min angle, 1 %, °", [](const Q& q) { return fixed(q.minAngleP01, 2); }},
+      {"Min angle, mean, °", [](const Q& q) { return fixed(q.minAngleMean, 2); }},
+      {"Max angle, most, °", [](const Q& q) { return fixed(q.maxAngleMax, 2); }},
+      {"Max angle, 99 %, °", [](const Q& q) { return fixed(q.maxAngleP99, 2); }},
+      {"Min angle < 20°, %", [](const Q& q) { return fixed(q.below20Percent, 2); }},
+      {"Min angle < 30°, %", [](const Q& q) { return fixed(q.below30Percent, 2); }},
       {"Radius ratio, min", [](const Q& q) { return fixed(q.radiusRatioMin, 3); }},
       {"Radius ratio, 1 %", [](const Q& q) { return fixed(q.radiusRatioP01, 3); }},
       {"Radius ratio, mean", [](const Q& q) { return fixed(q.radiusRatioMean, 3); }},
       {"Edge, min, mm", [](const Q& q) { return fixed(q.edgeMinMm, 3); }},
       {"Edge, mean, mm", [](const Q& q) { return fixed(q.edgeMeanMm, 3); }},
       {"Edge, max, mm", [](const Q& q) { return fixed(q.edgeMaxMm, 3); }},
-      {"Vertex off wall, mean, mm",
+      {"Vertex off, mean, mm",
        [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::meanMm); }},
-      {"Vertex off wall, 99 %, mm",
+      {"Vertex off, 99 %, mm",
        [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::p99Mm); }},
-      {"Vertex off wall, max, mm",
+      {"Vertex off, max, mm",
        [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::maxMm); }},
-      {"Centroid off wall, mean, mm",
+      {"Centroid off, mean, mm",
        [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::meanMm); }},
-      {"Centroid off wall, 99 %, mm",
+      {"Centroid off, 99 %, mm",
        [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::p99Mm); }},
-      {"Centroid off wall, max, mm",
+      {"Centroid off, max, mm",
        [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::maxMm); }}};
   return table;
 }
@@ -117,7 +117,7 @@ InspectorPanel::InspectorPanel(CaseController& controller, ViewState& state, QWi
   splitter->setStretchFactor(1, 2);
   splitter->setChildrenCollapsible(false);
   column->addWidget(splitter, 1);
-  setMinimumWidth(420);
+  setMinimumWidth(360);
 
   connect(mesh_, &QComboBox::activated, this,
           [this](int kind) { state_.setMeshKind(static_cast<MeshKind>(kind)); });
@@ -147,6 +147,8 @@ void InspectorPanel::buildTable() {
   table_->horizontalHeader()->setFont(small);
   table_->verticalHeader()->setFont(small);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->horizontalHeader()->setMinimumSectionSize(
+      QFontMetrics(small).horizontalAdvance(QStringLiteral("unsmoothed")) + 8);
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setAlternatingRowColors(true);

@@ -60,7 +60,7 @@ PipelinePanel::PipelinePanel(CaseController& controller, QWidget* parent)
   steps->addStretch(1);
   scroll->setWidget(list);
   column->addWidget(scroll, 1);
-  setMinimumWidth(400);
+  setMinimumWidth(360);
 
   connect(preset_, &QComboBox::textActivated, &controller_, &CaseController::applyPreset);
   connect(run_, &QPushButton::clicked, this, [this] { controller_.run(); });

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <utility>
 
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
+#include "gui/model/case_controller.h"
 
 namespace angiomesh::test {
 
@@ -27,6 +29,17 @@ inline Source slowTree() {
   params.radiusMax = 4.0;
   params.noiseSigma = 10.0;
   return makeSource(makePhantom(params).image, "tree");
+}
+
+/// Iterations that take long enough to act in the midst of them, and end by themselves.
+constexpr int kLongEvolution = 5000;
+
+/// An evolution that only ends after `iterations`: by default not in the time of a test.
+inline void evolveFor(CaseController& controller, int iterations = 1000000) {
+  controller.setField("levelset.tolerance", 0.0);
+  controller.setField("levelset.toleranceDelta", 0.0);
+  controller.setField("levelset.checkEvery", std::int64_t(20));
+  controller.setField("levelset.maxIterations", std::int64_t(iterations));
 }
 
 }  // namespace angiomesh::test

@@ -10,6 +10,8 @@
 #include "small_case.h"
 
 using namespace angiomesh;
+using angiomesh::test::evolveFor;
+using angiomesh::test::kLongEvolution;
 using angiomesh::test::slowTree;
 using angiomesh::test::twoTubes;
 
@@ -275,10 +277,7 @@ class TestController : public QObject {
     CaseController controller;
     controller.take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(controller.hasCase(), kPatienceMs);
-    controller.setField("levelset.tolerance", 0.0);
-    controller.setField("levelset.toleranceDelta", 0.0);
-    controller.setField("levelset.checkEvery", std::int64_t(20));
-    controller.setField("levelset.maxIterations", std::int64_t(1000000));
+    evolveFor(controller);
     QSignalSpy snapshots(&controller, &CaseController::snapshotArrived);
     controller.run();
     QTRY_VERIFY_WITH_TIMEOUT(snapshots.size() > 2, kPatienceMs);
@@ -308,9 +307,7 @@ class TestController : public QObject {
     CaseController controller;
     controller.take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(controller.hasCase(), kPatienceMs);
-    controller.setField("levelset.tolerance", 0.0);
-    controller.setField("levelset.toleranceDelta", 0.0);
-    controller.setField("levelset.maxIterations", std::int64_t(1000000));
+    evolveFor(controller);
     controller.run();
     QTRY_VERIFY_WITH_TIMEOUT(controller.evolving() && controller.iterations() > 0, kPatienceMs);
     const auto vesselness = controller.vesselnessResult();
@@ -325,23 +322,26 @@ class TestController : public QObject {
     CaseController controller;
     controller.take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(controller.hasCase(), kPatienceMs);
-    controller.setField("levelset.maxIterations", std::int64_t(400));
-    controller.setField("levelset.tolerance", 0.0);
+    evolveFor(controller, kLongEvolution);
     controller.run();
     QTRY_VERIFY_WITH_TIMEOUT(controller.evolving() && controller.iterations() > 0, kPatienceMs);
+    int most = controller.iterations();
+    bool fellBack = false;
+    connect(&controller, &CaseController::progressChanged, this, [&] {
+      fellBack = fellBack || controller.iterations() < most;
+      most = controller.iterations();
+    });
     controller.setField("smooth.iterations", std::int64_t(3));
-    const int iterations = controller.iterations();
-    QTRY_VERIFY_WITH_TIMEOUT(controller.iterations() > iterations, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(!controller.running(), kPatienceMs);
+    QVERIFY(!fellBack);
     QVERIFY(controller.state(Step::Quality) == StepState::Fresh);
-    QCOMPARE(controller.parameters().smooth.iterations, 3);
   }
 
   void cancelActsSoonAndLeavesTheProgramUsable() {
     CaseController controller;
     controller.take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(controller.hasCase(), kPatienceMs);
-    controller.setField("levelset.tolerance", 0.0);
+    evolveFor(controller);
     controller.run();
     QTRY_VERIFY_WITH_TIMEOUT(controller.evolving(), kPatienceMs);
     controller.cancel();
@@ -359,7 +359,7 @@ class TestController : public QObject {
     CaseController controller;
     controller.take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(controller.hasCase(), kPatienceMs);
-    controller.setField("levelset.tolerance", 0.0);
+    evolveFor(controller);
     controller.run();
     QTRY_VERIFY_WITH_TIMEOUT(controller.evolving(), kPatienceMs);
     controller.take(twoTubes());
@@ -373,8 +373,9 @@ class TestController : public QObject {
     auto controller = std::make_unique<CaseController>();
     controller->take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(controller->hasCase(), kPatienceMs);
+    evolveFor(*controller);
     controller->run();
-    QTRY_VERIFY_WITH_TIMEOUT(controller->running(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(controller->evolving(), kPatienceMs);
     controller.reset();
   }
 };

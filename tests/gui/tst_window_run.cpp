@@ -18,22 +18,12 @@
 #include "window_case.h"
 
 using namespace angiomesh;
+using angiomesh::test::evolveFor;
+using angiomesh::test::kLongEvolution;
 using angiomesh::test::kPatienceMs;
 using angiomesh::test::slowTree;
 using angiomesh::test::twoTubes;
 using angiomesh::test::WindowCase;
-
-namespace {
-
-/// Until somebody ends it.
-void makeEndless(CaseController& controller) {
-  controller.setField("levelset.tolerance", 0.0);
-  controller.setField("levelset.toleranceDelta", 0.0);
-  controller.setField("levelset.maxIterations", std::int64_t(1000000));
-  controller.setField("levelset.checkEvery", std::int64_t(20));
-}
-
-}  // namespace
 
 class TestWindowRun : public QObject {
   Q_OBJECT
@@ -43,7 +33,7 @@ class TestWindowRun : public QObject {
     WindowCase c(makeThreadedJobRunner);
     c.controller().take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    makeEndless(c.controller());
+    evolveFor(c.controller());
     auto* pause = c.find<QPushButton>("pause");
     auto* step = c.find<QPushButton>("step");
     auto* finish = c.find<QPushButton>("finish");
@@ -76,7 +66,7 @@ class TestWindowRun : public QObject {
     WindowCase c(makeThreadedJobRunner);
     c.controller().take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    makeEndless(c.controller());
+    evolveFor(c.controller());
     QSignalSpy snapshots(&c.controller(), &CaseController::snapshotArrived);
     QSignalSpy drawn(c.window->views().surface(), &VtkView::rendered);
     c.click(c.find<QPushButton>("run"));
@@ -99,8 +89,7 @@ class TestWindowRun : public QObject {
     WindowCase c(makeThreadedJobRunner);
     c.controller().take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    c.controller().setField("levelset.maxIterations", std::int64_t(200));
-    c.controller().setField("levelset.tolerance", 0.0);
+    evolveFor(c.controller(), kLongEvolution);
     c.click(c.find<QPushButton>("run"));
     QTRY_VERIFY_WITH_TIMEOUT(c.controller().evolving() && c.controller().iterations() > 0,
                              kPatienceMs);
@@ -119,7 +108,7 @@ class TestWindowRun : public QObject {
     WindowCase c(makeThreadedJobRunner);
     c.controller().take(slowTree());
     QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    makeEndless(c.controller());
+    evolveFor(c.controller());
     c.click(c.find<QPushButton>("run"));
     QTRY_VERIFY_WITH_TIMEOUT(c.controller().evolving(), kPatienceMs);
     QVERIFY(c.window->close());
