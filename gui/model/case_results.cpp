@@ -28,7 +28,9 @@ StepState CaseController::state(Step step) const {
     return StepState::Empty;
   }
   const std::string now = pipeline_->key(step, params_);
-  if (run_ && !quietRun_ && key != now && pipeline_->key(step, run_->params()) == now) {
+  // What follows from an evolution that was ended by hand has a key, but is computed again.
+  const bool wanted = key != now || !pipeline_->has(step, params_);
+  if (run_ && !quietRun_ && wanted && pipeline_->key(step, run_->params()) == now) {
     const Step atWork = run_->step();
     if (step == atWork) {
       return StepState::Running;

@@ -19,7 +19,7 @@ QString stopText(StopReason reason) {
     case StopReason::Limit:
       return CaseController::tr("not converged at the limit");
     case StopReason::Stopped:
-      return CaseController::tr("stopped by hand");
+      return CaseController::tr("finished by hand (a next run evolves again)");
     case StopReason::Running:
       break;
   }

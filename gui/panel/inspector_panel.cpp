@@ -133,7 +133,11 @@ InspectorPanel::InspectorPanel(CaseController& controller, ViewState& state, QWi
 void InspectorPanel::buildTable() {
   QStringList kinds, titles;
   for (int kind = 0; kind < kMeshKindCount; ++kind) {
-    kinds << meshTitle(static_cast<MeshKind>(kind)).replace(' ', '\n').remove('(').remove(')');
+    kinds << meshTitle(static_cast<MeshKind>(kind))
+                 .replace(' ', '\n')
+                 .replace("unsmoothed", "un-\nsmoothed")
+                 .remove('(')
+                 .remove(')');
   }
   for (const Row& row : rows()) {
     titles << QString::fromUtf8(row.title);
@@ -142,13 +146,13 @@ void InspectorPanel::buildTable() {
   table_->setVerticalHeaderLabels(titles);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   QFont small = table_->font();
-  small.setPointSizeF(0.9 * small.pointSizeF());
+  small.setPointSizeF(0.85 * small.pointSizeF());
   table_->setFont(small);
   table_->horizontalHeader()->setFont(small);
   table_->verticalHeader()->setFont(small);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->horizontalHeader()->setMinimumSectionSize(
-      QFontMetrics(small).horizontalAdvance(QStringLiteral("unsmoothed")) + 8);
+      QFontMetrics(small).horizontalAdvance(QStringLiteral("smoothed")) + 8);
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setAlternatingRowColors(true);
