@@ -51,6 +51,9 @@ class ViewState : public QObject {
   void setMeshKind(MeshKind kind) { set(meshKind_, kind); }
   [[nodiscard]] MeshColour meshColour() const { return meshColour_; }
   void setMeshColour(MeshColour colour) { set(meshColour_, colour); }
+  /// Marching cubes in a second 3D pane beside the mesh shown, seen by the same camera.
+  [[nodiscard]] bool comparison() const { return comparison_; }
+  void setComparison(bool on) { set(comparison_, on); }
 
  Q_SIGNALS:
   void changed();
@@ -74,6 +77,7 @@ class ViewState : public QObject {
   MouseScheme scheme_ = MouseScheme::Radiology;
   MeshKind meshKind_ = MeshKind::Exported;
   MeshColour meshColour_ = MeshColour::Plain;
+  bool comparison_ = false;
 };
 
 }  // namespace angiomesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/panel/inspector_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHeaderView>
@@ -95,6 +96,9 @@ InspectorPanel::InspectorPanel(CaseController& controller, ViewState& state, QWi
   colour_->setObjectName("meshColour");
   colour_->addItems({tr("plain"), tr("smallest angle"), tr("radius ratio")});
   form->addRow(tr("Colour"), colour_);
+  comparison_ = new QCheckBox(tr("Marching cubes beside it"), this);
+  comparison_->setObjectName("comparison");
+  form->addRow(comparison_);
   column->addLayout(form);
   hints_ = new QLabel(this);
   hints_->setObjectName("hints");
@@ -123,6 +127,7 @@ InspectorPanel::InspectorPanel(CaseController& controller, ViewState& state, QWi
           [this](int kind) { state_.setMeshKind(static_cast<MeshKind>(kind)); });
   connect(colour_, &QComboBox::activated, this,
           [this](int colour) { state_.setMeshColour(static_cast<MeshColour>(colour)); });
+  connect(comparison_, &QCheckBox::toggled, &state_, &ViewState::setComparison);
   connect(&controller_, &CaseController::resultsChanged, this, &InspectorPanel::refreshResults);
   connect(&controller_, &CaseController::statesChanged, this, &InspectorPanel::refreshHints);
   connect(&state_, &ViewState::changed, this, &InspectorPanel::refreshState);
@@ -187,6 +192,7 @@ void InspectorPanel::refreshState() {
   const QSignalBlocker quietColour(colour_);
   mesh_->setCurrentIndex(static_cast<int>(state_.meshKind()));
   colour_->setCurrentIndex(static_cast<int>(state_.meshColour()));
+  comparison_->setChecked(state_.comparison());
   angles_->setSelected(state_.meshKind());
   ratios_->setSelected(state_.meshKind());
   refreshHints();

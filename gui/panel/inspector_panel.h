@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QTableWidget;
@@ -31,6 +32,7 @@ class InspectorPanel : public QWidget {
   ViewState& state_;
   QComboBox* mesh_;
   QComboBox* colour_;
+  QCheckBox* comparison_;
   QLabel* hints_;
   QTableWidget* table_;
   HistogramWidget* angles_;

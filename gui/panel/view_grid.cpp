@@ -2,6 +2,7 @@
 #include "gui/panel/view_grid.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
@@ -21,13 +22,29 @@ ViewGrid::ViewGrid(CaseController& controller, ViewState& state, QWidget* parent
     slices_[static_cast<std::size_t>(plane)] = view;
     connectSlice(view);
   }
-  surface_ = new SurfaceView(this);
+  pane3d_ = new QWidget(this);
+  surface_ = new SurfaceView(pane3d_);
   surface_->setObjectName("surface3d");
-  connect(surface_, &VtkView::maximiseRequested, this, [this] { toggleMaximised(surface_); });
+  comparison_ = new SurfaceView(pane3d_);
+  comparison_->setObjectName("comparison3d");
+  comparison_->setMipVisible(false);
+  comparison_->hide();
+  auto* beside = new QHBoxLayout(pane3d_);
+  beside->setContentsMargins(0, 0, 0, 0);
+  beside->setSpacing(2);
+  for (SurfaceView* view : {surface_, comparison_}) {
+    beside->addWidget(view, 1);
+    connect(view, &VtkView::maximiseRequested, this, [this] { toggleMaximised(pane3d_); });
+  }
+  connect(surface_, &SurfaceView::cameraMoved, this, [this] {
+    if (state_.comparison()) comparison_->takeCameraOf(*surface_);
+  });
+  connect(comparison_, &SurfaceView::cameraMoved, this,
+          [this] { surface_->takeCameraOf(*comparison_); });
   grid->addWidget(slices_[2], 0, 0);
   grid->addWidget(slices_[0], 0, 1);
   grid->addWidget(slices_[1], 1, 0);
-  grid->addWidget(surface_, 1, 1);
+  grid->addWidget(pane3d_, 1, 1);
   for (int i = 0; i < 2; ++i) {
     grid->setRowStretch(i, 1);
     grid->setColumnStretch(i, 1);
@@ -70,9 +87,10 @@ void ViewGrid::connectSlice(SliceView* view) {
 }
 
 void ViewGrid::toggleMaximised(QWidget* pane) {
+  if (pane == surface_ || pane == comparison_) pane = pane3d_;
   maximised_ = maximised_ == pane ? nullptr : pane;
   for (QWidget* each :
-       std::initializer_list<QWidget*>{slices_[0], slices_[1], slices_[2], surface_}) {
+       std::initializer_list<QWidget*>{slices_[0], slices_[1], slices_[2], pane3d_}) {
     each->setVisible(!maximised_ || each == maximised_);
   }
   auto* grid = static_cast<QGridLayout*>(layout());
@@ -135,6 +153,7 @@ void ViewGrid::refreshSegmentation() {
     }
   }
   refreshSurface();
+  refreshComparison();
 }
 
 void ViewGrid::refreshSurface() {
@@ -156,14 +175,41 @@ void ViewGrid::refreshSurface() {
   shownMesh_ = mesh;
   shownColour_ = colour;
   shownFacts_ = facts;
-  const auto kind = static_cast<std::size_t>(state_.meshKind());
+  paintQuality(*surface_, state_.meshKind(), colour);
+}
+
+void ViewGrid::paintQuality(SurfaceView& view, MeshKind kind, MeshColour colour) const {
+  const auto i = static_cast<std::size_t>(kind);
   if (colour == MeshColour::MinAngle) {
-    surface_->setSurfaceColours(facts->minAnglesDeg[kind], tr("Smallest angle, °"), 0.0, 60.0);
+    view.setSurfaceColours(controller_.facts()->minAnglesDeg[i], tr("Smallest angle, °"), 0.0,
+                           60.0);
   } else if (colour == MeshColour::RadiusRatio) {
-    surface_->setSurfaceColours(facts->radiusRatios[kind], tr("Radius ratio"), 0.0, 1.0);
+    view.setSurfaceColours(controller_.facts()->radiusRatios[i], tr("Radius ratio"), 0.0, 1.0);
   } else {
-    surface_->clearSurfaceColours();
+    view.clearSurfaceColours();
   }
+}
+
+void ViewGrid::refreshComparison() {
+  const bool wanted = state_.comparison();
+  const bool appears = wanted && comparison_->isHidden();
+  comparison_->setVisible(wanted);
+  if (!wanted) return;
+  comparison_->setEdgesVisible(state_.edges());
+  const std::shared_ptr<const TriMesh> mesh = controller_.mesh(MeshKind::MarchingCubes);
+  const std::shared_ptr<const MeshFacts> facts = controller_.facts();
+  const MeshColour colour = mesh && facts ? state_.meshColour() : MeshColour::Plain;
+  if (mesh != comparedMesh_ || colour != comparedColour_ || facts != comparedFacts_) {
+    if (mesh != comparedMesh_) {
+      comparison_->clearSurfaceColours();
+      comparison_->setSurface(mesh);
+    }
+    comparedMesh_ = mesh;
+    comparedColour_ = colour;
+    comparedFacts_ = facts;
+    paintQuality(*comparison_, MeshKind::MarchingCubes, colour);
+  }
+  if (appears) comparison_->takeCameraOf(*surface_);
 }
 
 void ViewGrid::refreshEdits() {

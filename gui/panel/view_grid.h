@@ -26,6 +26,8 @@ class ViewGrid : public QWidget {
     return slices_[static_cast<std::size_t>(plane)];
   }
   [[nodiscard]] SurfaceView* surface() const { return surface_; }
+  /// Marching cubes beside the mesh shown; hidden unless ViewState::comparison().
+  [[nodiscard]] SurfaceView* comparison() const { return comparison_; }
 
   /// Shows one pane alone, or all four again when it is alone already.
   void toggleMaximised(QWidget* pane);
@@ -41,16 +43,23 @@ class ViewGrid : public QWidget {
   void refreshImage();
   void refreshSegmentation();
   void refreshSurface();
+  void refreshComparison();
+  void paintQuality(SurfaceView& view, MeshKind kind, MeshColour colour) const;
   void refreshEdits();
 
   CaseController& controller_;
   ViewState& state_;
   std::array<SliceView*, 3> slices_{};  ///< by plane: sagittal, coronal, axial
+  QWidget* pane3d_ = nullptr;           ///< holds the two 3D views
   SurfaceView* surface_ = nullptr;
+  SurfaceView* comparison_ = nullptr;
   QWidget* maximised_ = nullptr;
   std::shared_ptr<const Volume<float>> shownImage_, shownPhi_;
   std::shared_ptr<const TriMesh> shownMesh_;
   std::shared_ptr<const MeshFacts> shownFacts_;
+  std::shared_ptr<const TriMesh> comparedMesh_;
+  std::shared_ptr<const MeshFacts> comparedFacts_;
+  MeshColour comparedColour_ = MeshColour::Plain;
   MeshColour shownColour_ = MeshColour::Plain;
 };
 

@@ -151,6 +151,17 @@ class TestWindowRun : public QObject {
     c.choose(c.find<QComboBox>("meshColour"), 2);
     QVERIFY(view->grabFramebuffer() != angles);
     c.choose(c.find<QComboBox>("meshColour"), 0);
+    SurfaceView* beside = c.window->views().comparison();
+    QVERIFY(beside->isHidden());
+    QTest::mouseClick(c.find<QCheckBox>("comparison"), Qt::LeftButton, Qt::NoModifier,
+                      QPoint(8, 8));
+    QTRY_VERIFY(beside->isVisible());
+    // Once both have half of the room, they show two triangulations of one surface alike.
+    QTRY_VERIFY(beside->width() > 20 && std::abs(beside->width() - view->width()) < 3);
+    QVERIFY(beside->grabFramebuffer() != view->grabFramebuffer());
+    QTest::mouseClick(c.find<QCheckBox>("comparison"), Qt::LeftButton, Qt::NoModifier,
+                      QPoint(8, 8));
+    QTRY_VERIFY(!beside->isVisible());
     c.choose(c.find<QComboBox>("meshShown"), 2);
     QVERIFY(c.state().meshKind() == MeshKind::MarchingCubes);
     c.controller().setField("smooth.iterations", std::int64_t(7));
