@@ -216,7 +216,7 @@ void addLevelSet(Table& t) {
   t.real("levelset.b", MEMBER(levelset.b), 1e-4, 1.0, "",
          "vesselness at which the front stands still; auto: by bRule");
   t.choice("levelset.bRule", MEMBER(levelset.bRule), {"contrast", "average"},
-           "contrast: b = 0.0065 xi; average: eq. 3.20, clamped to bMin..bMax");
+           "contrast: b = 0.007 xi; average: eq. 3.20, clamped to bMin..bMax");
   t.real("levelset.bMin", MEMBER(levelset.bMin), 1e-4, 1.0, "", "lower bound of b by eq. 3.20");
   t.real("levelset.bMax", MEMBER(levelset.bMax), 1e-4, 1.0, "", "upper bound of b by eq. 3.20");
   t.integer("levelset.maxIterations", MEMBER(levelset.maxIterations), 1, 1000000,

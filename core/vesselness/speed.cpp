@@ -27,7 +27,7 @@ Thresholds thresholds(const Volume<float>& vesselness, ThresholdRule rule, doubl
   } else if (rule == ThresholdRule::Contrast) {
     // Vascular trees are segmented best at 0.12 to 0.15 whatever their noise, scans at 0.10 to
     // 0.135.
-    t.b = std::min(0.0065 * xi, 0.5);
+    t.b = std::min(0.007 * xi, 0.5);
   } else {
     const double printed = xi * t.vAverage / sigmaRatio;
     t.b = std::clamp(printed, bMin, bMax);

@@ -15,7 +15,7 @@ struct Thresholds {
 };
 
 enum class ThresholdRule {
-  Contrast,  ///< b = 0.0065 xi: c has already scaled the vesselness by the contrast of the image
+  Contrast,  ///< b = 0.007 xi: c has already scaled the vesselness by the contrast of the image
   Average    ///< eq. 3.20: b = xi * v_avg / (sigma_max / sigma_min), clamped to [bMin, bMax]
 };
 

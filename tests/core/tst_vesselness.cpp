@@ -226,7 +226,7 @@ class TestVesselness : public QObject {
     QVERIFY(!t.clamped);
     QVERIFY(thresholds(v, ThresholdRule::Average, 300.0, 6.0, {}, 0.05, 0.15).clamped);
     QCOMPARE(thresholds(v, ThresholdRule::Average, 3.0, 6.0, 0.4, 0.05, 0.15).b, 0.4);
-    QVERIFY(std::fabs(thresholds(v, ThresholdRule::Contrast, 20.0, 6.0, {}, 0.05, 0.15).b - 0.13) <
+    QVERIFY(std::fabs(thresholds(v, ThresholdRule::Contrast, 20.0, 6.0, {}, 0.05, 0.15).b - 0.14) <
             1e-12);
     QCOMPARE(vesselSpeed(2.0 * t.a, t), 1.0);
     QVERIFY(std::fabs(vesselSpeed(t.b, t)) < 1e-12);
