@@ -100,7 +100,6 @@ class TestLevelSet : public QObject {
       }
     }
     const Geometry c = cube(48);
-    const FrontSpeed isotropic(v, simpleThresholds(), 0.7, 0.2);
     const Volume<float> w(c, 0.0F);
     const FrontSpeed onCube(w, simpleThresholds(), 0.7, 0.2);
     const auto phi =
