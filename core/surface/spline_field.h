@@ -30,6 +30,15 @@ class SplineField {
   /// Value and gradient (per mm, LPS) at a point in LPS mm.
   [[nodiscard]] Jet at(const Eigen::Vector3d& pointLps) const;
 
+  struct SecondJet {
+    double value;
+    Eigen::Vector3d gradient;
+    Eigen::Matrix3d hessian;
+  };
+
+  /// Value, gradient and Hessian (per mm, per mm^2, LPS) at a point in LPS mm, in one pass.
+  [[nodiscard]] SecondJet secondAt(const Eigen::Vector3d& pointLps) const;
+
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
 
   /// Moves `pointLps` to the zero set by Newton steps along the gradient of the moving point, each

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/sizing.h"
+#include "core/surface/spline_field.h"
+
+namespace angiomesh {
+
+/// The wanted edge length g(x) near the zero set (thesis eq. 4.1 to 4.3): the smallest, over sample
+/// points s of the zero set, of (1 - 1/eta) |x - s| + l(s) / eta, l(s) = 2 sin(rho/2) /
+/// kappa_max(s). Lipschitz with 1 - 1/eta; the same for any number of threads.
+class GuidanceField {
+ public:
+  /// A point of the zero set and what its cone starts from.
+  struct Sample {
+    Eigen::Vector3d point;  ///< LPS mm
+    double lengthMm;        ///< l(s)/eta (or l(s), see SizingParams), after all limits
+  };
+
+  /// `field` must outlive the object. @throws Cancelled
+  GuidanceField(const SplineField& field, const SizingParams& params,
+                const Progress& progress = {});
+  ~GuidanceField();
+
+  /// The wanted edge length at a point near the zero set, mm; far from any sample (more than about
+  /// two voxels) the length of the nearest cell that has one.
+  [[nodiscard]] double at(const Eigen::Vector3d& pointLps) const;
+
+  /// The length that the curvature at a point of the zero set asks for by itself, mm, after the
+  /// factor 1/eta and the limits edgeMinMm and edgeMaxMm (not the thickness limit).
+  [[nodiscard]] double idealLength(const SplineField::SecondJet& jet) const;
+
+  [[nodiscard]] const std::vector<Sample>& samples() const;
+
+  /// The sum of area / (sqrt(3)/4 g^2) over the zero set: the triangles to expect, before meshing.
+  [[nodiscard]] double estimatedTriangles() const;
+  [[nodiscard]] double estimatedAreaMm2() const;
+
+  /// 1 - 1/eta
+  [[nodiscard]] double slope() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace angiomesh
