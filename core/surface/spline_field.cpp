@@ -1,135 +1,244 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/surface/spline_field.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "core/base/parallel.h"
 
 namespace angiomesh {
 namespace {
 
+// GCC's vector type of two doubles: one SSE2 or NEON register, the same operations in the same
+// order everywhere.
+using Pair = double __attribute__((vector_size(16)));
+using FloatPair = float __attribute__((vector_size(8)));
+
+/// Four samples next to each other along x.
+struct Row {
+  Pair low;
+  Pair high;
+};
+
+Row load(const float* from) {
+  FloatPair low;
+  FloatPair high;
+  std::memcpy(&low, from, sizeof low);
+  std::memcpy(&high, from + 2, sizeof high);
+  return {__builtin_convertvector(low, Pair), __builtin_convertvector(high, Pair)};
+}
+
+Row operator*(double w, const Row& r) { return {w * r.low, w * r.high}; }
+
+void add(Row& sum, double w, const Row& r) {
+  sum.low += w * r.low;
+  sum.high += w * r.high;
+}
+
+double dot(const double (&w)[4], const Row& r) {
+  return (w[0] * r.low[0] + w[1] * r.low[1]) + (w[2] * r.high[0] + w[3] * r.high[1]);
+}
+
+/// Weights of the samples -1, 0, 1, 2 at t in [0, 1], and their derivatives by t.
 struct Weights {
   double value[4];
   double slope[4];
+  double bend[4];
 };
 
-/// Weights of the samples -1, 0, 1, 2 at t in [0, 1), and their derivatives by t.
-Weights bsplineWeights(double t) {
+void bsplineWeights(double t, Weights& w) {
   const double s = 1.0 - t;
-  return {{s * s * s / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,
-           (3.0 * s * s * s - 6.0 * s * s + 4.0) / 6.0, t * t * t / 6.0},
-          {-0.5 * s * s, 1.5 * t * t - 2.0 * t, -1.5 * s * s + 2.0 * s, 0.5 * t * t}};
+  const double t2 = t * t;
+  const double s2 = s * s;
+  w = {{s2 * s * (1.0 / 6.0), t2 * (0.5 * t - 1.0) + 2.0 / 3.0, s2 * (0.5 * s - 1.0) + 2.0 / 3.0,
+        t2 * t * (1.0 / 6.0)},
+       {-0.5 * s2, t * (1.5 * t - 2.0), s * (2.0 - 1.5 * s), 0.5 * t2},
+       {s, 3.0 * t - 2.0, 3.0 * s - 2.0, t}};
 }
 
-Weights catmullRomWeights(double t) {
+void catmullRomWeights(double t, Weights& w) {
   const double t2 = t * t;
   const double t3 = t2 * t;
-  return {{0.5 * (-t3 + 2.0 * t2 - t), 0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
-           0.5 * (-3.0 * t3 + 4.0 * t2 + t), 0.5 * (t3 - t2)},
-          {0.5 * (-3.0 * t2 + 4.0 * t - 1.0), 0.5 * (9.0 * t2 - 10.0 * t),
-           0.5 * (-9.0 * t2 + 8.0 * t + 1.0), 0.5 * (3.0 * t2 - 2.0 * t)}};
+  w = {{0.5 * (-t3 + 2.0 * t2 - t), 0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
+        0.5 * (-3.0 * t3 + 4.0 * t2 + t), 0.5 * (t3 - t2)},
+       {0.5 * (-3.0 * t2 + 4.0 * t - 1.0), 0.5 * (9.0 * t2 - 10.0 * t),
+        0.5 * (-9.0 * t2 + 8.0 * t + 1.0), 0.5 * (3.0 * t2 - 2.0 * t)},
+       {2.0 - 3.0 * t, 9.0 * t - 5.0, 4.0 - 9.0 * t, 3.0 * t - 1.0}};
 }
 
-/// Samples to cubic B-spline coefficients along one line, in place: c[i-1] + 4 c[i] + c[i+1] = 6
-/// f[i] with c[-1] = 2 c[0] - c[1] at either end, so that a linear field stays linear up to the
-/// border.
-void prefilterLine(std::vector<double>& line, std::vector<double>& ratio) {
-  const std::size_t n = line.size();
-  if (n < 3) return;
-  ratio[0] = 0.0;
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    ratio[i] = 1.0 / (4.0 - ratio[i - 1]);
-    line[i] = (6.0 * line[i] - line[i - 1]) * ratio[i];
+/// Lines of samples that are filtered side by side: their recursions hide each other's latency, and
+/// along y and z memory is read in runs.
+constexpr int lanes = 16;
+
+/// Samples to cubic B-spline coefficients along `lanes` lines, in place: c[i-1] + 4 c[i] + c[i+1] =
+/// 6 f[i] with c[-1] = 2 c[0] - c[1] at either end, so that a linear field stays linear up to the
+/// border. `ratio` are the pivots of the elimination.
+void prefilterLines(double* lines, const std::vector<double>& ratio, int n) {
+  for (int i = 1; i + 1 < n; ++i) {
+    double* row = lines + static_cast<std::ptrdiff_t>(i) * lanes;
+    const double r = ratio[static_cast<std::size_t>(i)];
+    for (int l = 0; l < lanes; l += 2) {
+      Pair at;
+      Pair before;
+      std::memcpy(&at, row + l, sizeof at);
+      std::memcpy(&before, row + l - lanes, sizeof before);
+      at = (6.0 * at - before) * r;
+      std::memcpy(row + l, &at, sizeof at);
+    }
   }
-  for (std::size_t i = n - 2; i >= 1; --i) line[i] -= ratio[i] * line[i + 1];
+  for (int i = n - 2; i >= 1; --i) {
+    double* row = lines + static_cast<std::ptrdiff_t>(i) * lanes;
+    const double r = ratio[static_cast<std::size_t>(i)];
+    for (int l = 0; l < lanes; l += 2) {
+      Pair at;
+      Pair after;
+      std::memcpy(&at, row + l, sizeof at);
+      std::memcpy(&after, row + l + lanes, sizeof after);
+      at -= r * after;
+      std::memcpy(row + l, &at, sizeof at);
+    }
+  }
 }
 
-void prefilterAxis(std::vector<float>& values, const Geometry& g, int axis) {
-  const int n = g.size[axis];
-  const int b = axis == 0 ? 1 : 0;
-  const int c = axis == 2 ? 1 : 2;
-  const std::size_t stride = axis == 0 ? 1 : axis == 1 ? g.offset(0, 1, 0) : g.offset(0, 0, 1);
-  parallelFor(0, static_cast<std::size_t>(g.size[c]), 1, [&](std::size_t first, std::size_t last) {
-    std::vector<double> line(static_cast<std::size_t>(n));
-    std::vector<double> ratio(line.size());
-    for (std::size_t q = first; q < last; ++q)
-      for (int p = 0; p < g.size[b]; ++p) {
-        Index3 at{0, 0, 0};
-        at[b] = p;
-        at[c] = static_cast<int>(q);
-        float* start = values.data() + g.offset(at[0], at[1], at[2]);
-        for (int i = 0; i < n; ++i)
-          line[static_cast<std::size_t>(i)] = start[static_cast<std::size_t>(i) * stride];
-        prefilterLine(line, ratio);
-        for (int i = 0; i < n; ++i)
-          start[static_cast<std::size_t>(i) * stride] =
-              static_cast<float>(line[static_cast<std::size_t>(i)]);
+/// Filters along one axis of a box of n samples, `stride` apart; the lines are `lineStride` apart,
+/// and `lineCount` of them stand side by side in each of `slabCount` slabs.
+struct Axis {
+  int n;
+  std::size_t stride;
+  std::size_t lineCount, lineStride;
+  std::size_t slabCount, slabStride;
+};
+
+void prefilterAxis(float* values, const Axis& axis) {
+  if (axis.n < 3) return;
+  std::vector<double> ratio(static_cast<std::size_t>(axis.n), 0.0);
+  for (std::size_t i = 1; i + 1 < ratio.size(); ++i) ratio[i] = 1.0 / (4.0 - ratio[i - 1]);
+  parallelFor(0, axis.slabCount, 2, [&](std::size_t first, std::size_t last) {
+    std::vector<double> lines(static_cast<std::size_t>(axis.n) * lanes, 0.0);
+    for (std::size_t slab = first; slab < last; ++slab)
+      for (std::size_t line = 0; line < axis.lineCount; line += lanes) {
+        float* start = values + slab * axis.slabStride + line * axis.lineStride;
+        const std::size_t count = std::min<std::size_t>(lanes, axis.lineCount - line);
+        for (int i = 0; i < axis.n; ++i) {
+          const float* from = start + static_cast<std::size_t>(i) * axis.stride;
+          double* to = lines.data() + static_cast<std::size_t>(i) * lanes;
+          for (std::size_t l = 0; l < count; ++l) to[l] = from[l * axis.lineStride];
+        }
+        prefilterLines(lines.data(), ratio, axis.n);
+        for (int i = 0; i < axis.n; ++i) {
+          const double* from = lines.data() + static_cast<std::size_t>(i) * lanes;
+          float* to = start + static_cast<std::size_t>(i) * axis.stride;
+          for (std::size_t l = 0; l < count; ++l)
+            to[l * axis.lineStride] = static_cast<float>(from[l]);
+        }
       }
   });
 }
 
-/// Puts the weights of the samples beyond the border on those within, as linear extrapolation.
-void foldBorder(double (&w)[4], bool before, bool after) {
-  if (before) {
-    w[1] += 2.0 * w[0];
-    w[2] -= w[0];
-    w[0] = 0.0;
-  }
-  if (after) {
-    w[2] += 2.0 * w[3];
-    w[1] -= w[3];
-    w[3] = 0.0;
-  }
-}
+/// Layers of the padded box along an axis of n samples: one before, and one or, where there is one
+/// sample only, two behind.
+std::size_t padded(int n) { return static_cast<std::size_t>(std::max(n, 2)) + 2; }
 
 }  // namespace
+
+/// The cell of a point: its first coefficient, and where in it the point lies.
+struct SplineField::Place {
+  const float* corner;
+  Weights w[3];
+};
 
 SplineField::SplineField(const Volume<float>& samples, SplineKind kind)
     : geometry_(samples.geometry),
       toIndexMatrix_(samples.geometry.physicalToIndexMatrix()),
-      kind_(kind),
-      coefficients_(samples.voxels) {
-  if (kind_ == SplineKind::InterpolatingBspline)
-    for (int axis = 0; axis < 3; ++axis) prefilterAxis(coefficients_, geometry_, axis);
+      kind_(kind) {
+  const Index3& n = geometry_.size;
+  rowStride_ = padded(n[0]);
+  layerStride_ = rowStride_ * padded(n[1]);
+  coefficients_.resize(layerStride_ * padded(n[2]));
+  float* inner = coefficients_.data() + layerStride_ + rowStride_ + 1;
+  const auto nx = static_cast<std::size_t>(n[0]);
+  const auto ny = static_cast<std::size_t>(n[1]);
+  const auto nz = static_cast<std::size_t>(n[2]);
+  parallelFor(0, nz, 4, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k)
+      for (std::size_t j = 0; j < ny; ++j)
+        std::copy_n(samples.voxels.data() + nx * (j + ny * k), nx,
+                    inner + j * rowStride_ + k * layerStride_);
+  });
+  if (kind_ == SplineKind::InterpolatingBspline) {
+    prefilterAxis(inner, {n[0], 1, ny, rowStride_, nz, layerStride_});
+    prefilterAxis(inner, {n[1], rowStride_, nx, 1, nz, layerStride_});
+    prefilterAxis(inner, {n[2], layerStride_, nx, 1, ny, rowStride_});
+  }
+  extrapolate();
 }
 
-SplineField::Jet SplineField::atIndex(const Eigen::Vector3d& index) const {
-  int at[3][4];
-  Weights w[3];
+void SplineField::extrapolate() {
+  const Index3& n = geometry_.size;
+  const std::size_t stride[3] = {1, rowStride_, layerStride_};
+  const std::size_t layers[3] = {padded(n[0]), padded(n[1]), padded(n[2])};
+  // Axis by axis, so that the layers of one axis take part in those of the next.
+  for (int a = 0; a < 3; ++a) {
+    const int b = a == 0 ? 1 : 0;
+    const int c = a == 2 ? 1 : 2;
+    const auto last = static_cast<std::size_t>(n[a]);  // the padded place of the last sample
+    for (std::size_t q = 0; q < layers[c]; ++q)
+      for (std::size_t p = 0; p < layers[b]; ++p) {
+        float* line = coefficients_.data() + p * stride[b] + q * stride[c];
+        const auto at = [&](std::size_t i) -> float& { return line[i * stride[a]]; };
+        if (last == 1) {
+          at(0) = at(2) = at(3) = at(1);
+        } else {
+          at(0) = 2.0F * at(1) - at(2);
+          at(last + 1) = 2.0F * at(last) - at(last - 1);
+        }
+      }
+  }
+}
+
+SplineField::Place SplineField::place(const Eigen::Vector3d& index) const {
+  Place p;
+  std::size_t cell[3];
   for (int a = 0; a < 3; ++a) {
     const int n = geometry_.size[a];
     const double x = std::clamp(index[a], 0.0, static_cast<double>(n - 1));
-    const int cell = std::min(static_cast<int>(x), std::max(n - 2, 0));
-    w[a] = kind_ == SplineKind::CatmullRom ? catmullRomWeights(x - cell) : bsplineWeights(x - cell);
-    foldBorder(w[a].value, cell == 0, cell + 2 >= n);
-    foldBorder(w[a].slope, cell == 0, cell + 2 >= n);
-    for (int s = 0; s < 4; ++s) at[a][s] = std::clamp(cell - 1 + s, 0, n - 1);
+    const int c = std::min(static_cast<int>(x), std::max(n - 2, 0));
+    cell[a] = static_cast<std::size_t>(c);
+    if (kind_ == SplineKind::CatmullRom)
+      catmullRomWeights(x - c, p.w[a]);
+    else
+      bsplineWeights(x - c, p.w[a]);
   }
-  Jet jet{0.0, Eigen::Vector3d::Zero()};
-  for (int k = 0; k < 4; ++k) {
-    double value = 0.0;
-    double dx = 0.0;
-    double dy = 0.0;
-    for (int j = 0; j < 4; ++j) {
-      const float* row = coefficients_.data() + geometry_.offset(0, at[1][j], at[2][k]);
-      double v = 0.0;
-      double d = 0.0;
-      for (int i = 0; i < 4; ++i) {
-        const double c = row[at[0][i]];
-        v += w[0].value[i] * c;
-        d += w[0].slope[i] * c;
-      }
-      value += w[1].value[j] * v;
-      dx += w[1].value[j] * d;
-      dy += w[1].slope[j] * v;
+  p.corner = coefficients_.data() + cell[0] + cell[1] * rowStride_ + cell[2] * layerStride_;
+  return p;
+}
+
+SplineField::Jet SplineField::atIndex(const Eigen::Vector3d& index) const {
+  const Place p = place(index);
+  const Weights& y = p.w[1];
+  const Weights& z = p.w[2];
+  Row value{};
+  Row dy{};
+  Row dz{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const float* layer = p.corner + k * layerStride_;
+    const Row first = load(layer);
+    Row v = y.value[0] * first;
+    Row d = y.slope[0] * first;
+    for (std::size_t j = 1; j < 4; ++j) {
+      const Row row = load(layer + j * rowStride_);
+      add(v, y.value[j], row);
+      add(d, y.slope[j], row);
     }
-    jet.value += w[2].value[k] * value;
-    jet.gradient[0] += w[2].value[k] * dx;
-    jet.gradient[1] += w[2].value[k] * dy;
-    jet.gradient[2] += w[2].slope[k] * value;
+    add(value, z.value[k], v);
+    add(dy, z.value[k], d);
+    add(dz, z.slope[k], v);
   }
-  return jet;
+  const Weights& x = p.w[0];
+  return {dot(x.value, value), {dot(x.slope, value), dot(x.value, dy), dot(x.value, dz)}};
 }
 
 SplineField::Jet SplineField::at(const Eigen::Vector3d& pointLps) const {
@@ -138,8 +247,110 @@ SplineField::Jet SplineField::at(const Eigen::Vector3d& pointLps) const {
   return jet;
 }
 
+double SplineField::valueAt(const Eigen::Vector3d& pointLps) const {
+  const Place p = place(toIndexMatrix_ * (pointLps - geometry_.origin));
+  Row value{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const float* layer = p.corner + k * layerStride_;
+    Row v = p.w[1].value[0] * load(layer);
+    for (std::size_t j = 1; j < 4; ++j) add(v, p.w[1].value[j], load(layer + j * rowStride_));
+    add(value, p.w[2].value[k], v);
+  }
+  return dot(p.w[0].value, value);
+}
+
+SplineField::SecondJet SplineField::secondAt(const Eigen::Vector3d& pointLps) const {
+  const Place p = place(toIndexMatrix_ * (pointLps - geometry_.origin));
+  const Weights& y = p.w[1];
+  const Weights& z = p.w[2];
+  Row value{};
+  Row dy{};
+  Row dz{};
+  Row dyy{};
+  Row dyz{};
+  Row dzz{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const float* layer = p.corner + k * layerStride_;
+    const Row first = load(layer);
+    Row v = y.value[0] * first;
+    Row d = y.slope[0] * first;
+    Row dd = y.bend[0] * first;
+    for (std::size_t j = 1; j < 4; ++j) {
+      const Row row = load(layer + j * rowStride_);
+      add(v, y.value[j], row);
+      add(d, y.slope[j], row);
+      add(dd, y.bend[j], row);
+    }
+    add(value, z.value[k], v);
+    add(dy, z.value[k], d);
+    add(dz, z.slope[k], v);
+    add(dyy, z.value[k], dd);
+    add(dyz, z.slope[k], d);
+    add(dzz, z.bend[k], v);
+  }
+  const Weights& x = p.w[0];
+  const double xy = dot(x.slope, dy);
+  const double xz = dot(x.slope, dz);
+  const double yz = dot(x.value, dyz);
+  Eigen::Matrix3d hessian;
+  hessian << dot(x.bend, value), xy, xz, xy, dot(x.value, dyy), yz, xz, yz, dot(x.value, dzz);
+  const Eigen::Vector3d gradient(dot(x.slope, value), dot(x.value, dy), dot(x.value, dz));
+  return {dot(x.value, value), toIndexMatrix_.transpose() * gradient,
+          toIndexMatrix_.transpose() * hessian * toIndexMatrix_};
+}
+
+double SplineField::atVoxel(int i, int j, int k) const {
+  const float* at = coefficients_.data() + static_cast<std::size_t>(i) +
+                    static_cast<std::size_t>(j) * rowStride_ +
+                    static_cast<std::size_t>(k) * layerStride_;
+  if (kind_ == SplineKind::CatmullRom) return at[layerStride_ + rowStride_ + 1];
+  const double weight[3] = {1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0};
+  double value = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double layer = 0.0;
+    for (std::size_t b = 0; b < 3; ++b) {
+      const float* row = at + b * rowStride_ + c * layerStride_;
+      layer += weight[b] * (weight[0] * row[0] + weight[1] * row[1] + weight[2] * row[2]);
+    }
+    value += weight[c] * layer;
+  }
+  return value;
+}
+
+std::array<double, 2> SplineField::bounds(const Index3& first, const Index3& last) const {
+  using Four = float __attribute__((vector_size(16)));
+  Four low = Four{} + std::numeric_limits<float>::max();
+  Four high = -low;
+  // The samples first - 1 to last + 1 stand at first to last + 2 in the padded box; the last four
+  // of a row overlap those before them.
+  const auto count = static_cast<std::size_t>(last[0] - first[0]) + 3;
+  for (auto k = static_cast<std::size_t>(first[2]); k < static_cast<std::size_t>(last[2]) + 3; ++k)
+    for (auto j = static_cast<std::size_t>(first[1]); j < static_cast<std::size_t>(last[1]) + 3;
+         ++j) {
+      const float* row = coefficients_.data() + static_cast<std::size_t>(first[0]) +
+                         j * rowStride_ + k * layerStride_;
+      for (std::size_t i = 0; i < count; i += 4) {
+        Four at;
+        std::memcpy(&at, row + std::min(i, count - 4), sizeof at);
+        low = at < low ? at : low;
+        high = at > high ? at : high;
+      }
+    }
+  double least = low[0];
+  double greatest = high[0];
+  for (int i = 1; i < 4; ++i) {
+    least = std::min(least, static_cast<double>(low[i]));
+    greatest = std::max(greatest, static_cast<double>(high[i]));
+  }
+  // The Catmull-Rom weights sum to 1, their magnitudes to at most (5/4)^3, so the negative ones to
+  // at most 61/128.
+  const double more = kind_ == SplineKind::CatmullRom ? 61.0 / 128.0 * (greatest - least) : 0.0;
+  return {least - more, greatest + more};
+}
+
 bool SplineField::projectToZero(Eigen::Vector3d& pointLps, double reachVoxels) const {
   const double voxel = geometry_.voxelMm();
+  const double reach = reachVoxels * voxel;
   const Eigen::Vector3d start = pointLps;
   for (int n = 0; n < 50; ++n) {
     const Jet jet = at(pointLps);
@@ -149,9 +360,30 @@ bool SplineField::projectToZero(Eigen::Vector3d& pointLps, double reachVoxels) c
     if (std::fabs(distance) < 1e-6 * voxel) return true;
     const double step = std::clamp(distance, -0.5 * voxel, 0.5 * voxel);
     pointLps -= step / slope * jet.gradient;
-    if ((pointLps - start).norm() > reachVoxels * voxel) return false;
+    if ((pointLps - start).squaredNorm() > reach * reach) return false;
+    if (std::fabs(distance) < 3e-4 * voxel) return true;
   }
   return false;
+}
+
+double PrincipalCurvatures::maximal() const { return std::max(std::fabs(k1), std::fabs(k2)); }
+
+PrincipalCurvatures principalCurvatures(const SplineField::SecondJet& jet) {
+  const double slope = jet.gradient.norm();
+  if (!(slope > 1e-12)) return {};
+  const Eigen::Vector3d n = jet.gradient / slope;
+  int axis = 0;
+  n.cwiseAbs().minCoeff(&axis);
+  const Eigen::Vector3d u = n.cross(Eigen::Vector3d::Unit(axis)).normalized();
+  const Eigen::Vector3d v = n.cross(u);
+  const Eigen::Vector3d hu = jet.hessian * u;
+  const double uu = u.dot(hu);
+  const double uv = v.dot(hu);
+  const double vv = v.dot(jet.hessian * v);
+  const double mean = 0.5 * (uu + vv) / slope;
+  const double spread = std::sqrt(0.25 * (uu - vv) * (uu - vv) + uv * uv) / slope;
+  if (!std::isfinite(mean) || !std::isfinite(spread)) return {};
+  return {mean + spread, mean - spread};
 }
 
 }  // namespace angiomesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "core/image/volume.h"
@@ -30,6 +31,9 @@ class SplineField {
   /// Value and gradient (per mm, LPS) at a point in LPS mm.
   [[nodiscard]] Jet at(const Eigen::Vector3d& pointLps) const;
 
+  /// The value alone, at about half the cost.
+  [[nodiscard]] double valueAt(const Eigen::Vector3d& pointLps) const;
+
   struct SecondJet {
     double value;
     Eigen::Vector3d gradient;
@@ -39,18 +43,49 @@ class SplineField {
   /// Value, gradient and Hessian (per mm, per mm^2, LPS) at a point in LPS mm, in one pass.
   [[nodiscard]] SecondJet secondAt(const Eigen::Vector3d& pointLps) const;
 
+  /// The value at the centre of a voxel.
+  [[nodiscard]] double atVoxel(int i, int j, int k) const;
+
+  /// Bounds of all values in the block of cells from voxel `first` to voxel `last` (each `last` at
+  /// least one more than `first`): the hull of the coefficients that play a part, widened for
+  /// Catmull-Rom by what its negative weights can add.
+  [[nodiscard]] std::array<double, 2> bounds(const Index3& first, const Index3& last) const;
+
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  [[nodiscard]] SplineKind kind() const { return kind_; }
 
   /// Moves `pointLps` to the zero set by Newton steps along the gradient of the moving point, each
-  /// at most half a voxel, until |f| / |grad f| < 1e-6 voxel. Returns false (point as far as it
-  /// got) when 50 steps do not suffice or it moved more than `reachVoxels` voxels.
+  /// at most half a voxel, until |f| / |grad f| < 1e-6 voxel, or below 3e-4 voxel and one step
+  /// more, which leaves less than 1e-6 unless the radius of curvature is below 1/20 voxel. Returns
+  /// false (point as far as it got) when 50 steps do not suffice or it moved more than
+  /// `reachVoxels` voxels.
   bool projectToZero(Eigen::Vector3d& pointLps, double reachVoxels = 3.0) const;
 
  private:
   Geometry geometry_;
   Eigen::Matrix3d toIndexMatrix_;
   SplineKind kind_;
+  /// With one layer more before and one or more behind on each axis, extrapolated linearly, so that
+  /// the four samples of any cell stand in a row.
   std::vector<float> coefficients_;
+  std::size_t rowStride_ = 0;
+  std::size_t layerStride_ = 0;
+
+  struct Place;
+  [[nodiscard]] Place place(const Eigen::Vector3d& index) const;
+  void extrapolate();
 };
+
+struct PrincipalCurvatures {
+  double k1 = 0.0;  ///< the greater one
+  double k2 = 0.0;
+  /// The one of greater magnitude, as a magnitude.
+  [[nodiscard]] double maximal() const;
+};
+
+/// Curvatures of the level set through a point, from gradient and Hessian there: the eigenvalues of
+/// P H P / |grad|, P the projection onto the tangent plane; per mm. Positive where the inside
+/// (smaller values) is convex: 1/r twice on a ball. Both 0 where the gradient vanishes.
+PrincipalCurvatures principalCurvatures(const SplineField::SecondJet& jet);
 
 }  // namespace angiomesh

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/guidance_samples.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/base/exact_math.h"
+#include "core/base/parallel.h"
+
+namespace angiomesh {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int brickCells = 8;
+
+/// The lattice of bricks of 8^3 cells.
+struct Bricks {
+  Index3 cells;  ///< of the whole grid
+  Index3 count;
+  explicit Bricks(const Geometry& g) {
+    for (int a = 0; a < 3; ++a) {
+      cells[a] = std::max(g.size[a] - 1, 1);
+      count[a] = (cells[a] + brickCells - 1) / brickCells;
+    }
+  }
+  [[nodiscard]] std::size_t total() const {
+    return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
+           static_cast<std::size_t>(count[2]);
+  }
+  /// First and one past the last cell of brick b.
+  void range(std::size_t b, Index3& first, Index3& last) const {
+    const auto nx = static_cast<std::size_t>(count[0]);
+    const auto ny = static_cast<std::size_t>(count[1]);
+    const Index3 at{static_cast<int>(b % nx), static_cast<int>(b / nx % ny),
+                    static_cast<int>(b / nx / ny)};
+    for (int a = 0; a < 3; ++a) {
+      first[a] = at[a] * brickCells;
+      last[a] = std::min(first[a] + brickCells, cells[a]);
+    }
+  }
+};
+
+bool holdsZero(const std::array<double, 2>& bounds) { return bounds[0] <= 0.0 && bounds[1] >= 0.0; }
+
+/// Area of the cut through one tetrahedron.
+double cutArea(const std::array<Eigen::Vector3d, 4>& p, const std::array<double, 4>& f) {
+  std::array<int, 4> order{};
+  int inside = 0;
+  int outside = 3;
+  for (int i = 0; i < 4; ++i)
+    order[static_cast<std::size_t>(f[i] < 0.0 ? inside++ : outside--)] = i;
+  const auto cut = [&](int a, int b) -> Eigen::Vector3d {
+    const auto i = static_cast<std::size_t>(order[static_cast<std::size_t>(a)]);
+    const auto j = static_cast<std::size_t>(order[static_cast<std::size_t>(b)]);
+    return p[i] + f[i] / (f[i] - f[j]) * (p[j] - p[i]);
+  };
+  if (inside == 0 || inside == 4) return 0.0;
+  if (inside == 2) {
+    const Eigen::Vector3d a = cut(0, 2);
+    return 0.5 * (cut(1, 3) - a).cross(cut(1, 2) - cut(0, 3)).norm();
+  }
+  const int single = inside == 1 ? 0 : 3;
+  const int other = inside == 1 ? 1 : 0;
+  const Eigen::Vector3d a = cut(single, other);
+  return 0.5 * (cut(single, other + 1) - a).cross(cut(single, other + 2) - a).norm();
+}
+
+/// A cell that the zero set passes through, or may.
+struct Candidate {
+  Index3 first;
+  double areaMm2;  ///< of the zero set in it; negative where its corners do not differ in sign
+};
+
+/// Takes the samples of a cell.
+class Sampler {
+ public:
+  Sampler(const SplineField& field, const IdealLength& ideal, int finest)
+      : field_(field),
+        ideal_(ideal),
+        geometry_(field.geometry()),
+        toIndex_(geometry_.physicalToIndexMatrix()),
+        voxel_(geometry_.voxelMm()),
+        patch_(0.35 * geometry_.spacing.norm()),
+        finest_(finest) {}
+
+  /// Appends the samples of a cell: one, or where edges want to be short against the cell, those of
+  /// its parts.
+  void sample(const Candidate& cell, std::vector<GuidanceField::Sample>& samples) const {
+    const Eigen::Vector3d low(cell.first[0], cell.first[1], cell.first[2]);
+    const bool crossed = cell.areaMm2 >= 0.0;
+    const std::size_t before = samples.size();
+    std::optional<Eigen::Vector3d> foot = footNear(low, 1.0, crossed ? 0.5 : 0.0);
+    if (!foot && crossed) foot = onAnEdge(cell.first);
+    if (!foot) return;
+    const GuidanceField::Sample whole = at(*foot);
+    const double length = whole.lengthMm / voxel_;
+    const int n = std::min(length >= 2.0 ? 1 : length >= 0.25 ? 2 : 4, finest_);
+    if (n > 1) {
+      const double side = 1.0 / n;
+      for (int s = 0; s < n * n * n; ++s) {
+        const Eigen::Vector3d corner = low + side * Eigen::Vector3d(s % n, s / n % n, s / n / n);
+        foot = footNear(corner, side, 0.25);
+        if (!foot) continue;
+        samples.push_back(at(*foot));
+        samples.back().reachMm = patch_ / n;
+      }
+    }
+    if (samples.size() == before) samples.push_back(whole);
+    const double share = 1.0 / static_cast<double>(samples.size() - before);
+    for (std::size_t i = before; i < samples.size(); ++i)
+      samples[i].areaMm2 = std::max(cell.areaMm2, 0.0) * share;
+  }
+
+ private:
+  /// The zero found by Newton's method from the centre of a box (index space, cubic), if it lies in
+  /// the box grown by `margin` of its side.
+  [[nodiscard]] std::optional<Eigen::Vector3d> footNear(const Eigen::Vector3d& low, double side,
+                                                        double margin) const {
+    const Eigen::Vector3d centre = low + Eigen::Vector3d::Constant(0.5 * side);
+    const double reach = (0.5 + margin) * side;
+    Eigen::Vector3d x = geometry_.toPhysical(centre);
+    for (int n = 0; n < 8; ++n) {
+      const SplineField::Jet jet = field_.at(x);
+      const double squared = jet.gradient.squaredNorm();
+      if (!(squared > 1e-24)) return std::nullopt;
+      const double distance = jet.value / std::sqrt(squared);
+      // The zero set is further than the box reaches, unless the field is bent a great deal.
+      if (n == 0 && std::fabs(distance) > 2.5 * reach * geometry_.spacing.maxCoeff())
+        return std::nullopt;
+      const double step = std::clamp(distance, -0.7 * voxel_, 0.7 * voxel_);
+      x -= step / std::sqrt(squared) * jet.gradient;
+      const double off = (toIndex_ * (x - geometry_.origin) - centre).cwiseAbs().maxCoeff();
+      if (std::fabs(distance) < 0.02 * voxel_)
+        return off <= reach ? std::optional<Eigen::Vector3d>(x) : std::nullopt;
+      if (off > reach + 1.0) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  /// A zero on an edge of a cell whose corners differ in sign, by bisection.
+  [[nodiscard]] std::optional<Eigen::Vector3d> onAnEdge(const Index3& cell) const {
+    const auto value = [&](int i, int j, int k) { return field_.atVoxel(i, j, k); };
+    for (int c = 0; c < 8; ++c)
+      for (int a = 0; a < 3; ++a) {
+        if (c >> a & 1) continue;
+        Index3 p{cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2 & 1)};
+        Eigen::Vector3d from(p[0], p[1], p[2]);
+        const bool inside = value(p[0], p[1], p[2]) < 0.0;
+        ++p[a];
+        if (!geometry_.contains(p[0], p[1], p[2])) continue;
+        if (inside == (value(p[0], p[1], p[2]) < 0.0)) continue;
+        Eigen::Vector3d to(p[0], p[1], p[2]);
+        for (int n = 0; n < 16; ++n) {
+          const Eigen::Vector3d middle = 0.5 * (from + to);
+          ((field_.atIndex(middle).value < 0.0) == inside ? from : to) = middle;
+        }
+        return geometry_.toPhysical(to);
+      }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] GuidanceField::Sample at(const Eigen::Vector3d& x) const {
+    const SplineField::SecondJet jet = field_.secondAt(x);
+    double length = ideal_.fromCurvature(principalCurvatures(jet).maximal());
+    if (ideal_.limitsByThickness())
+      length = std::min(length, ideal_.fromThickness(thickness(
+                                    x, jet.gradient, ideal_.thicknessThatMatters(length))));
+    return {x, ideal_.limited(length), patch_, 0.0};
+  }
+
+  /// The distance from a point of the zero set along the inward normal to the opposite sheet;
+  /// `enough` where it is not reached before.
+  [[nodiscard]] double thickness(const Eigen::Vector3d& x, const Eigen::Vector3d& gradient,
+                                 double enough) const {
+    const double slope = gradient.norm();
+    if (!(slope > 1e-12)) return enough;
+    const Eigen::Vector3d inward = -gradient / slope;
+    const double end = std::min(enough, 40.0 * voxel_);
+    double before = 0.0;
+    double t = 0.1 * voxel_;
+    double valueBefore = 0.0;
+    while (t < end) {
+      const Eigen::Vector3d p = x + t * inward;
+      if (!inGrid(p)) return enough;
+      const double value = field_.valueAt(p);
+      if (!(value < 0.0)) {
+        const double share = value > valueBefore ? valueBefore / (valueBefore - value) : 1.0;
+        return before + share * (t - before);
+      }
+      before = t;
+      valueBefore = value;
+      t += std::clamp(0.7 * -value / slope, 0.1 * voxel_, 2.0 * voxel_);
+    }
+    return enough;
+  }
+
+  [[nodiscard]] bool inGrid(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d index = toIndex_ * (p - geometry_.origin);
+    for (int a = 0; a < 3; ++a)
+      if (!(index[a] >= 0.0 && index[a] <= geometry_.size[a] - 1.0)) return false;
+    return true;
+  }
+
+  const SplineField& field_;
+  const IdealLength& ideal_;
+  const Geometry& geometry_;
+  Eigen::Matrix3d toIndex_;
+  double voxel_;
+  double patch_;  ///< within this distance of a sample at 1 per cell lies its piece of the zero set
+  int finest_;
+};
+
+void findCells(const SplineField& field, const Bricks& bricks, std::size_t b,
+               std::vector<Candidate>& cells) {
+  Index3 first;
+  Index3 last;
+  bricks.range(b, first, last);
+  if (!holdsZero(field.bounds(first, last))) return;
+  const Geometry& g = field.geometry();
+  const Eigen::Matrix3d toPhysical = g.direction * g.spacing.asDiagonal();
+  constexpr int side = brickCells + 1;
+  std::array<double, side * side * side> node{};
+  const auto at = [&](int i, int j, int k) -> double& {
+    return node[static_cast<std::size_t>(i - first[0] +
+                                         side * (j - first[1] + side * (k - first[2])))];
+  };
+  for (int k = first[2]; k <= last[2]; ++k)
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int i = first[0]; i <= last[0]; ++i)
+        at(i, j, k) = field.atVoxel(std::min(i, g.size[0] - 1), std::min(j, g.size[1] - 1),
+                                    std::min(k, g.size[2] - 1));
+  for (int k = first[2]; k < last[2]; ++k)
+    for (int j = first[1]; j < last[1]; ++j)
+      for (int i = first[0]; i < last[0]; ++i) {
+        std::array<double, 8> corner{};
+        int inside = 0;
+        for (int c = 0; c < 8; ++c) {
+          const double value = at(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2 & 1));
+          corner[static_cast<std::size_t>(c)] = value;
+          inside += value < 0.0 ? 1 : 0;
+        }
+        if (inside > 0 && inside < 8)
+          cells.push_back({{i, j, k}, zeroSetArea(corner, toPhysical)});
+        else if (holdsZero(field.bounds({i, j, k}, {i + 1, j + 1, k + 1})))
+          cells.push_back({{i, j, k}, -1.0});
+      }
+}
+
+/// Puts samples that lie in the same cell next to each other: the feet of one cell may lie in its
+/// neighbours.
+SurfaceSamples byCell(const Geometry& g, const std::vector<GuidanceField::Sample>& samples) {
+  const Eigen::Matrix3d toIndex = g.physicalToIndexMatrix();
+  std::vector<std::pair<std::size_t, std::uint32_t>> order(samples.size());
+  parallelFor(0, samples.size(), 4096, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Eigen::Vector3d index = toIndex * (samples[i].point - g.origin);
+      Index3 cell;
+      for (int a = 0; a < 3; ++a)
+        cell[a] = static_cast<int>(std::clamp(index[a], 0.0, std::max(g.size[a] - 1.5, 0.0)));
+      order[i] = {g.offset(cell[0], cell[1], cell[2]), static_cast<std::uint32_t>(i)};
+    }
+  });
+  std::sort(order.begin(), order.end());
+  SurfaceSamples all;
+  all.samples.reserve(samples.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || order[i].first != order[i - 1].first)
+      all.cells.push_back({g.indexOf(order[i].first), static_cast<std::uint32_t>(i), 0});
+    ++all.cells.back().sampleCount;
+    all.samples.push_back(samples[order[i].second]);
+  }
+  return all;
+}
+
+}  // namespace
+
+double zeroSetArea(const std::array<double, 8>& corner, const Eigen::Matrix3d& indexToPhysical) {
+  // Each tetrahedron goes from corner 0 to corner 7 along the axes in one of six orders.
+  static constexpr int paths[6][2] = {{1, 3}, {1, 5}, {2, 3}, {2, 6}, {4, 5}, {4, 6}};
+  std::array<Eigen::Vector3d, 8> p;
+  for (int c = 0; c < 8; ++c)
+    p[static_cast<std::size_t>(c)] =
+        indexToPhysical * Eigen::Vector3d(c & 1, c >> 1 & 1, c >> 2 & 1);
+  double area = 0.0;
+  for (const auto& path : paths) {
+    const auto a = static_cast<std::size_t>(path[0]);
+    const auto b = static_cast<std::size_t>(path[1]);
+    area += cutArea({p[0], p[a], p[b], p[7]}, {corner[0], corner[a], corner[b], corner[7]});
+  }
+  return area;
+}
+
+IdealLength::IdealLength(const SplineField& field, const SizingParams& params) {
+  const Geometry& g = field.geometry();
+  const double start = params.etaCompensated ? 1.0 : params.etaInverse;
+  chord_ = start * 2.0 * portableSinTurns(params.rho / (4.0 * pi)) *
+           std::max(params.curvatureRelax, 0.0);
+  if (params.edgesAround > 1) around_ = portableSinTurns(0.5 / params.edgesAround);
+  shortest_ = 0.02 * g.voxelMm();
+  const Eigen::Vector3d size(g.size[0], g.size[1], g.size[2]);
+  longest_ = std::max(g.spacing.cwiseProduct(size).norm(), shortest_);
+  edgeMin_ = std::max(params.edgeMinMm.value_or(shortest_), shortest_);
+  edgeMax_ = std::min(params.edgeMaxMm.value_or(longest_), longest_);
+}
+
+double IdealLength::fromCurvature(double kappaMax) const {
+  return chord_ < longest_ * kappaMax ? chord_ / kappaMax : longest_;
+}
+
+double IdealLength::limited(double lengthMm) const {
+  return std::max(std::min(std::max(lengthMm, edgeMin_), edgeMax_), shortest_);
+}
+
+SurfaceSamples sampleZeroSet(const SplineField& field, const IdealLength& ideal,
+                             const Progress& progress) {
+  const Bricks bricks(field.geometry());
+  const std::size_t grain = 16;
+  const std::size_t blocks = (bricks.total() + grain - 1) / grain;
+  struct Part {
+    std::vector<Candidate> cells;
+    std::vector<GuidanceField::Sample> samples;
+  };
+  std::vector<Part> parts(blocks);
+  parallelFor(0, bricks.total(), grain, [&](std::size_t first, std::size_t last) {
+    progress.check();
+    for (std::size_t b = first; b < last; ++b)
+      findCells(field, bricks, b, parts[first / grain].cells);
+  });
+  progress.report(0.2);
+  // A field of noise has a piece of the zero set in every cell: what one cell may cost depends on
+  // how many there are, so that the whole stays bounded.
+  std::size_t total = 0;
+  for (const Part& part : parts) total += part.cells.size();
+  const int finest = total < 400000 ? 4 : total < 4000000 ? 2 : 1;
+  const Sampler sampler(field, ideal, finest);
+  parallelFor(0, blocks, 1, [&](std::size_t first, std::size_t) {
+    std::size_t done = 0;
+    for (const Candidate& cell : parts[first].cells) {
+      if (done++ % 256 == 0) progress.check();
+      sampler.sample(cell, parts[first].samples);
+    }
+  });
+  progress.report(0.7);
+  std::vector<GuidanceField::Sample> samples;
+  for (Part& part : parts) {
+    samples.insert(samples.end(), part.samples.begin(), part.samples.end());
+    part = {};
+  }
+  return byCell(field.geometry(), samples);
+}
+
+}  // namespace angiomesh

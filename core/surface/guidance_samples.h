@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/guidance_field.h"
+#include "core/surface/sizing.h"
+#include "core/surface/spline_field.h"
+
+// The first half of the guidance field: which cells the zero set passes through, sample points on
+// it, and how long edges want to be there.
+
+namespace angiomesh {
+
+/// What of the sizing parameters and the grid the ideal length is made of.
+class IdealLength {
+ public:
+  IdealLength(const SplineField& field, const SizingParams& params);
+
+  /// After the factor 1/eta, before thickness and the limits edgeMinMm and edgeMaxMm, mm.
+  [[nodiscard]] double fromCurvature(double kappaMax) const;
+  /// The edge of which `edgesAround` go round a tube as thick as `thicknessMm`.
+  [[nodiscard]] double fromThickness(double thicknessMm) const { return around_ * thicknessMm; }
+  [[nodiscard]] bool limitsByThickness() const { return around_ > 0.0; }
+  /// The sheet need not be followed further than this to know that it does not limit `lengthMm`.
+  [[nodiscard]] double thicknessThatMatters(double lengthMm) const { return lengthMm / around_; }
+  [[nodiscard]] double limited(double lengthMm) const;
+  [[nodiscard]] double longest() const { return longest_; }
+
+ private:
+  double chord_ = 0.0;   ///< length at a curvature of 1/mm
+  double around_ = 0.0;  ///< sin(pi / edgesAround), 0 without that limit
+  double shortest_ = 0.0, longest_ = 0.0;
+  double edgeMin_ = 0.0, edgeMax_ = 0.0;
+};
+
+/// One cell of the grid that holds samples.
+struct SurfaceCell {
+  Index3 first;  ///< its lowest corner
+  std::uint32_t firstSample = 0;
+  std::uint32_t sampleCount = 0;
+};
+
+struct SurfaceSamples {
+  std::vector<SurfaceCell> cells;              ///< in the grid's order
+  std::vector<GuidanceField::Sample> samples;  ///< cell after cell
+};
+
+/// The same for any number of threads. @throws Cancelled
+SurfaceSamples sampleZeroSet(const SplineField& field, const IdealLength& ideal,
+                             const Progress& progress);
+
+/// Area of the polygons that the zero set of the linear interpolant cuts out of the six tetrahedra
+/// of a cell (Kuhn's division), from the values at its corners (bit 0 of the number: x).
+double zeroSetArea(const std::array<double, 8>& corner, const Eigen::Matrix3d& indexToPhysical);
+
+}  // namespace angiomesh
