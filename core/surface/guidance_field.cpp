@@ -120,8 +120,9 @@ void GuidanceField::Data::makeNodes() {
 }
 
 /// Every node takes over from its 26 neighbours the sample whose cone over it is lowest, lowest
-/// nodes first; a node that finds a lower one later is taken up again. One after the other: the
-/// order, and so the result, is fixed.
+/// nodes first; a node that finds a lower one later is taken up again. The cones start at the
+/// samples themselves here, or nodes within the reach of one would not look for a nearer one. One
+/// after the other: the order, and so the result, is fixed.
 void GuidanceField::Data::spread(const Progress& progress) {
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -129,7 +130,8 @@ void GuidanceField::Data::spread(const Progress& progress) {
   const auto offer = [&](std::uint32_t n, std::uint32_t sample) {
     Node& node = nodes[n];
     if (node.sample == sample) return false;
-    const double value = cone(sample, place(node.at));
+    const Sample& from = surface.samples[sample];
+    const double value = from.lengthMm + slope * (place(node.at) - from.point).norm();
     if (!(value < node.value - gain)) return false;
     node.value = value;
     node.sample = sample;

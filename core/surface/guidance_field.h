@@ -14,13 +14,17 @@ namespace angiomesh {
 
 /// The wanted edge length g(x) near the zero set (thesis eq. 4.1 to 4.3): the smallest, over sample
 /// points s of the zero set, of (1 - 1/eta) |x - s| + l(s) / eta, l(s) = 2 sin(rho/2) /
-/// kappa_max(s). Lipschitz with 1 - 1/eta; the same for any number of threads.
+/// kappa_max(s). A sample stands for the piece of the zero set around it, so |x - s| counts from
+/// the edge of that piece: g does not rise between the samples of a surface of constant curvature.
+/// Lipschitz with 1 - 1/eta; the same for any number of threads.
 class GuidanceField {
  public:
   /// A point of the zero set and what its cone starts from.
   struct Sample {
     Eigen::Vector3d point;  ///< LPS mm
     double lengthMm;        ///< l(s)/eta (or l(s), see SizingParams), after all limits
+    double reachMm;         ///< radius of the piece of the zero set that it stands for
+    double areaMm2;         ///< area of that piece
   };
 
   /// `field` must outlive the object. @throws Cancelled
@@ -28,8 +32,8 @@ class GuidanceField {
                 const Progress& progress = {});
   ~GuidanceField();
 
-  /// The wanted edge length at a point near the zero set, mm; far from any sample (more than about
-  /// two voxels) the length of the nearest cell that has one.
+  /// The wanted edge length at a point, mm. Constant time within about four voxels of the zero set;
+  /// further away all samples are looked at.
   [[nodiscard]] double at(const Eigen::Vector3d& pointLps) const;
 
   /// The length that the curvature at a point of the zero set asks for by itself, mm, after the

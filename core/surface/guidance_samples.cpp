@@ -83,7 +83,7 @@ class Sampler {
         geometry_(field.geometry()),
         toIndex_(geometry_.physicalToIndexMatrix()),
         voxel_(geometry_.voxelMm()),
-        patch_(0.35 * geometry_.spacing.norm()),
+        patch_(0.4 * geometry_.spacing.norm()),
         finest_(finest) {}
 
   /// Appends the samples of a cell: one, or where edges want to be short against the cell, those of
@@ -102,7 +102,7 @@ class Sampler {
       const double side = 1.0 / n;
       for (int s = 0; s < n * n * n; ++s) {
         const Eigen::Vector3d corner = low + side * Eigen::Vector3d(s % n, s / n % n, s / n / n);
-        foot = footNear(corner, side, 0.25);
+        foot = footNear(corner, side, 0.5);
         if (!foot) continue;
         samples.push_back(at(*foot));
         samples.back().reachMm = patch_ / n;
