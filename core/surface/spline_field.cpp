@@ -31,42 +31,72 @@ Row load(const float* from) {
   return {__builtin_convertvector(low, Pair), __builtin_convertvector(high, Pair)};
 }
 
-Row operator*(double w, const Row& r) { return {w * r.low, w * r.high}; }
+Row operator*(const Pair& w, const Row& r) { return {w * r.low, w * r.high}; }
 
-void add(Row& sum, double w, const Row& r) {
+void add(Row& sum, const Pair& w, const Row& r) {
   sum.low += w * r.low;
   sum.high += w * r.high;
 }
 
-double dot(const double (&w)[4], const Row& r) {
-  return (w[0] * r.low[0] + w[1] * r.low[1]) + (w[2] * r.high[0] + w[3] * r.high[1]);
+double dot(const Row& w, const Row& r) {
+  const Pair sum = w.low * r.low + w.high * r.high;
+  return sum[0] + sum[1];
 }
 
-/// Weights of the samples -1, 0, 1, 2 at t in [0, 1], and their derivatives by t.
-struct Weights {
-  double value[4];
-  double slope[4];
-  double bend[4];
-};
-
-void bsplineWeights(double t, Weights& w) {
-  const double s = 1.0 - t;
-  const double t2 = t * t;
-  const double s2 = s * s;
-  w = {{s2 * s * (1.0 / 6.0), t2 * (0.5 * t - 1.0) + 2.0 / 3.0, s2 * (0.5 * s - 1.0) + 2.0 / 3.0,
-        t2 * t * (1.0 / 6.0)},
-       {-0.5 * s2, t * (1.5 * t - 2.0), s * (2.0 - 1.5 * s), 0.5 * t2},
-       {s, 3.0 * t - 2.0, 3.0 * s - 2.0, t}};
+/// Weights of the samples -1, 0, 1, 2 at t in [0, 1] in w[0], and their derivatives by t up to
+/// `order` in w[1] and w[2]. T is a number or a pair of them.
+template <int order, class T>
+void bsplineWeights(const T& t, T (&w)[order + 1][4]) {
+  const T s = 1.0 - t;
+  const T t2 = t * t;
+  const T s2 = s * s;
+  w[0][0] = s2 * s * (1.0 / 6.0);
+  w[0][1] = t2 * (0.5 * t - 1.0) + 2.0 / 3.0;
+  w[0][2] = s2 * (0.5 * s - 1.0) + 2.0 / 3.0;
+  w[0][3] = t2 * t * (1.0 / 6.0);
+  if constexpr (order > 0) {
+    w[1][0] = -0.5 * s2;
+    w[1][1] = t * (1.5 * t - 2.0);
+    w[1][2] = s * (2.0 - 1.5 * s);
+    w[1][3] = 0.5 * t2;
+  }
+  if constexpr (order > 1) {
+    w[2][0] = s;
+    w[2][1] = 3.0 * t - 2.0;
+    w[2][2] = 3.0 * s - 2.0;
+    w[2][3] = t;
+  }
 }
 
-void catmullRomWeights(double t, Weights& w) {
-  const double t2 = t * t;
-  const double t3 = t2 * t;
-  w = {{0.5 * (-t3 + 2.0 * t2 - t), 0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
-        0.5 * (-3.0 * t3 + 4.0 * t2 + t), 0.5 * (t3 - t2)},
-       {0.5 * (-3.0 * t2 + 4.0 * t - 1.0), 0.5 * (9.0 * t2 - 10.0 * t),
-        0.5 * (-9.0 * t2 + 8.0 * t + 1.0), 0.5 * (3.0 * t2 - 2.0 * t)},
-       {2.0 - 3.0 * t, 9.0 * t - 5.0, 4.0 - 9.0 * t, 3.0 * t - 1.0}};
+template <int order, class T>
+void catmullRomWeights(const T& t, T (&w)[order + 1][4]) {
+  const T s = 1.0 - t;
+  const T t2 = t * t;
+  const T s2 = s * s;
+  w[0][0] = -0.5 * t * s2;
+  w[0][1] = t2 * (1.5 * t - 2.5) + 1.0;
+  w[0][2] = s2 * (1.5 * s - 2.5) + 1.0;
+  w[0][3] = -0.5 * t2 * s;
+  if constexpr (order > 0) {
+    w[1][0] = -0.5 * s * (1.0 - 3.0 * t);
+    w[1][1] = t * (4.5 * t - 5.0);
+    w[1][2] = s * (5.0 - 4.5 * s);
+    w[1][3] = 0.5 * t * (3.0 * t - 2.0);
+  }
+  if constexpr (order > 1) {
+    w[2][0] = 2.0 - 3.0 * t;
+    w[2][1] = 9.0 * t - 5.0;
+    w[2][2] = 4.0 - 9.0 * t;
+    w[2][3] = 3.0 * t - 1.0;
+  }
+}
+
+template <int order, class T>
+void weights(SplineKind kind, const T& t, T (&w)[order + 1][4]) {
+  if (kind == SplineKind::CatmullRom)
+    catmullRomWeights<order>(t, w);
+  else
+    bsplineWeights<order>(t, w);
 }
 
 /// Lines of samples that are filtered side by side: their recursions hide each other's latency, and
@@ -144,10 +174,14 @@ std::size_t padded(int n) { return static_cast<std::size_t>(std::max(n, 2)) + 2;
 
 }  // namespace
 
-/// The cell of a point: its first coefficient, and where in it the point lies.
+/// The first coefficient of a point's cell, and the weights there with their derivatives up to
+/// `order`; along y and z each weight stands twice, ready for both halves of a register.
+template <int order>
 struct SplineField::Place {
   const float* corner;
-  Weights w[3];
+  Row x[order + 1];
+  Pair y[order + 1][4];
+  Pair z[order + 1][4];
 };
 
 SplineField::SplineField(const Volume<float>& samples, SplineKind kind)
@@ -199,46 +233,54 @@ void SplineField::extrapolate() {
   }
 }
 
-SplineField::Place SplineField::place(const Eigen::Vector3d& index) const {
-  Place p;
+template <int order>
+void SplineField::place(const Eigen::Vector3d& index, Place<order>& p) const {
   std::size_t cell[3];
+  double t[3];
   for (int a = 0; a < 3; ++a) {
     const int n = geometry_.size[a];
     const double x = std::clamp(index[a], 0.0, static_cast<double>(n - 1));
     const int c = std::min(static_cast<int>(x), std::max(n - 2, 0));
     cell[a] = static_cast<std::size_t>(c);
-    if (kind_ == SplineKind::CatmullRom)
-      catmullRomWeights(x - c, p.w[a]);
-    else
-      bsplineWeights(x - c, p.w[a]);
+    t[a] = x - c;
   }
   p.corner = coefficients_.data() + cell[0] + cell[1] * rowStride_ + cell[2] * layerStride_;
-  return p;
+  double alongX[order + 1][4];
+  Pair alongYz[order + 1][4];
+  weights<order>(kind_, t[0], alongX);
+  weights<order>(kind_, Pair{t[1], t[2]}, alongYz);
+  for (int d = 0; d <= order; ++d) {
+    p.x[d].low = Pair{alongX[d][0], alongX[d][1]};
+    p.x[d].high = Pair{alongX[d][2], alongX[d][3]};
+    for (int s = 0; s < 4; ++s) {
+      const Pair w = alongYz[d][s];
+      p.y[d][s] = Pair{w[0], w[0]};
+      p.z[d][s] = Pair{w[1], w[1]};
+    }
+  }
 }
 
 SplineField::Jet SplineField::atIndex(const Eigen::Vector3d& index) const {
-  const Place p = place(index);
-  const Weights& y = p.w[1];
-  const Weights& z = p.w[2];
+  Place<1> p;
+  place<1>(index, p);
   Row value{};
   Row dy{};
   Row dz{};
   for (std::size_t k = 0; k < 4; ++k) {
     const float* layer = p.corner + k * layerStride_;
     const Row first = load(layer);
-    Row v = y.value[0] * first;
-    Row d = y.slope[0] * first;
+    Row v = p.y[0][0] * first;
+    Row d = p.y[1][0] * first;
     for (std::size_t j = 1; j < 4; ++j) {
       const Row row = load(layer + j * rowStride_);
-      add(v, y.value[j], row);
-      add(d, y.slope[j], row);
+      add(v, p.y[0][j], row);
+      add(d, p.y[1][j], row);
     }
-    add(value, z.value[k], v);
-    add(dy, z.value[k], d);
-    add(dz, z.slope[k], v);
+    add(value, p.z[0][k], v);
+    add(dy, p.z[0][k], d);
+    add(dz, p.z[1][k], v);
   }
-  const Weights& x = p.w[0];
-  return {dot(x.value, value), {dot(x.slope, value), dot(x.value, dy), dot(x.value, dz)}};
+  return {dot(p.x[0], value), {dot(p.x[1], value), dot(p.x[0], dy), dot(p.x[0], dz)}};
 }
 
 SplineField::Jet SplineField::at(const Eigen::Vector3d& pointLps) const {
@@ -248,21 +290,21 @@ SplineField::Jet SplineField::at(const Eigen::Vector3d& pointLps) const {
 }
 
 double SplineField::valueAt(const Eigen::Vector3d& pointLps) const {
-  const Place p = place(toIndexMatrix_ * (pointLps - geometry_.origin));
+  Place<0> p;
+  place<0>(toIndexMatrix_ * (pointLps - geometry_.origin), p);
   Row value{};
   for (std::size_t k = 0; k < 4; ++k) {
     const float* layer = p.corner + k * layerStride_;
-    Row v = p.w[1].value[0] * load(layer);
-    for (std::size_t j = 1; j < 4; ++j) add(v, p.w[1].value[j], load(layer + j * rowStride_));
-    add(value, p.w[2].value[k], v);
+    Row v = p.y[0][0] * load(layer);
+    for (std::size_t j = 1; j < 4; ++j) add(v, p.y[0][j], load(layer + j * rowStride_));
+    add(value, p.z[0][k], v);
   }
-  return dot(p.w[0].value, value);
+  return dot(p.x[0], value);
 }
 
 SplineField::SecondJet SplineField::secondAt(const Eigen::Vector3d& pointLps) const {
-  const Place p = place(toIndexMatrix_ * (pointLps - geometry_.origin));
-  const Weights& y = p.w[1];
-  const Weights& z = p.w[2];
+  Place<2> p;
+  place<2>(toIndexMatrix_ * (pointLps - geometry_.origin), p);
   Row value{};
   Row dy{};
   Row dz{};
@@ -272,30 +314,29 @@ SplineField::SecondJet SplineField::secondAt(const Eigen::Vector3d& pointLps) co
   for (std::size_t k = 0; k < 4; ++k) {
     const float* layer = p.corner + k * layerStride_;
     const Row first = load(layer);
-    Row v = y.value[0] * first;
-    Row d = y.slope[0] * first;
-    Row dd = y.bend[0] * first;
+    Row v = p.y[0][0] * first;
+    Row d = p.y[1][0] * first;
+    Row dd = p.y[2][0] * first;
     for (std::size_t j = 1; j < 4; ++j) {
       const Row row = load(layer + j * rowStride_);
-      add(v, y.value[j], row);
-      add(d, y.slope[j], row);
-      add(dd, y.bend[j], row);
+      add(v, p.y[0][j], row);
+      add(d, p.y[1][j], row);
+      add(dd, p.y[2][j], row);
     }
-    add(value, z.value[k], v);
-    add(dy, z.value[k], d);
-    add(dz, z.slope[k], v);
-    add(dyy, z.value[k], dd);
-    add(dyz, z.slope[k], d);
-    add(dzz, z.bend[k], v);
+    add(value, p.z[0][k], v);
+    add(dy, p.z[0][k], d);
+    add(dz, p.z[1][k], v);
+    add(dyy, p.z[0][k], dd);
+    add(dyz, p.z[1][k], d);
+    add(dzz, p.z[2][k], v);
   }
-  const Weights& x = p.w[0];
-  const double xy = dot(x.slope, dy);
-  const double xz = dot(x.slope, dz);
-  const double yz = dot(x.value, dyz);
+  const double xy = dot(p.x[1], dy);
+  const double xz = dot(p.x[1], dz);
+  const double yz = dot(p.x[0], dyz);
   Eigen::Matrix3d hessian;
-  hessian << dot(x.bend, value), xy, xz, xy, dot(x.value, dyy), yz, xz, yz, dot(x.value, dzz);
-  const Eigen::Vector3d gradient(dot(x.slope, value), dot(x.value, dy), dot(x.value, dz));
-  return {dot(x.value, value), toIndexMatrix_.transpose() * gradient,
+  hessian << dot(p.x[2], value), xy, xz, xy, dot(p.x[0], dyy), yz, xz, yz, dot(p.x[0], dzz);
+  const Eigen::Vector3d gradient(dot(p.x[1], value), dot(p.x[0], dy), dot(p.x[0], dz));
+  return {dot(p.x[0], value), toIndexMatrix_.transpose() * gradient,
           toIndexMatrix_.transpose() * hessian * toIndexMatrix_};
 }
 

@@ -71,8 +71,10 @@ class SplineField {
   std::size_t rowStride_ = 0;
   std::size_t layerStride_ = 0;
 
+  template <int order>
   struct Place;
-  [[nodiscard]] Place place(const Eigen::Vector3d& index) const;
+  template <int order>
+  void place(const Eigen::Vector3d& index, Place<order>& p) const;
   void extrapolate();
 };
 
