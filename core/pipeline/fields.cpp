@@ -26,6 +26,24 @@ class Table {
     return field;
   }
 
+  /// A whole number of which 0 stands for "none".
+  template <class M>
+  Field& countOrNone(const char* key, M member, double minimum, double maximum, const char* help) {
+    Field& field = add(key, FieldKind::Integer, minimum, maximum, "", help);
+    field.emptyWord = "none";
+    field.zeroIsEmpty = true;
+    field.get = [member](const Parameters& p) -> FieldValue {
+      const int count = member(const_cast<Parameters&>(p));
+      if (count == 0) return std::monostate{};
+      return static_cast<std::int64_t>(count);
+    };
+    field.put = [member](Parameters& p, const FieldValue& value) {
+      const auto* count = std::get_if<std::int64_t>(&value);
+      member(p) = count != nullptr ? static_cast<int>(*count) : 0;
+    };
+    return field;
+  }
+
   template <class M>
   Field& boolean(const char* key, M member, const char* help) {
     Field& field = add(key, FieldKind::Boolean, 0.0, 1.0, "", help);
@@ -229,6 +247,61 @@ void addLevelSet(Table& t) {
          "and below this difference from the previous change");
 }
 
+std::string idleForMarchingCubes(const Parameters& p) {
+  return p.surface.method == SurfaceMethod::MarchingCubes
+             ? "marching cubes makes triangles of the size of its cells"
+             : "";
+}
+
+std::string idleWithoutMarchingCubes(const Parameters& p) {
+  return p.surface.method == SurfaceMethod::MarchingCubes
+             ? ""
+             : "of surface.method marching-cubes alone";
+}
+
+std::string idleWithoutSmoothing(const Parameters& p) {
+  return p.smooth.method == SmoothMethod::None ? "smooth.method is none" : "";
+}
+
+std::string idleWithoutTaubin(const Parameters& p) {
+  return p.smooth.method == SmoothMethod::Taubin ? "" : "of smooth.method taubin alone";
+}
+
+std::string idleWithoutKeepWall(const Parameters& p) {
+  return p.smooth.method == SmoothMethod::KeepWall ? "" : "of smooth.method keep-wall alone";
+}
+
+/// The wanted edge length of the methods that follow it.
+void addSizing(Table& t) {
+  const auto add = [](Field& field) -> Field& {
+    field.idle = idleForMarchingCubes;
+    return field;
+  };
+  Field& rho = add(t.real("surface.rho", MEMBER(surface.sizing.rho), 0.02, 2.0, "rad",
+                          "accuracy: the angle that an edge subtends on the osculating circle, eq. "
+                          "4.1; smaller is finer"));
+  rho.main = rho.logarithmic = true;
+  add(t.real("surface.etaInverse", MEMBER(surface.sizing.etaInverse), 0.3, 0.99, "",
+             "1/eta of eq. 4.2: the wanted edge length grows by at most 1 - 1/eta per length; "
+             "larger is more even"))
+      .main = true;
+  add(t.boolean("surface.etaCompensated", MEMBER(surface.sizing.etaCompensated),
+                "rho alone sets the accuracy and 1/eta the gradation, eq. 4.4; off: 1/eta shortens "
+                "the edges too"));
+  add(t.real("surface.curvatureRelax", MEMBER(surface.sizing.curvatureRelax), 0.1, 10.0, "",
+             "the curvature is divided by it; 3 imitates the reference program"));
+  add(t.countOrNone("surface.edgesAround", MEMBER(surface.sizing.edgesAround), 3.0, 96.0,
+                    "at least so many edges around any vessel; none: the curvature alone counts"));
+  Field& least = add(t.real("surface.edgeMinMm", MEMBER(surface.sizing.edgeMinMm), 1e-3, 1e3, "mm",
+                            "no shorter edge is wanted; none: no limit"));
+  least.emptyWord = "none";
+  least.logarithmic = true;
+  Field& most = add(t.real("surface.edgeMaxMm", MEMBER(surface.sizing.edgeMaxMm), 1e-3, 1e3, "mm",
+                           "no longer edge is wanted; none: no limit"));
+  most.emptyWord = "none";
+  most.logarithmic = true;
+}
+
 void addSurface(Table& t) {
   t.choice("segmentation.keep", MEMBER(segmentation.keep), {"all", "largest", "seeded"},
            "which components go into the surface; seeded: those that hold a seed given by hand");
@@ -241,23 +314,32 @@ void addSurface(Table& t) {
   t.choice("surface.spline", MEMBER(surface.spline),
            {"interpolating-bspline", "bspline", "catmull-rom"},
            "interpolant of phi whose zero set is the wall");
+  addSizing(t);
   Field& cell = t.real("surface.cellVoxels", MEMBER(surface.cellVoxels), 0.25, 4.0, "voxels",
-                       "accuracy: edge of a surface cell, working voxels; smaller is finer");
+                       "edge of a marching cubes cell, working voxels; smaller is finer");
   cell.main = cell.logarithmic = true;
+  cell.idle = idleWithoutMarchingCubes;
   t.choice("surface.border", MEMBER(surface.border), {"cap", "open"},
            "where a vessel leaves the volume: a flat cap or an open rim");
   t.real("surface.minComponentMm3", MEMBER(surface.minComponentMm3), 0.0, 1e9, "mm3",
          "surface components that enclose less are left out");
+}
+
+void addSmooth(Table& t) {
   t.choice("smooth.method", MEMBER(smooth.method), {"keep-wall", "taubin", "none"},
            "keep-wall: smooths the triangulation, not the vessel; taubin: as in the thesis")
       .main = true;
-  t.integer("smooth.iterations", MEMBER(smooth.iterations), 0, 1000,
-            "pairs of a lambda and a mu step")
-      .main = true;
-  t.real("smooth.lambda", MEMBER(smooth.lambda), 0.0, 1.0, "", "weight of the shrinking step");
-  t.real("smooth.mu", MEMBER(smooth.mu), -1.0, 0.0, "", "weight of the growing step");
+  Field& iterations = t.integer("smooth.iterations", MEMBER(smooth.iterations), 0, 1000,
+                                "pairs of a lambda and a mu step");
+  iterations.main = true;
+  iterations.idle = idleWithoutSmoothing;
+  t.real("smooth.lambda", MEMBER(smooth.lambda), 0.0, 1.0, "", "weight of the shrinking step")
+      .idle = idleWithoutSmoothing;
+  t.real("smooth.mu", MEMBER(smooth.mu), -1.0, 0.0, "", "weight of the growing step").idle =
+      idleWithoutTaubin;
   t.real("smooth.wallBoundVoxels", MEMBER(smooth.wallBoundVoxels), 0.0, 1.0, "voxels",
-         "keep-wall: largest distance of a vertex from the wall, working voxels");
+         "keep-wall: largest distance of a vertex from the wall, working voxels")
+      .idle = idleWithoutKeepWall;
 }
 
 #undef MEMBER
@@ -271,6 +353,7 @@ const std::vector<Field>& parameterFields() {
     addVesselness(table);
     addLevelSet(table);
     addSurface(table);
+    addSmooth(table);
     return table.take();
   }();
   return fields;

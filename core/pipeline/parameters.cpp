@@ -185,6 +185,8 @@ const Field& findField(std::string_view key) {
 
 void setField(Parameters& params, std::string_view key, const FieldValue& value) {
   const Field& field = findField(key);
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  if (field.zeroIsEmpty && whole != nullptr && *whole == 0) return field.put(params, {});
   if (!allowed(field, value)) refuse(field, fieldText(value, field));
   field.put(params, value);
 }
@@ -256,6 +258,12 @@ void validate(const Parameters& params) {
                      "vesselness.sigmaMinMm = " + numberText(*v.sigmaMinMm) +
                          ", vesselness.sigmaMaxMm = " + numberText(*v.sigmaMaxMm),
                      "make sigmaMaxMm at least sigmaMinMm");
+  const SizingParams& sizing = params.surface.sizing;
+  if (sizing.edgeMinMm && sizing.edgeMaxMm && *sizing.edgeMaxMm < *sizing.edgeMinMm)
+    throw InputError("the longest edge is below the shortest",
+                     "surface.edgeMinMm = " + numberText(*sizing.edgeMinMm) +
+                         ", surface.edgeMaxMm = " + numberText(*sizing.edgeMaxMm),
+                     "make edgeMaxMm at least edgeMinMm");
   if (params.levelset.bMax < params.levelset.bMin)
     throw InputError("the upper bound of b is below the lower", "levelset.bMin, levelset.bMax",
                      "make bMax at least bMin");
@@ -279,6 +287,8 @@ Parameters preset(std::string_view name) {
   params.vesselness.contrast = ContrastRule::Range;
   params.levelset.bRule = ThresholdRule::Average;
   params.surface.spline = SplineKind::Bspline;
+  params.surface.sizing.etaCompensated = false;
+  params.surface.sizing.edgesAround = 0;
   params.surface.border = SurfaceBorder::Open;
   params.smooth.method = SmoothMethod::Taubin;
   return params;

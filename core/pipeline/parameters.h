@@ -11,6 +11,7 @@
 #include "core/levelset/evolution.h"
 #include "core/levelset/seeds.h"
 #include "core/surface/marching_cubes.h"
+#include "core/surface/sizing.h"
 #include "core/surface/smoothing.h"
 #include "core/vesselness/vesselness.h"
 
@@ -30,6 +31,7 @@ enum class SurfaceMethod { MarchingCubes };
 struct SurfaceParams {
   SurfaceMethod method = SurfaceMethod::MarchingCubes;
   SplineKind spline = SplineKind::InterpolatingBspline;
+  SizingParams sizing;      ///< of the methods that follow the size field
   double cellVoxels = 1.0;  ///< edge of a marching cubes cell, working voxels
   SurfaceBorder border = SurfaceBorder::Cap;
   double minComponentMm3 = 0.0;
@@ -61,9 +63,12 @@ struct Field {
   std::string help;                  ///< one line
   std::vector<std::string> choices;  ///< Choice
   std::string emptyWord;             ///< "auto" or "none" where the field may be empty, else ""
+  bool zeroIsEmpty = false;          ///< 0 may be written for the empty word
   std::size_t groupOf = 0;           ///< Numbers come in whole groups of this many
   bool main = false;                 ///< shown among the few main sliders of its step
   bool logarithmic = false;          ///< a slider moves in equal ratios
+  /// Why the field has no effect with these parameters; "" when it has one, or when not set.
+  std::function<std::string(const Parameters&)> idle;
   std::function<FieldValue(const Parameters&)> get;
   std::function<void(Parameters&, const FieldValue&)>
       put;  ///< stores without checking: use setField()
@@ -85,7 +90,7 @@ void setFieldFromText(Parameters& params, std::string_view key, std::string_view
 
 std::string fieldText(const FieldValue& value, const Field& field);
 
-/// Relations between fields (sigmaMin <= sigmaMax, bMin <= bMax ...). @throws InputError
+/// Relations between fields (sigmaMin <= sigmaMax, edgeMin <= edgeMax ...). @throws InputError
 void validate(const Parameters& params);
 
 /// `thesis` or `angiomesh`. @throws InputError

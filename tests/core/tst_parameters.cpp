@@ -91,9 +91,10 @@ class TestParameters : public QObject {
     std::set<std::string> different;
     for (const Field& field : parameterFields())
       if (field.get(own) != field.get(thesis)) different.insert(field.key);
-    const std::set<std::string> expected{"vesselness.scaleRule", "vesselness.contrast",
-                                         "levelset.bRule",       "surface.spline",
-                                         "surface.border",       "smooth.method"};
+    const std::set<std::string> expected{"vesselness.scaleRule",   "vesselness.contrast",
+                                         "levelset.bRule",         "surface.spline",
+                                         "surface.border",         "smooth.method",
+                                         "surface.etaCompensated", "surface.edgesAround"};
     QVERIFY(different == expected);
     QVERIFY_EXCEPTION_THROWN(preset("thesys"), InputError);
   }
@@ -124,6 +125,44 @@ class TestParameters : public QObject {
     p.vesselness.sigmaMinMm = 3.0;
     p.vesselness.sigmaMaxMm = 2.0;
     QVERIFY_EXCEPTION_THROWN(validate(p), InputError);
+    Parameters edges;
+    edges.surface.sizing.edgeMinMm = 0.5;
+    validate(edges);
+    edges.surface.sizing.edgeMaxMm = 0.4;
+    QVERIFY_EXCEPTION_THROWN(validate(edges), InputError);
+    edges.surface.sizing.edgeMaxMm = 0.5;
+    validate(edges);
+  }
+
+  void noLimitCanBeWrittenAsZeroOrNone() {
+    for (const char* text : {"none", "0"}) {
+      Parameters p;
+      setFieldFromText(p, "surface.edgesAround", text);
+      QCOMPARE(p.surface.sizing.edgesAround, 0);
+      QCOMPARE(fieldText(findField("surface.edgesAround").get(p), findField("surface.edgesAround")),
+               std::string("none"));
+    }
+    const Parameters zero = parametersFromJson("{\"surface.edgesAround\": 0}", {}, "test");
+    QCOMPARE(zero.surface.sizing.edgesAround, 0);
+    Parameters p;
+    for (const char* text : {"1", "2", "-1", "auto"})
+      QVERIFY_EXCEPTION_THROWN(setFieldFromText(p, "surface.edgesAround", text), InputError);
+    QVERIFY_EXCEPTION_THROWN(setFieldFromText(p, "surface.edgeMinMm", "0"), InputError);
+    setFieldFromText(p, "surface.edgeMinMm", "none");
+    QVERIFY(!p.surface.sizing.edgeMinMm);
+  }
+
+  void fieldsWithoutEffectSayWhy() {
+    Parameters p;
+    const auto idle = [&p](const char* key) { return findField(key).idle(p); };
+    p.surface.method = SurfaceMethod::MarchingCubes;
+    QVERIFY(!idle("surface.rho").empty());
+    QVERIFY(idle("surface.cellVoxels").empty());
+    p.smooth.method = SmoothMethod::KeepWall;
+    QVERIFY(!idle("smooth.mu").empty());
+    QVERIFY(idle("smooth.wallBoundVoxels").empty());
+    p.smooth.method = SmoothMethod::None;
+    QVERIFY(!idle("smooth.iterations").empty());
   }
 
   void dottedAndNestedKeysChangeOnlyWhatTheyName() {
