@@ -196,6 +196,12 @@ FieldValue CaseController::suggestedValue(const Field& field) const {
   } else if (field.key == "levelset.b") {
     value = shown_.evolve ? shown_.evolve->thresholds.b
                           : 0.5 * (params_.levelset.bMin + params_.levelset.bMax);
+  } else if (field.key == "surface.edgesAround") {
+    value = SizingParams().edgesAround;
+  } else if (field.key == "surface.edgeMinMm") {
+    value = std::min(0.2 * voxel, params_.surface.sizing.edgeMaxMm.value_or(voxel));
+  } else if (field.key == "surface.edgeMaxMm") {
+    value = std::max(2.0 * voxel, params_.surface.sizing.edgeMinMm.value_or(voxel));
   } else if (field.key == "preprocess.sigmoid.window") {
     value = window_;
   } else if (field.key == "preprocess.sigmoid.level") {

@@ -56,6 +56,14 @@ std::pair<double, double> CaseController::sliderRange(const Field& field) const 
       field.key == "vesselness.k") {
     low = 0.4 * voxel;
     high = 30.0 * voxel;
+  } else if (field.key == "surface.edgeMinMm" || field.key == "surface.edgeMaxMm") {
+    low = 0.02 * voxel;
+    high = 20.0 * voxel;
+  } else if (field.key == "surface.rho") {
+    low = 0.1;
+    high = 1.2;
+  } else if (field.key == "surface.edgesAround") {
+    high = 48.0;
   } else if (field.key == "preprocess.sigmoid.window") {
     low = 0.01 * window_;
     high = 3.0 * window_;

@@ -59,6 +59,10 @@ const std::map<std::string, QString>& labels() {
       {"surface.cellVoxels", QStringLiteral("Cell size")},
       {"surface.rho", QStringLiteral("Accuracy ρ")},
       {"surface.etaInverse", QStringLiteral("Size ratio 1/η")},
+      {"surface.etaCompensated", QStringLiteral("1/η for gradation alone")},
+      {"surface.curvatureRelax", QStringLiteral("Curvature relax")},
+      {"surface.edgeMinMm", QStringLiteral("Shortest edge")},
+      {"surface.edgeMaxMm", QStringLiteral("Longest edge")},
       {"smooth.lambda", QStringLiteral("λ")},
       {"smooth.mu", QStringLiteral("μ")},
       {"smooth.wallBoundVoxels", QStringLiteral("Wall bound")}};

@@ -48,7 +48,7 @@ double asNumber(const FieldValue& value) {
 FieldEditor::FieldEditor(const Field& field, QWidget* parent)
     : QWidget(parent), field_(field), presentation_(presentationOf(field)) {
   setObjectName("field:" + QString::fromStdString(field.key));
-  setToolTip(QString::fromStdString(field.help + "  [" + field.key + "]"));
+  setIdle({});
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
@@ -155,6 +155,15 @@ void FieldEditor::buildNumbers(QHBoxLayout& row) {
     }
     Q_EMIT edited(QString::fromStdString(field_.key), none, false);
   });
+}
+
+void FieldEditor::setIdle(const QString& why) {
+  setEnabled(why.isEmpty());
+  QString text = QString::fromStdString(field_.help + "  [" + field_.key + "]");
+  if (!why.isEmpty()) {
+    text += '\n' + tr("Without effect now: %1.").arg(why);
+  }
+  setToolTip(text);
 }
 
 void FieldEditor::setSliderRange(const std::pair<double, double>& range) {

@@ -33,6 +33,8 @@ class FieldEditor : public QWidget {
   /// slider, stored units; the spin box reaches all of the field's
   void display(const FieldValue& value, const FieldValue& suggested,
                const std::pair<double, double>& range);
+  /// Disables the editor and says why in its tooltip; "" enables it.
+  void setIdle(const QString& why);
 
  Q_SIGNALS:
   /// By the user. `continued`: the same drag of the slider goes on.

@@ -132,6 +132,9 @@ void StepPanel::showParameters() {
     const Field& field = editor->field();
     editor->display(field.get(controller_.parameters()), controller_.suggestedValue(field),
                     controller_.sliderRange(field));
+    if (field.idle) {
+      editor->setIdle(QString::fromStdString(field.idle(controller_.parameters())));
+    }
   }
 }
 

@@ -146,6 +146,17 @@ class TestMainWindow : public QObject {
     QVERIFY(c.controller().parameters().surface.border == SurfaceBorder::Open);
   }
 
+  void fieldsWithoutEffectAreDisabledAndSayWhy() {
+    WindowCase c;
+    auto* mu = c.find<QWidget>("field:smooth.mu");
+    auto* bound = c.find<QWidget>("field:smooth.wallBoundVoxels");
+    QVERIFY(!mu->isEnabled() && bound->isEnabled());
+    QVERIFY2(mu->toolTip().contains("taubin"), qPrintable(mu->toolTip()));
+    c.choose(c.find<QComboBox>("combo", "field:smooth.method"), 1);
+    QVERIFY(mu->isEnabled() && !bound->isEnabled());
+    QVERIFY(!mu->toolTip().contains("Without effect"));
+  }
+
   void presetsAreChosen() {
     WindowCase c;
     auto* preset = c.find<QComboBox>("preset");
