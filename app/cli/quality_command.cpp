@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
+#include "app/cli/options.h"
 #include "app/cli/summary.h"
 #include "core/base/error.h"
 #include "core/pipeline/report.h"
+#include "core/quality/zero_set_measure.h"
 #include "core/surface/spline_field.h"
-#include "io/image_io.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh::cli {
@@ -24,15 +23,18 @@ using Json = nlohmann::ordered_json;
 struct Gate {
   const char* name;
   const char* help;
-  double leastAngleDeg;  ///< every smallest angle is at least this
   bool closed;
+  double leastAngleDeg = 0.0;  ///< every smallest angle is at least this
+  double mostAngleDeg = 180.0;
+  double leastRadiusRatio = 0.0;
 };
 
 constexpr Gate kGates[] = {
-    {"manifold", "oriented, no non-manifold spot, degenerate triangle or self-intersection", 0.0,
-     false},
-    {"closed", "as manifold, and no boundary edge", 0.0, true},
-    {"cfd", "as closed, and no angle below 15 degrees", 15.0, true},
+    {"manifold", "oriented, no non-manifold spot, degenerate triangle or self-intersection", false},
+    {"closed", "as manifold, and no boundary edge", true},
+    {"cfd", "as closed, and no angle below 15 degrees", true, 15.0},
+    {"solver", "as closed, all angles from 30 to 110 degrees, all radius ratios at least 0.6", true,
+     30.0, 110.0, 0.6},
 };
 
 const Gate& findGate(const std::string& name) {
@@ -57,35 +59,68 @@ std::vector<std::string> failures(const Gate& gate, const MeshQuality& q) {
   if (!q.oriented) list.emplace_back("not oriented");
   if (gate.closed) none(q.boundaryEdges, "boundary edges");
   if (q.triangles == 0) list.emplace_back("no triangle");
-  if (q.minAngleMin < gate.leastAngleDeg) {
+  const auto limit = [&](bool broken, const char* format, double value, double bound) {
+    if (!broken) return;
     char text[80];
-    std::snprintf(text, sizeof text, "least angle %.2f degrees, below %g", q.minAngleMin,
-                  gate.leastAngleDeg);
+    std::snprintf(text, sizeof text, format, value, bound);
     list.emplace_back(text);
-  }
+  };
+  limit(q.minAngleMin < gate.leastAngleDeg, "least angle %.2f degrees, below %g", q.minAngleMin,
+        gate.leastAngleDeg);
+  limit(q.maxAngleMax > gate.mostAngleDeg, "largest angle %.2f degrees, above %g", q.maxAngleMax,
+        gate.mostAngleDeg);
+  limit(q.radiusRatioMin < gate.leastRadiusRatio, "least radius ratio %.3f, below %g",
+        q.radiusRatioMin, gate.leastRadiusRatio);
   return list;
 }
 
 struct QualityOptions {
-  std::string mesh, phi, against, gate;
+  ParameterOptions settings;
+  std::string mesh, phi, spline, against, gate;
   bool json = false;
+
+  /// The interpolant of phi, by --spline or the parameters.
+  [[nodiscard]] SurfaceParams surface() const {
+    Parameters params = settings.parameters();
+    if (!spline.empty()) setFieldFromText(params, "surface.spline", spline);
+    return params.surface;
+  }
 };
+
+Json zeroSetBlock(const ZeroSetMeasure& zeroSet, const MeshQuality& mesh) {
+  Json block{{"volume_mm3", zeroSet.volumeMm3}, {"area_mm2", zeroSet.areaMm2}};
+  // An open surface encloses no volume.
+  if (mesh.closed && zeroSet.volumeMm3 > 0.0)
+    block["volume_change_percent"] = 100.0 * (mesh.volumeMm3 / zeroSet.volumeMm3 - 1.0);
+  return block;
+}
+
+void printZeroSet(const ZeroSetMeasure& zeroSet, const MeshQuality& mesh) {
+  std::printf("\nzero set      area %.6g mm2, volume %.6g mm3", zeroSet.areaMm2, zeroSet.volumeMm3);
+  if (mesh.closed && zeroSet.volumeMm3 > 0.0)
+    std::printf(" (the mesh: %+.3f %%)", 100.0 * (mesh.volumeMm3 / zeroSet.volumeMm3 - 1.0));
+  std::printf("\n");
+}
 
 int quality(const QualityOptions& options, const Progress& progress) {
   const Gate* gate = options.gate.empty() ? nullptr : &findGate(options.gate);
+  const SurfaceParams surface = options.surface();
   std::optional<SplineField> phi;
-  if (!options.phi.empty())
-    phi.emplace(readPhiOrMask(options.phi), SplineKind::InterpolatingBspline);
-  const SplineField* wall = phi ? &*phi : nullptr;
-  const MeshQuality mine = measureQuality(readMesh(options.mesh), wall, progress.sub(0.0, 0.5));
+  if (!options.phi.empty()) phi.emplace(readPhiOrMask(options.phi), surface.spline);
+  const SplineField* field = phi ? &*phi : nullptr;
+  const TriMesh mesh = readMesh(options.mesh);
+  const MeshQuality mine = measureQuality(mesh, field, progress.sub(0.0, 0.4));
+  std::optional<ZeroSetMeasure> zeroSet;
+  if (phi) zeroSet = measureZeroSet(*phi, progress.sub(0.4, 0.7));
   std::optional<MeshQuality> other;
   if (!options.against.empty())
-    other = measureQuality(readMesh(options.against), wall, progress.sub(0.5, 1.0));
+    other = measureQuality(readMesh(options.against), field, progress.sub(0.7, 1.0));
   const std::vector<std::string> failed =
       gate != nullptr ? failures(*gate, mine) : std::vector<std::string>{};
 
   if (options.json) {
     Json report = Json::parse(meshQualityJson(mine));
+    if (zeroSet) report["zero_set"] = zeroSetBlock(*zeroSet, mine);
     if (other) report["against"] = Json::parse(meshQualityJson(*other))["mesh"];
     if (gate != nullptr)
       report["gate"] = {{"name", gate->name}, {"passed", failed.empty()}, {"failures", failed}};
@@ -94,6 +129,7 @@ int quality(const QualityOptions& options, const Progress& progress) {
     std::vector<NamedQuality> columns{{"mesh", &mine}};
     if (other) columns.push_back({"against", &*other});
     printQualities(columns);
+    if (zeroSet) printZeroSet(*zeroSet, mine);
   }
   if (failed.empty()) return Done;
   std::string list;
@@ -103,48 +139,23 @@ int quality(const QualityOptions& options, const Progress& progress) {
   return GateFailed;
 }
 
-struct EvaluateOptions {
-  std::string result, truth;
-  bool json = false;
-};
-
-int evaluate(const EvaluateOptions& options, const Progress& progress) {
-  const Volume<std::uint8_t> truth = readMask(options.truth);
-  const Volume<float> field = readPhiOrMask(options.result);
-  const OverlapMeasures measures = compareMasks(maskOnGrid(field, truth.geometry), truth, progress);
-  if (options.json)
-    std::fputs(overlapJson(measures).c_str(), stdout);
-  else
-    printOverlap(measures);
-  return Done;
-}
-
 }  // namespace
 
 void addQuality(CLI::App& program, Session& session) {
   auto options = std::make_shared<QualityOptions>();
   CLI::App* command = program.add_subcommand("quality", "What a mesh is worth to a solver");
   command->add_option("MESH", options->mesh, "Mesh to measure")->required();
-  command->add_option("--phi", options->phi, "Level set function to measure the deviation from");
+  command->add_option("--phi", options->phi, "Level set function or mask to measure against");
+  command->add_option("--spline", options->spline,
+                      "Interpolant of phi: interpolating-bspline, bspline or catmull-rom");
   command->add_option("--against", options->against, "Another mesh, to be measured beside it");
   std::string gates = "End with exit code 3 unless the mesh passes:";
   for (const Gate& gate : kGates) gates += std::string(" ") + gate.name + " (" + gate.help + ")";
   command->add_option("--gate", options->gate, gates);
   command->add_flag("--json", options->json, "Print JSON");
+  addSettings(*command, options->settings);
   command->callback([options, &session] {
     session.action = [options, &session] { return quality(*options, session.progress); };
-  });
-}
-
-void addEvaluate(CLI::App& program, Session& session) {
-  auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* command =
-      program.add_subcommand("evaluate", "Compare a result with the truth, on the truth's grid");
-  command->add_option("PHI_OR_MASK", options->result, "Level set function or mask")->required();
-  command->add_option("TRUTH", options->truth, "Mask")->required();
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &session] {
-    session.action = [options, &session] { return evaluate(*options, session.progress); };
   });
 }
 

@@ -32,10 +32,11 @@ void printShape(const std::vector<NamedQuality>& columns) {
   printRow("smallest angle, least (deg)", columns, [](Q q) { return text("%.2f", q.minAngleMin); });
   printRow("  1st percentile", columns, [](Q q) { return text("%.2f", q.minAngleP01); });
   printRow("  mean", columns, [](Q q) { return text("%.2f", q.minAngleMean); });
+  printRow("largest angle, most (deg)", columns, [](Q q) { return text("%.2f", q.maxAngleMax); });
   printRow("below 20 deg (%)", columns, [](Q q) { return text("%.3f", q.below20Percent); });
   printRow("below 30 deg (%)", columns, [](Q q) { return text("%.3f", q.below30Percent); });
   printRow("radius ratio, mean", columns, [](Q q) { return text("%.4f", q.radiusRatioMean); });
-  printRow("  1st percentile", columns, [](Q q) { return text("%.4f", q.radiusRatioP01); });
+  printRow("  least", columns, [](Q q) { return text("%.4f", q.radiusRatioMin); });
   printRow("edge, mean (mm)", columns, [](Q q) { return text("%.4g", q.edgeMeanMm); });
 }
 
@@ -107,6 +108,10 @@ void printQualities(const std::vector<NamedQuality>& columns) {
                   [](const NamedQuality& c) { return c.quality->vertexDeviation.has_value(); })) {
     printRow("off the wall, vertex (mm)", columns, [&](Q q) { return largest(q.vertexDeviation); });
     printRow("  centroid", columns, [&](Q q) { return largest(q.centroidDeviation); });
+    printRow("  times curvature, mean", columns, [](Q q) {
+      const auto& curved = q.centroidTimesCurvature;
+      return curved ? text("%.4f", curved->mean) : std::string("-");
+    });
   }
 }
 

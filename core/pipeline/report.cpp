@@ -52,8 +52,12 @@ Json meshBlock(const MeshQuality& q) {
     block["below_20_deg_percent"] = q.below20Percent;
     block["below_30_deg_percent"] = q.below30Percent;
   }
+  if (q.fromFrontPercent) block["from_front_percent"] = *q.fromFrontPercent;
   if (q.vertexDeviation) block["deviation"]["vertex"] = deviationBlock(*q.vertexDeviation);
   if (q.centroidDeviation) block["deviation"]["centroid"] = deviationBlock(*q.centroidDeviation);
+  if (const auto& curved = q.centroidTimesCurvature)
+    block["deviation"]["centroid_times_curvature"] = {
+        {"mean", curved->mean}, {"p99", curved->p99}, {"max", curved->max}};
   return block;
 }
 
@@ -105,6 +109,11 @@ Json segmentationBlock(const RunResult& result) {
   return block;
 }
 
+Json surfaceBlock(const RunResult& result) {
+  const Field& method = findField("surface.method");
+  return {{"method", fieldText(method.get(result.params), method)}};
+}
+
 std::optional<double> peakMemoryMb() {
   rusage usage{};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return std::nullopt;
@@ -136,6 +145,7 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
 
   if (result.evolve) report["segmentation"] = segmentationBlock(result);
   if (truth) report["truth"] = overlapBlock(*truth);
+  if (result.surface) report["surface"] = surfaceBlock(result);
   if (result.quality) {
     report["mesh"] = meshBlock(result.quality->mesh);
     report["mesh_unsmoothed"] = meshBlock(result.quality->unsmoothed);

@@ -201,10 +201,20 @@ bool inGrid(const Geometry& g, const Eigen::Vector3d& pointLps) {
   return true;
 }
 
+// The largest curvature in magnitude of the level set of phi through a point, 1/mm.
+double largestCurvature(const SplineField& phi, const Eigen::Vector3d& pointLps) {
+  return principalCurvatures(phi.secondAt(pointLps)).maximal();
+}
+
+struct Deviations {
+  std::optional<DeviationStats> distance;
+  std::optional<CurvedDeviation> curved;
+};
+
 template <class PointAt>
-std::optional<DeviationStats> deviation(std::size_t count, PointAt pointAt, const SplineField& phi,
-                                        const Progress& progress) {
-  std::vector<double> moved(count, -1.0);
+Deviations deviation(std::size_t count, PointAt pointAt, bool withCurvature, const SplineField& phi,
+                     const Progress& progress) {
+  std::vector<double> moved(count, -1.0), curved(withCurvature ? count : 0, -1.0);
   parallelFor(0, count, 512, [&](std::size_t first, std::size_t last) {
     progress.check();
     for (std::size_t i = first; i < last; ++i) {
@@ -214,16 +224,20 @@ std::optional<DeviationStats> deviation(std::size_t count, PointAt pointAt, cons
       // A point that finds no zero counts with the way it went.
       static_cast<void>(phi.projectToZero(onWall));
       moved[i] = (onWall - start).norm();
+      if (withCurvature) curved[i] = moved[i] * largestCurvature(phi, onWall);
     }
   });
-  moved.erase(std::remove(moved.begin(), moved.end(), -1.0), moved.end());
-  if (moved.empty()) return std::nullopt;
-  DeviationStats stats;
-  stats.meanMm = meanOf(moved);
-  std::sort(moved.begin(), moved.end());
-  stats.p99Mm = atFraction(moved, 0.99);
-  stats.maxMm = moved.back();
-  return stats;
+  const auto prepare = [](std::vector<double>& values) {
+    values.erase(std::remove(values.begin(), values.end(), -1.0), values.end());
+    const double mean = meanOf(values);
+    std::sort(values.begin(), values.end());
+    return mean;
+  };
+  Deviations result;
+  const double mean = prepare(moved), curvedMean = prepare(curved);
+  if (!moved.empty()) result.distance = {mean, atFraction(moved, 0.99), moved.back()};
+  if (!curved.empty()) result.curved = {curvedMean, atFraction(curved, 0.99), curved.back()};
+  return result;
 }
 
 }  // namespace
@@ -243,15 +257,19 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Pr
   if (q.intersectingPairs.size() > listedPairs) q.intersectingPairs.resize(listedPairs);
   if (phi != nullptr) {
     q.vertexDeviation = deviation(
-        mesh.points.size(), [&](std::size_t i) { return mesh.points[i]; }, *phi, progress);
+                            mesh.points.size(), [&](std::size_t i) { return mesh.points[i]; },
+                            false, *phi, progress)
+                            .distance;
     progress.report(0.75);
-    q.centroidDeviation = deviation(
+    const Deviations centroids = deviation(
         mesh.triangles.size(),
         [&](std::size_t i) -> Eigen::Vector3d {
           const Triangle3 t = cornersOf(mesh, static_cast<std::uint32_t>(i));
           return (t[0] + t[1] + t[2]) / 3.0;
         },
-        *phi, progress);
+        true, *phi, progress);
+    q.centroidDeviation = centroids.distance;
+    q.centroidTimesCurvature = centroids.curved;
   }
   progress.report(1.0);
   return q;

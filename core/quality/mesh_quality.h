@@ -20,6 +20,14 @@ struct DeviationStats {
   double maxMm = 0.0;
 };
 
+/// Distances times the largest curvature of the wall at the foot, as pure numbers: those of an
+/// inscribed triangle do not depend on how fine the mesh is made for its curvature.
+struct CurvedDeviation {
+  double mean = 0.0;
+  double p99 = 0.0;
+  double max = 0.0;
+};
+
 /// What a mesh is worth to a solver; the fields of `mesh` in report.json, same meanings and units.
 struct MeshQuality {
   std::size_t vertices = 0, triangles = 0;
@@ -43,6 +51,9 @@ struct MeshQuality {
   double below20Percent = 0.0, below30Percent = 0.0;  ///< of triangles, by smallest angle
   std::optional<DeviationStats> vertexDeviation,
       centroidDeviation;  ///< from the zero set of phi, where given
+  std::optional<CurvedDeviation> centroidTimesCurvature;
+  /// Share of the triangles that come from the advancing front, where it made the mesh.
+  std::optional<double> fromFrontPercent;
   /// Up to 1000 intersecting pairs of triangles, for the inspector.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> intersectingPairs;
 };

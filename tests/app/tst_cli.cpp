@@ -131,7 +131,8 @@ class TestCli : public QObject {
                        "truth.sensitivity",
                        "truth.precision",
                        "truth.assd_mm",
-                       "truth.hd95_mm"};
+                       "truth.hd95_mm",
+                       "surface.method"};
     for (const char* mesh : {"mesh.", "mesh_unsmoothed.", "marching_cubes."})
       for (const char* key : {"vertices",
                               "triangles",
@@ -366,6 +367,37 @@ class TestCli : public QObject {
     QCOMPARE(open.code, 3);
     QVERIFY(open.errors.contains("boundary edges"));
     QVERIFY(!hasKey(readJson(at("open/report.json")), "mesh.volume_mm3"));
+  }
+
+  void qualityComparesWithTheZeroSet() {
+    const auto measured = [this](const QStringList& more) {
+      const CliResult result =
+          cli(QStringList{"quality", "out/vessels.ply", "--phi", "out/phi.nrrd", "--json"} + more);
+      return result.code == 0 ? result.json() : QJsonObject();
+    };
+    const QJsonObject report = measured({});
+    const QJsonObject mesh = report.value("mesh").toObject();
+    const QJsonObject zeroSet = report.value("zero_set").toObject();
+    QVERIFY(hasKey(mesh, "deviation.centroid_times_curvature.p99"));
+    const double change =
+        100.0 *
+        (mesh.value("volume_mm3").toDouble() / zeroSet.value("volume_mm3").toDouble() - 1.0);
+    QVERIFY(std::fabs(change) < 10.0);
+    QVERIFY(std::fabs(change - zeroSet.value("volume_change_percent").toDouble()) < 1e-9);
+    // The plain B-spline smooths phi: its zero set encloses less.
+    const QJsonObject smaller = measured({"--spline", "bspline"}).value("zero_set").toObject();
+    QVERIFY(smaller.value("volume_mm3").toDouble() < zeroSet.value("volume_mm3").toDouble());
+    QCOMPARE(measured({"--set", "surface.spline=bspline"}).value("zero_set").toObject(), smaller);
+    QCOMPARE(cli({"quality", "out/vessels.ply", "--phi", "out/phi.nrrd", "--spline", "best"}).code,
+             2);
+    QVERIFY(!cli({"quality", "out/vessels.ply", "--json"}).json().contains("zero_set"));
+  }
+
+  void theSolverGateIsStrict() {
+    const CliResult result = cli({"quality", "out/marching-cubes.ply", "--gate", "solver"});
+    QCOMPARE(result.code, 3);
+    for (const char* what : {"least angle", "largest angle", "least radius ratio"})
+      QVERIFY2(result.errors.contains(what), result.errors.constData());
   }
 
   void evaluateAgreesWithTheRun() {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/field_input.h"
+#include "app/cli/summary.h"
+#include "core/pipeline/report.h"
+#include "io/image_io.h"
+
+namespace angiomesh::cli {
+namespace {
+
+struct EvaluateOptions {
+  std::string result, truth;
+  bool json = false;
+};
+
+int evaluate(const EvaluateOptions& options, const Progress& progress) {
+  const Volume<std::uint8_t> truth = readMask(options.truth);
+  const Volume<float> field = readPhiOrMask(options.result);
+  const OverlapMeasures measures = compareMasks(maskOnGrid(field, truth.geometry), truth, progress);
+  if (options.json)
+    std::fputs(overlapJson(measures).c_str(), stdout);
+  else
+    printOverlap(measures);
+  return Done;
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& program, Session& session) {
+  auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* command =
+      program.add_subcommand("evaluate", "Compare a result with the truth, on the truth's grid");
+  command->add_option("PHI_OR_MASK", options->result, "Level set function or mask")->required();
+  command->add_option("TRUTH", options->truth, "Mask")->required();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options, &session] {
+    session.action = [options, &session] { return evaluate(*options, session.progress); };
+  });
+}
+
+}  // namespace angiomesh::cli
