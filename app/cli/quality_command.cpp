@@ -10,7 +10,9 @@
 #include "app/cli/summary.h"
 #include "core/base/error.h"
 #include "core/pipeline/report.h"
+#include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"
+#include "core/surface/guidance_field.h"
 #include "core/surface/spline_field.h"
 #include "io/mesh_io.h"
 
@@ -79,7 +81,7 @@ struct QualityOptions {
   std::string mesh, phi, spline, against, gate;
   bool json = false;
 
-  /// The interpolant of phi, by --spline or the parameters.
+  /// The interpolant of phi and the wanted edge length, by --set surface.* and --spline.
   [[nodiscard]] SurfaceParams surface() const {
     Parameters params = settings.parameters();
     if (!spline.empty()) setFieldFromText(params, "surface.spline", spline);
@@ -87,19 +89,50 @@ struct QualityOptions {
   }
 };
 
-Json zeroSetBlock(const ZeroSetMeasure& zeroSet, const MeshQuality& mesh) {
-  Json block{{"volume_mm3", zeroSet.volumeMm3}, {"area_mm2", zeroSet.areaMm2}};
-  // An open surface encloses no volume.
-  if (mesh.closed && zeroSet.volumeMm3 > 0.0)
-    block["volume_change_percent"] = 100.0 * (mesh.volumeMm3 / zeroSet.volumeMm3 - 1.0);
-  return block;
+/// What only a level set function can tell of a mesh.
+struct WallMeasures {
+  ZeroSetMeasure zeroSet;
+  SizingCheck sizing;
+  double estimatedTriangles = 0.0;
+};
+
+WallMeasures measureWall(const TriMesh& mesh, const SplineField& phi, const SizingParams& params,
+                         const Progress& progress) {
+  WallMeasures wall;
+  wall.zeroSet = measureZeroSet(phi, progress.sub(0.0, 0.4));
+  const GuidanceField wanted(phi, params, progress.sub(0.4, 0.8));
+  wall.sizing = checkSizing(mesh, wanted, phi.geometry(), progress.sub(0.8, 1.0));
+  wall.estimatedTriangles = wanted.estimatedTriangles();
+  return wall;
 }
 
-void printZeroSet(const ZeroSetMeasure& zeroSet, const MeshQuality& mesh) {
-  std::printf("\nzero set      area %.6g mm2, volume %.6g mm3", zeroSet.areaMm2, zeroSet.volumeMm3);
-  if (mesh.closed && zeroSet.volumeMm3 > 0.0)
-    std::printf(" (the mesh: %+.3f %%)", 100.0 * (mesh.volumeMm3 / zeroSet.volumeMm3 - 1.0));
-  std::printf("\n");
+Json wallBlocks(const WallMeasures& wall, const MeshQuality& mesh) {
+  Json zeroSet{{"volume_mm3", wall.zeroSet.volumeMm3}, {"area_mm2", wall.zeroSet.areaMm2}};
+  // An open surface encloses no volume.
+  if (mesh.closed && wall.zeroSet.volumeMm3 > 0.0)
+    zeroSet["volume_change_percent"] = 100.0 * (mesh.volumeMm3 / wall.zeroSet.volumeMm3 - 1.0);
+  Json sizing{{"edges_in_range_percent", wall.sizing.edgesInRangePercent},
+              {"edge_ratio_mean", wall.sizing.edgeRatioMean},
+              {"triangles", wall.sizing.triangles},
+              {"wanted_triangles", wall.sizing.wantedTriangles}};
+  if (wall.sizing.wantedTriangles > 0.0)
+    sizing["triangle_excess_percent"] =
+        100.0 * (static_cast<double>(wall.sizing.triangles) / wall.sizing.wantedTriangles - 1.0);
+  sizing["estimated_triangles"] = wall.estimatedTriangles;
+  return {{"zero_set", zeroSet}, {"sizing", sizing}};
+}
+
+void printWall(const WallMeasures& wall, const MeshQuality& mesh) {
+  std::printf("\nzero set      area %.6g mm2, volume %.6g mm3", wall.zeroSet.areaMm2,
+              wall.zeroSet.volumeMm3);
+  if (mesh.closed && wall.zeroSet.volumeMm3 > 0.0)
+    std::printf(" (the mesh: %+.3f %%)", 100.0 * (mesh.volumeMm3 / wall.zeroSet.volumeMm3 - 1.0));
+  std::printf(
+      "\nedge length   %.2f %% of the edges within 0.7 to 1.4 of the wanted length, mean "
+      "%.3f of it\n",
+      wall.sizing.edgesInRangePercent, wall.sizing.edgeRatioMean);
+  std::printf("triangles     %zu of the wall, %.0f wanted for its area\n", wall.sizing.triangles,
+              wall.sizing.wantedTriangles);
 }
 
 int quality(const QualityOptions& options, const Progress& progress) {
@@ -110,8 +143,8 @@ int quality(const QualityOptions& options, const Progress& progress) {
   const SplineField* field = phi ? &*phi : nullptr;
   const TriMesh mesh = readMesh(options.mesh);
   const MeshQuality mine = measureQuality(mesh, field, progress.sub(0.0, 0.4));
-  std::optional<ZeroSetMeasure> zeroSet;
-  if (phi) zeroSet = measureZeroSet(*phi, progress.sub(0.4, 0.7));
+  std::optional<WallMeasures> wall;
+  if (phi) wall = measureWall(mesh, *phi, surface.sizing, progress.sub(0.4, 0.7));
   std::optional<MeshQuality> other;
   if (!options.against.empty())
     other = measureQuality(readMesh(options.against), field, progress.sub(0.7, 1.0));
@@ -120,7 +153,7 @@ int quality(const QualityOptions& options, const Progress& progress) {
 
   if (options.json) {
     Json report = Json::parse(meshQualityJson(mine));
-    if (zeroSet) report["zero_set"] = zeroSetBlock(*zeroSet, mine);
+    if (wall) report.update(wallBlocks(*wall, mine));
     if (other) report["against"] = Json::parse(meshQualityJson(*other))["mesh"];
     if (gate != nullptr)
       report["gate"] = {{"name", gate->name}, {"passed", failed.empty()}, {"failures", failed}};
@@ -129,7 +162,7 @@ int quality(const QualityOptions& options, const Progress& progress) {
     std::vector<NamedQuality> columns{{"mesh", &mine}};
     if (other) columns.push_back({"against", &*other});
     printQualities(columns);
-    if (zeroSet) printZeroSet(*zeroSet, mine);
+    if (wall) printWall(*wall, mine);
   }
   if (failed.empty()) return Done;
   std::string list;

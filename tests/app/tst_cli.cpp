@@ -393,6 +393,31 @@ class TestCli : public QObject {
     QVERIFY(!cli({"quality", "out/vessels.ply", "--json"}).json().contains("zero_set"));
   }
 
+  void qualityComparesWithTheWantedEdgeLength() {
+    const auto sizing = [this](const char* setting) {
+      return cli({"quality", "out/vessels.ply", "--phi", "out/phi.nrrd", "--json", "--set",
+                  setting})
+          .json()
+          .value("sizing")
+          .toObject();
+    };
+    const QJsonObject fine = sizing("surface.rho=0.2");
+    const QJsonObject coarse = sizing("surface.rho=0.4");
+    QCOMPARE(fine.value("triangles"), coarse.value("triangles"));
+    QVERIFY(fine.value("wanted_triangles").toDouble() >
+            2.0 * coarse.value("wanted_triangles").toDouble());
+    QVERIFY(fine.value("edge_ratio_mean").toDouble() > coarse.value("edge_ratio_mean").toDouble());
+    const double inRange = coarse.value("edges_in_range_percent").toDouble();
+    QVERIFY(inRange > 0.0 && inRange <= 100.0);
+    const double excess =
+        100.0 *
+        (coarse.value("triangles").toDouble() / coarse.value("wanted_triangles").toDouble() - 1.0);
+    QVERIFY(std::fabs(excess - coarse.value("triangle_excess_percent").toDouble()) < 1e-9);
+    QVERIFY(std::fabs(coarse.value("estimated_triangles").toDouble() /
+                          coarse.value("wanted_triangles").toDouble() -
+                      1.0) < 0.25);
+  }
+
   void theSolverGateIsStrict() {
     const CliResult result = cli({"quality", "out/marching-cubes.ply", "--gate", "solver"});
     QCOMPARE(result.code, 3);
