@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/remesh.h"
+
+#include "core/surface/remesh_ground.h"
+#include "core/surface/remesh_worker.h"
+
+namespace angiomesh {
+namespace {
+
+class GuidanceSize : public EdgeSize {
+ public:
+  explicit GuidanceSize(const GuidanceField& field) : field_(field) {}
+  [[nodiscard]] double at(const Eigen::Vector3d& pointLps) const override {
+    return field_.at(pointLps);
+  }
+
+ private:
+  const GuidanceField& field_;
+};
+
+PatchMesh improved(RemeshWorker& worker, const Progress& progress) {
+  worker.even();
+  progress.report(0.8);
+  worker.repair();
+  worker.finish();
+  progress.report(1.0);
+  return worker.result();
+}
+
+}  // namespace
+
+PatchMesh remesh(const PatchMesh& start, const SplineField& field, const EdgeSize& size,
+                 const Progress& progress) {
+  const RemeshGround ground(field, size);
+  RemeshWorker worker(start, ground, progress);
+  worker.resize();
+  PatchMesh result = improved(worker, progress);
+  for (FaceOrigin& origin : result.origin) origin = FaceOrigin::Remesh;
+  return result;
+}
+
+void improveTriangles(PatchMesh& mesh, const SplineField& field, const EdgeSize& size,
+                      const Progress& progress) {
+  const RemeshGround ground(field, size);
+  RemeshWorker worker(mesh, ground, progress);
+  mesh = improved(worker, progress);
+}
+
+PatchMesh remesh(const PatchMesh& start, const SplineField& field, const GuidanceField& size,
+                 const Progress& progress) {
+  return remesh(start, field, GuidanceSize(size), progress);
+}
+
+void improveTriangles(PatchMesh& mesh, const SplineField& field, const GuidanceField& size,
+                      const Progress& progress) {
+  improveTriangles(mesh, field, GuidanceSize(size), progress);
+}
+
+}  // namespace angiomesh

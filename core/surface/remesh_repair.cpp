@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "core/base/parallel.h"
+#include "core/surface/remesh_shape.h"
+#include "core/surface/remesh_worker.h"
+
+namespace angiomesh {
+namespace {
+
+constexpr double good = 0.97;  ///< nothing to be gained below this badness
+
+}  // namespace
+
+bool RemeshWorker::Merit::betterThan(const Merit& other) const {
+  constexpr double leastEdge = 0.6, greatestEdge = 1.6;  // in wanted lengths
+  if (worst > other.worst + 1e-9) return false;
+  if (shortest < leastEdge && shortest < other.shortest - 1e-9) return false;
+  if (longest > greatestEdge && longest > other.longest + 1e-9) return false;
+  return sum < 0.98 * other.sum;
+}
+
+// The corners of t and the vertices across its sides; at higher levels rings around them.
+std::vector<std::uint32_t> RemeshWorker::around(std::uint32_t t, int level) const {
+  std::vector<std::uint32_t> found;
+  const auto add = [&](std::uint32_t v) {
+    if (std::find(found.begin(), found.end(), v) == found.end()) found.push_back(v);
+  };
+  for (std::uint32_t k = 0; k < 3; ++k) add(mesh_.origin(3 * t + k));
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t o = mesh_.twin(3 * t + k);
+    if (o != EditMesh::none) add(mesh_.apex(o));
+  }
+  for (int ring = 0; ring < level; ++ring) {
+    const std::size_t size = ring == 0 ? 3 : found.size();
+    for (std::size_t i = 0; i < size; ++i) {
+      const Ring r = mesh_.ring(found[i]);
+      for (std::uint32_t k = 0; k < r.count; ++k) add(r.vertex[k]);
+    }
+  }
+  return found;
+}
+
+void RemeshWorker::facesOf(const std::vector<std::uint32_t>& vertices,
+                           std::vector<std::uint32_t>& faces) {
+  marks_.resize(mesh_.halfEdgeSlots() / 3, 0);
+  ++mark_;
+  faces.clear();
+  for (const std::uint32_t v : vertices) {
+    if (!mesh_.livesVertex(v)) continue;
+    const std::uint32_t start = mesh_.leaving(v);
+    std::uint32_t h = start;
+    do {
+      if (marks_[h / 3] != mark_) {
+        marks_[h / 3] = mark_;
+        faces.push_back(h / 3);
+      }
+      h = mesh_.twin(EditMesh::previous(h));
+    } while (h != EditMesh::none && h != start);
+  }
+}
+
+RemeshWorker::Merit RemeshWorker::merit(const std::vector<std::uint32_t>& vertices) {
+  facesOf(vertices, faces_);
+  Merit m;
+  for (const std::uint32_t t : faces_) {
+    const double bad = faceBadness(t);
+    m.worst = std::max(m.worst, bad);
+    if (bad > good) m.sum += (bad - good) * (bad - good);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const double s = stretch(3 * t + k);
+      m.shortest = std::min(m.shortest, s);
+      m.longest = std::max(m.longest, s);
+    }
+  }
+  return m;
+}
+
+double RemeshWorker::ringBadness(const Ring& ring, const Vector3d& point) const {
+  double worst = 0.0;
+  for (std::uint32_t i = 0; i < ring.triangles(); ++i)
+    worst = std::max(worst, remeshing::badness(point, mesh_.point(ring.vertex[i]),
+                                               mesh_.point(ring.vertex[ring.after(i)])));
+  return worst;
+}
+
+// Moves v to where the worst triangle around it is best: a pattern search along the surface.
+bool RemeshWorker::relocate(std::uint32_t v) {
+  const int free = freedom(v);
+  if (free == 0) return false;
+  const Ring ring = mesh_.ring(v);
+  const Vector3d start = mesh_.point(v), n = mesh_.normal(v);
+  const double g = mesh_.size(v);
+  Vector3d best = start;
+  double worst = ringBadness(ring, start);
+  if (worst < 0.6) return false;
+  const double before = worst;
+  Vector3d t1 = n.unitOrthogonal();
+  if (free == 1) {
+    t1 = ground_.along(mesh_.place(v), n, mesh_.point(ring.vertex[0]) - start);
+    if (!(t1.norm() > 1e-9)) return false;
+    t1.normalize();
+  }
+  const Vector3d t2 = n.cross(t1);
+  constexpr double c = 0.5, s = 0.8660254037844386;
+  const std::array<Vector3d, 6> ways{
+      t1, c * t1 + s * t2, -c * t1 + s * t2, Vector3d(-t1), -c * t1 - s * t2, c * t1 - s * t2};
+  for (double length = 0.16 * g; length > 0.004 * g;) {
+    bool moved = false;
+    for (std::size_t i = 0; i < 6; i += free == 1 ? 3 : 1) {
+      const Vector3d point = best + length * ways[i];
+      const double value = ringBadness(ring, point);
+      if (value < worst - 1e-4) {
+        worst = value;
+        best = point;
+        moved = true;
+        break;
+      }
+    }
+    if (!moved) length *= 0.5;
+  }
+  if (best == start) return false;
+  Vector3d normal = n;
+  if (!ground_.land(mesh_.place(v), best, normal, 2)) return false;
+  if (ringBadness(ring, best) > before - 1e-4) return false;
+  if (!ringAgrees(v, ring, best, 0.5) && ringAgrees(v, ring, start, 0.5)) return false;
+  mesh_.set(v, best, normal, ground_.sizeAt(best));
+  return true;
+}
+
+// Flips and relocations among `vertices`.
+void RemeshWorker::settle(const std::vector<std::uint32_t>& vertices, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    bool changed = false;
+    facesOf(vertices, faces_);
+    for (const std::uint32_t t : faces_)
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const std::uint32_t o = mesh_.twin(h);
+        if (o == EditMesh::none || marks_[o / 3] != mark_ || !worthFlipping(h, FlipBy::Shape))
+          continue;
+        mesh_.flip(h);
+        changed = true;
+      }
+    for (const std::uint32_t v : vertices) {
+      if (!mesh_.livesVertex(v) || freedom(v) == 0) continue;
+      if (round == 0) relaxVertex(v);
+      changed = relocate(v) || changed;
+    }
+    if (!changed) break;
+  }
+}
+
+bool RemeshWorker::apply(const Move& move, std::vector<std::uint32_t>& vertices) {
+  switch (move.kind) {
+    case Kind::Relocate:
+      return true;
+    case Kind::Flip:
+      if (!mesh_.canFlip(move.side)) return false;
+      mesh_.flip(move.side);
+      return true;
+    case Kind::Collapse:
+      return collapseEdge(move.side, 1.6);
+    case Kind::Split: {
+      const std::uint32_t m = splitEdge(move.side);
+      if (m == EditMesh::none) return false;
+      vertices.push_back(m);
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<RemeshWorker::Move> RemeshWorker::movesFor(std::uint32_t t, int level) const {
+  std::array<std::uint32_t, 3> sides{3 * t, 3 * t + 1, 3 * t + 2};
+  std::stable_sort(sides.begin(), sides.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return stretch(a) < stretch(b); });
+  std::vector<Move> moves{{Kind::Relocate, 0}};
+  moves.push_back({Kind::Flip, sides[2]});
+  moves.push_back({Kind::Flip, sides[1]});
+  moves.push_back({Kind::Collapse, sides[0]});
+  moves.push_back({Kind::Split, sides[2]});
+  if (level == 0) return moves;
+  moves.push_back({Kind::Flip, sides[0]});
+  moves.push_back({Kind::Collapse, sides[1]});
+  moves.push_back({Kind::Split, sides[1]});
+  moves.push_back({Kind::Collapse, sides[2]});
+  moves.push_back({Kind::Split, sides[0]});
+  // The sides of the triangles around.
+  std::vector<std::uint32_t> more;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const Ring ring = mesh_.ring(mesh_.origin(3 * t + k));
+    for (std::uint32_t i = 0; i < ring.count; ++i) {
+      if (ring.side[i] != EditMesh::none && ring.side[i] / 3 != t) more.push_back(ring.side[i]);
+      const std::uint32_t h = mesh_.edgeBetween(mesh_.origin(3 * t + k), ring.vertex[i]);
+      if (h / 3 != t && (mesh_.twin(h) == EditMesh::none || mesh_.twin(h) / 3 != t))
+        more.push_back(h);
+    }
+  }
+  for (const std::uint32_t h : more) {
+    const double s = stretch(h);
+    moves.push_back({Kind::Flip, h});
+    if (s < 1.0) moves.push_back({Kind::Collapse, h});
+    if (s > 1.0) moves.push_back({Kind::Split, h});
+  }
+  return moves;
+}
+
+// Tries one change after the other around t, each followed by flips and relocation, and keeps the
+// first that leaves nothing bad, else the best. True when something was kept.
+bool RemeshWorker::work(std::uint32_t t, int level, std::size_t& quota) {
+  const std::vector<std::uint32_t> region = around(t, level);
+  const Merit before = merit(region);
+  const int rounds = level + 2;
+  Merit best = before;
+  Move bestMove{Kind::Relocate, EditMesh::none};
+  bool any = false;
+  const auto attempt = [&](const Move& move) {
+    touched_ = region;
+    mesh_.beginTrial();
+    if (!apply(move, touched_)) return false;
+    settle(touched_, rounds);
+    return true;
+  };
+  for (const Move& move : movesFor(t, level)) {
+    if (quota == 0) break;
+    const bool done = attempt(move);
+    quota -= done ? 1 : 0;
+    if (!done) {
+      mesh_.takeBack();
+      continue;
+    }
+    const Merit after = merit(touched_);
+    if (after.betterThan(before) && !(after.sum > 0.0)) {
+      mesh_.keep();
+      return true;
+    }
+    if (after.betterThan(best)) {
+      best = after;
+      bestMove = move;
+      any = true;
+    }
+    mesh_.takeBack();
+  }
+  if (!any) return false;
+  attempt(bestMove);
+  mesh_.keep();
+  return true;
+}
+
+std::vector<RemeshWorker::Job> RemeshWorker::badFaces() const {
+  constexpr std::size_t blockSize = 2048;
+  const std::size_t count = mesh_.halfEdgeSlots() / 3;
+  std::vector<std::vector<Job>> found((count + blockSize - 1) / blockSize);
+  parallelFor(0, count, blockSize, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      if (!mesh_.lives(t)) continue;
+      const double bad = faceBadness(t);
+      if (bad > 1.0) found[first / blockSize].push_back({bad, t});
+    }
+  });
+  std::vector<Job> all;
+  for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+// Worst first; what did not give way is tried again with more of its surroundings.
+void RemeshWorker::repair() {
+  for (int level = 0; level < 3; ++level) {
+    const std::vector<Job> start = badFaces();
+    if (start.empty()) return;
+    std::priority_queue<Job> queue(std::less<Job>(), start);
+    // Trials of a higher level cost more; what cannot be made good must not take for ever.
+    std::size_t quota = (mesh_.halfEdgeSlots() / 3 + 5000) >> (2 * level);
+    // A fold that stays mostly lies where the wall has a crease that no triangle can follow.
+    std::size_t foldQuota = quota / 16;
+    while (!queue.empty() && quota > 0) {
+      progress_.check();
+      const Job job = queue.top();
+      queue.pop();
+      if (!mesh_.lives(job.triangle)) continue;
+      const double bad = faceBadness(job.triangle);
+      if (bad <= 1.0) continue;
+      if (bad < job.badness - 1e-9) {
+        queue.push({bad, job.triangle});
+        continue;
+      }
+      if (!work(job.triangle, level, shapeBadness(job.triangle) > 1.0 ? quota : foldQuota))
+        continue;
+      facesOf(touched_, faces_);
+      for (const std::uint32_t t : faces_) {
+        const double left = faceBadness(t);
+        if (left > 1.0) queue.push({left, t});
+      }
+    }
+  }
+}
+
+}  // namespace angiomesh

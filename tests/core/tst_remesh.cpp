@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <functional>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/phantom/phantom.h"
+#include "core/quality/mesh_quality.h"
+#include "core/surface/guidance_field.h"
+#include "core/surface/marching_cubes.h"
+#include "core/surface/remesh.h"
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+// A field, the wanted edge lengths of issue's accuracy, and marching cubes as the start.
+struct Scene {
+  std::unique_ptr<SplineField> field;
+  std::unique_ptr<GuidanceField> size;
+  PatchMesh start;
+  int euler = 0;
+
+  Scene(const Volume<float>& phi, int eulerNumber) : euler(eulerNumber) {
+    field = std::make_unique<SplineField>(phi, SplineKind::InterpolatingBspline);
+    SizingParams params;
+    params.etaCompensated = false;
+    params.edgesAround = 0;
+    size = std::make_unique<GuidanceField>(*field, params);
+    start.mesh = marchingCubes(phi);
+    start.place.assign(start.mesh.points.size(), PatchMesh::wallBit);
+    start.patch.assign(start.mesh.triangles.size(), 0);
+    start.origin.assign(start.mesh.triangles.size(), FaceOrigin::Front);
+  }
+};
+
+double torusPart(const Vector3d& p, const Vector3d& centre) {
+  const Vector3d d = p - centre;
+  return std::hypot(std::hypot(d[0], d[1]) - 9.0, d[2]) - 3.2;
+}
+
+// Smooth minimum (two continuous derivatives).
+double blend(double a, double b, double k) {
+  const double h = std::max(k - std::abs(a - b), 0.0) / k;
+  return std::min(a, b) - h * h * h * k / 6.0;
+}
+
+Scene makeScene(const QString& name) {
+  const Geometry cube = analytic::cube(40);
+  const Vector3d c{19.6, 19.3, 19.8};
+  if (name == "sphere")
+    return {shapes::sampled(cube, [&](const Vector3d& p) { return (p - c).norm() - 12.3; }), 2};
+  if (name == "torus")
+    return {shapes::sampled(cube, [&](const Vector3d& p) { return torusPart(p, c); }), 0};
+  if (name == "double torus") {
+    Geometry g = cube;
+    g.size = {56, 36, 20};
+    const Vector3d a{17.2, 17.3, 9.6}, b{37.9, 17.5, 9.6};
+    return {shapes::sampled(
+                g, [&](const Vector3d& p) { return blend(torusPart(p, a), torusPart(p, b), 3.0); }),
+            -2};
+  }
+  if (name == "thin sheet")
+    return {shapes::sampled(cube,
+                            [&](const Vector3d& p) {
+                              const Vector3d d = (p - c).cwiseAbs() - Vector3d(12.0, 12.0, 0.4);
+                              return d.cwiseMax(0.0).norm() + std::min(d.maxCoeff(), 0.0) - 1.2;
+                            }),
+            2};
+  if (name == "oblique") {
+    const Geometry g = shapes::obliqueGeometry({48, 40, 30}, true);
+    const Vector3d middle = analytic::centreOf(g), axis = g.direction.col(0);
+    return {shapes::sampled(g,
+                            [&](const Vector3d& p) {
+                              const Vector3d d = p - middle;
+                              const double x = std::clamp(d.dot(axis), -5.0, 5.0);
+                              return (d - x * axis).norm() - 3.0 - 0.2 * x;
+                            }),
+            2};
+  }
+  if (name == "noise") {
+    const Volume<float> noise = shapes::noise(cube.size, 5);
+    Volume<float> phi =
+        shapes::sampled(cube, [&](const Vector3d& p) { return torusPart(p, c) - 0.6; });
+    for (std::size_t i = 0; i < phi.voxels.size(); ++i) phi.voxels[i] += 0.1F * noise.voxels[i];
+    return {phi, 0};
+  }
+  PhantomParams params;
+  params.kind = PhantomKind::CapsuleTree;
+  params.size = {64, 64, 64};
+  params.radius = 2.5;
+  return {phantomField(params), 0};
+}
+
+// A good mesh made bad: vertices jittered along the surface by up to 0.35 edge lengths.
+void spoil(PatchMesh& mesh, const Scene& scene) {
+  std::uint64_t n = 0;
+  for (Vector3d& p : mesh.mesh.points) {
+    const Vector3d normal = scene.field->at(p).gradient.normalized();
+    Vector3d step{randomUniform(7, n) - 0.5, randomUniform(7, n + 1) - 0.5,
+                  randomUniform(7, n + 2) - 0.5};
+    step -= step.dot(normal) * normal;
+    p += 0.35 * scene.size->at(p) * randomUniform(7, n + 3) * step.normalized();
+    n += 4;
+  }
+}
+
+void verifyBars(const PatchMesh& result, const Scene& scene) {
+  const TriMesh& mesh = result.mesh;
+  const double voxel = scene.field->geometry().voxelMm();
+  const MeshQuality q = measureQuality(mesh, scene.field.get());
+  QVERIFY(q.closed && q.oriented);
+  QCOMPARE(q.nonManifoldEdges + q.nonManifoldVertices, std::size_t{0});
+  QCOMPARE(q.selfIntersections + q.degenerateTriangles, std::size_t{0});
+  QCOMPARE(q.euler, scene.euler);
+  QVERIFY2(q.minAngleMin >= 30.0, qPrintable(QString::number(q.minAngleMin)));
+  QVERIFY2(q.maxAngleMax <= 110.0, qPrintable(QString::number(q.maxAngleMax)));
+  QVERIFY2(q.radiusRatioMean >= 0.975, qPrintable(QString::number(q.radiusRatioMean)));
+  QVERIFY2(q.radiusRatioMin >= 0.6, qPrintable(QString::number(q.radiusRatioMin)));
+  QVERIFY2(q.vertexDeviation->maxMm <= 1e-5 * voxel,
+           qPrintable(QString::number(q.vertexDeviation->maxMm)));
+  std::size_t within = 0, sides = 0;
+  double expected = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Vector3d &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    const Vector3d n = (b - a).cross(c - a);
+    const double g = scene.size->at((a + b + c) / 3.0);
+    expected += 0.5 * n.norm() / (std::sqrt(3.0) / 4.0 * g * g);
+    for (std::size_t k = 0; k < 3; ++k, ++sides) {
+      const Vector3d &p = mesh.points[t[k]], &r = mesh.points[t[(k + 1) % 3]];
+      const double length = (r - p).norm() / scene.size->at(0.5 * (p + r));
+      if (length >= 0.7 && length <= 1.4) ++within;
+      QVERIFY(n.dot(scene.field->at(p).gradient.normalized()) > 0.3 * n.norm());
+    }
+  }
+  QVERIFY(static_cast<double>(within) >= 0.95 * static_cast<double>(sides));
+  const double share = static_cast<double>(mesh.triangles.size()) / expected;
+  QVERIFY2(share > 0.85 && share < 1.15, qPrintable(QString::number(share)));
+}
+
+bool same(const PatchMesh& a, const PatchMesh& b) {
+  return a.mesh.points == b.mesh.points && a.mesh.triangles == b.mesh.triangles &&
+         a.place == b.place && a.patch == b.patch && a.origin == b.origin;
+}
+
+}  // namespace
+
+class TestRemesh : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void meetsTheBars_data() {
+    QTest::addColumn<QString>("shape");
+    for (const char* name :
+         {"sphere", "torus", "double torus", "thin sheet", "oblique", "noise", "capsule tree"})
+      QTest::newRow(name) << name;
+  }
+
+  void meetsTheBars() {
+    QFETCH(QString, shape);
+    const Scene scene = makeScene(shape);
+    PatchMesh mesh = remesh(scene.start, *scene.field, *scene.size);
+    verifyBars(mesh, scene);
+    QVERIFY(std::all_of(mesh.origin.begin(), mesh.origin.end(),
+                        [](FaceOrigin o) { return o == FaceOrigin::Remesh; }));
+    mesh.origin.assign(mesh.origin.size(), FaceOrigin::Front);
+    spoil(mesh, scene);
+    QVERIFY(measureQuality(mesh.mesh).minAngleMin < 30.0);
+    improveTriangles(mesh, *scene.field, *scene.size);
+    verifyBars(mesh, scene);
+    QVERIFY(std::all_of(mesh.origin.begin(), mesh.origin.end(),
+                        [](FaceOrigin o) { return o == FaceOrigin::Front; }));
+  }
+
+  void theNumberOfThreadsDoesNotMatter() {
+    const Scene scene = makeScene("oblique");
+    setThreads(1);
+    PatchMesh one = remesh(scene.start, *scene.field, *scene.size);
+    spoil(one, scene);
+    PatchMesh spoiled = one;
+    improveTriangles(one, *scene.field, *scene.size);
+    setThreads(4);
+    PatchMesh four = remesh(scene.start, *scene.field, *scene.size);
+    spoil(four, scene);
+    QVERIFY(same(spoiled, four));
+    improveTriangles(four, *scene.field, *scene.size);
+    setThreads(0);
+    QVERIFY(same(one, four));
+  }
+
+  void rimsAndCapsStayInTheirPlanes_data() {
+    QTest::addColumn<bool>("capped");
+    QTest::newRow("open") << false;
+    QTest::newRow("capped") << true;
+  }
+
+  // A tube that leaves the volume at both ends of the third axis.
+  void rimsAndCapsStayInTheirPlanes() {
+    QFETCH(bool, capped);
+    const Geometry g = shapes::obliqueGeometry({24, 22, 18});
+    const Vector3d middle = analytic::centreOf(g), axis = g.direction.col(2);
+    const auto phi =
+        shapes::sampled(g, [&](const Vector3d& p) { return analytic::tube(p, middle, axis, 2.6); });
+    Scene scene(phi, capped ? 2 : 0);
+    PatchMesh start = tube(g, middle, 2.6, capped);
+    const PatchMesh result = remesh(start, *scene.field, *scene.size);
+    const MeshQuality q = measureQuality(result.mesh);
+    QCOMPARE(q.euler, scene.euler);
+    QCOMPARE(q.boundaryLoops, std::size_t{capped ? 0U : 2U});
+    QCOMPARE(q.nonManifoldEdges + q.selfIntersections, std::size_t{0});
+    QVERIFY2(q.minAngleMin >= 30.0, qPrintable(QString::number(q.minAngleMin)));
+    QVERIFY2(q.maxAngleMax <= 110.0, qPrintable(QString::number(q.maxAngleMax)));
+    const double last = g.size[2] - 1;
+    std::size_t onPlanes = 0;
+    for (std::size_t v = 0; v < result.mesh.points.size(); ++v) {
+      const Vector3d& p = result.mesh.points[v];
+      const double z = g.toIndex(p)[2];
+      const std::uint8_t place = result.place[v];
+      const Vector3d d = p - middle;
+      if ((place & PatchMesh::wallBit) != 0)
+        QVERIFY(std::abs((d - d.dot(axis) * axis).norm() - 2.6) < 0.02);
+      if ((place & PatchMesh::planeBits) == 0) continue;
+      ++onPlanes;
+      QVERIFY(std::abs(z - ((place & 16) != 0 ? 0.0 : last)) < 1e-9);
+    }
+    QVERIFY(onPlanes > 20);
+    for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+      if (result.patch[t] == 0) continue;
+      QVERIFY(capped);
+      for (const std::uint32_t v : result.mesh.triangles[t])
+        QVERIFY((result.place[v] >> (result.patch[t] - 1) & 1) != 0);
+    }
+  }
+
+  void takesWhatThereIs() {
+    const Scene scene = makeScene("sphere");
+    PatchMesh empty;
+    QVERIFY(remesh(empty, *scene.field, *scene.size).mesh.triangles.empty());
+    improveTriangles(empty, *scene.field, *scene.size);
+    QVERIFY(empty.mesh.triangles.empty());
+    PatchMesh wrong = scene.start;
+    wrong.patch.pop_back();
+    QVERIFY_EXCEPTION_THROWN(improveTriangles(wrong, *scene.field, *scene.size), InputError);
+    // Two tetrahedra in one vertex: not a manifold there, so nothing changes around it.
+    PatchMesh joined;
+    joined.mesh = shapes::tetrahedron();
+    const auto other = [](std::uint32_t v) { return v == 0 ? 0 : v + 3; };
+    for (const auto& t : shapes::tetrahedron().triangles)
+      joined.mesh.triangles.push_back({other(t[0]), other(t[1]), other(t[2])});
+    for (int v = 1; v < 4; ++v) joined.mesh.points.emplace_back(-1.0 * joined.mesh.points[v]);
+    joined.place.assign(7, PatchMesh::wallBit);
+    joined.patch.assign(8, 0);
+    joined.origin.assign(8, FaceOrigin::Closing);
+    const TriMesh before = joined.mesh;
+    improveTriangles(joined, *scene.field, *scene.size);
+    QVERIFY(joined.mesh.points == before.points && joined.mesh.triangles == before.triangles);
+    Progress cancelled;
+    cancelled.cancel();
+    QVERIFY_EXCEPTION_THROWN(remesh(scene.start, *scene.field, *scene.size, cancelled), Cancelled);
+  }
+
+ private:
+  // Rings of eight vertices on the tube wall, closed by fans where `capped`.
+  static PatchMesh tube(const Geometry& g, const Vector3d& middle, double radius, bool capped) {
+    PatchMesh mesh;
+    constexpr std::uint32_t around = 8, rings = 5;
+    const Vector3d axis = g.direction.col(2);
+    const double length = (g.size[2] - 1) * g.spacing[2];
+    const auto add = [&](const Vector3d& p, int place) {
+      mesh.mesh.points.push_back(p);
+      mesh.place.push_back(static_cast<std::uint8_t>(place));
+    };
+    for (std::uint32_t r = 0; r < rings; ++r)
+      for (std::uint32_t i = 0; i < around; ++i) {
+        const double angle = 2.0 * shapes::pi * i / around;
+        const Vector3d out =
+            std::cos(angle) * g.direction.col(0) + std::sin(angle) * g.direction.col(1);
+        const double along = length * (1.0 * r / (rings - 1) - 0.5);
+        add(middle + radius * out + along * axis, 64 | (r == 0 ? 16 : r == rings - 1 ? 32 : 0));
+      }
+    const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, int patch) {
+      mesh.mesh.triangles.push_back({a, b, c});
+      mesh.patch.push_back(static_cast<std::uint8_t>(patch));
+      mesh.origin.push_back(FaceOrigin::Front);
+    };
+    for (std::uint32_t r = 0; r + 1 < rings; ++r)
+      for (std::uint32_t i = 0; i < around; ++i) {
+        const std::uint32_t a = r * around + i, b = r * around + (i + 1) % around;
+        face(a, b, b + around, 0);
+        face(a, b + around, a + around, 0);
+      }
+    if (!capped) return mesh;
+    const std::uint32_t last = (rings - 1) * around;
+    add(middle - 0.5 * length * axis, 16);
+    add(middle + 0.5 * length * axis, 32);
+    for (std::uint32_t i = 0; i < around; ++i) {
+      face((i + 1) % around, i, rings * around, 5);
+      face(last + i, last + (i + 1) % around, rings * around + 1, 6);
+    }
+    return mesh;
+  }
+};
+
+QTEST_APPLESS_MAIN(TestRemesh)
+#include "tst_remesh.moc"
