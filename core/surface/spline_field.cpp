@@ -340,6 +340,17 @@ SplineField::SecondJet SplineField::secondAt(const Eigen::Vector3d& pointLps) co
           toIndexMatrix_.transpose() * hessian * toIndexMatrix_};
 }
 
+void SplineField::cellSamples(const Index3& cell, std::array<double, 64>& samples) const {
+  const float* corner = coefficients_.data() + static_cast<std::size_t>(cell[0]) +
+                        static_cast<std::size_t>(cell[1]) * rowStride_ +
+                        static_cast<std::size_t>(cell[2]) * layerStride_;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t i = 0; i < 4; ++i)
+        samples[n++] = static_cast<double>(corner[i + j * rowStride_ + k * layerStride_]);
+}
+
 double SplineField::atVoxel(int i, int j, int k) const {
   const float* at = coefficients_.data() + static_cast<std::size_t>(i) +
                     static_cast<std::size_t>(j) * rowStride_ +

@@ -43,6 +43,10 @@ class SplineField {
   /// Value, gradient and Hessian (per mm, per mm^2, LPS) at a point in LPS mm, in one pass.
   [[nodiscard]] SecondJet secondAt(const Eigen::Vector3d& pointLps) const;
 
+  /// The 4 x 4 x 4 samples (spline coefficients, or voxel values) that make up the cell between
+  /// voxel `cell` and the next ones, x fastest; extrapolated beyond the border.
+  void cellSamples(const Index3& cell, std::array<double, 64>& samples) const;
+
   /// The value at the centre of a voxel.
   [[nodiscard]] double atVoxel(int i, int j, int k) const;
 

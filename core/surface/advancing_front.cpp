@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/advancing_front.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface/wall_smoother.h"
+
+namespace angiomesh {
+
+std::uint32_t AdvancingFront::addVertex(const FrontPoint& point, double spacing) {
+  vertices_.push_back(point);
+  spacing_.push_back(spacing);
+  leaving_.push_back(none);
+  return static_cast<std::uint32_t>(vertices_.size() - 1);
+}
+
+std::uint32_t AdvancingFront::newEdge(std::uint32_t from, std::uint32_t to) {
+  std::uint32_t id = 0;
+  if (freeEdges_.empty()) {
+    id = static_cast<std::uint32_t>(edges_.size());
+    edges_.emplace_back();
+  } else {
+    id = freeEdges_.back();
+    freeEdges_.pop_back();
+  }
+  Edge& e = edges_[id];
+  e.from = from;
+  e.to = to;
+  e.next = e.previous = none;
+  e.kind = Class::Free;
+  e.alive = true;
+  e.nextLeaving = leaving_[from];
+  if (leaving_[from] == none) grid_.insert(from, vertices_[from].point, spacing_[from]);
+  leaving_[from] = id;
+  return id;
+}
+
+void AdvancingFront::dropEdge(std::uint32_t id) {
+  Edge& e = edges_[id];
+  std::uint32_t* link = &leaving_[e.from];
+  while (*link != id) link = &edges_[*link].nextLeaving;
+  *link = e.nextLeaving;
+  if (leaving_[e.from] == none) grid_.remove(e.from);
+  e.alive = false;
+  ++e.stamp;
+  freeEdges_.push_back(id);
+}
+
+void AdvancingFront::join(std::uint32_t before, std::uint32_t after) {
+  edges_[before].next = after;
+  edges_[after].previous = before;
+}
+
+void AdvancingFront::push(std::uint32_t id, Class kind, double shape) {
+  Edge& e = edges_[id];
+  e.kind = kind;
+  ++e.stamp;
+  // Shapes are told apart in steps of a twentieth; equal ones go by age, so that the front stays
+  // round.
+  const auto rank = static_cast<std::uint64_t>(std::clamp(20.0 * shape, 0.0, 1e6));
+  const std::uint64_t key = (static_cast<std::uint64_t>(kind) << 60U) | (rank << 32U) |
+                            static_cast<std::uint64_t>(age_++);
+  heap_.push({key, id, e.stamp});
+}
+
+// The neighbourhood of the edge has changed. There is never more room than before: an edge that
+// had none for a free triangle has to connect.
+void AdvancingFront::refresh(std::uint32_t id) {
+  const Edge& e = edges_[id];
+  if (e.kind != Class::Free) {
+    push(id, Class::Connection, 0.0);
+    return;
+  }
+  const double length = (vertices_[e.to].point - vertices_[e.from].point).norm();
+  const double wanted = 0.5 * (vertices_[e.from].length + vertices_[e.to].length);
+  push(id, Class::Free, std::fabs(std::log2(std::max(length, 1e-300) / wanted)));
+}
+
+std::uint32_t AdvancingFront::addTriangle(const Triangle& t, FaceOrigin origin) {
+  const auto id = static_cast<std::uint32_t>(triangles_.size());
+  triangles_.push_back(t);
+  origins_.push_back(origin);
+  for (std::size_t k = 0; k < 3; ++k) used_.set(t[k], t[(k + 1) % 3], id);
+  return id;
+}
+
+void AdvancingFront::startAt(const Triangle& triangle) {
+  addTriangle(triangle, FaceOrigin::Front);
+  startAlong({triangle[2], triangle[1], triangle[0]});
+}
+
+void AdvancingFront::startAlong(const std::vector<std::uint32_t>& loop) {
+  std::vector<std::uint32_t> ids;
+  ids.reserve(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const std::uint32_t from = loop[i], to = loop[(i + 1) % loop.size()];
+    if (!used_.has(to, from)) used_.set(to, from, EdgeMap::rim);
+    ids.push_back(newEdge(from, to));
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i) join(ids[i], ids[(i + 1) % ids.size()]);
+  for (const std::uint32_t id : ids) refresh(id);
+}
+
+void AdvancingFront::run(const Progress& progress) {
+  std::size_t rounds = 0;
+  while (!heap_.empty()) {
+    const HeapEntry top = heap_.top();
+    heap_.pop();
+    if (!edges_[top.edge].alive || edges_[top.edge].stamp != top.stamp) continue;
+    if (++rounds % 4096 == 0) progress.check();
+    switch (edges_[top.edge].kind) {
+      case Class::Free:
+        if (!tryFree(top.edge)) push(top.edge, Class::Connection, 0.0);
+        break;
+      case Class::Connection:
+        if (!tryConnection(top.edge, false)) push(top.edge, Class::Forced, 0.0);
+        break;
+      case Class::Forced:
+        if (!tryConnection(top.edge, true)) push(top.edge, Class::Stuck, 0.0);
+        break;
+      case Class::Stuck:
+        break;
+    }
+  }
+}
+
+bool AdvancingFront::tryFree(std::uint32_t id) {
+  const Edge e = edges_[id];
+  const Frame frame = frameOf(e);
+  const ApexWish wish = wishFor(frame, id);
+  if (!(wish.height > 0.0)) return false;
+  FrontPoint apex;
+  if (!surface_.turn(vertices_[e.from], vertices_[e.to], wish, apex)) return false;
+  const Eigen::Vector3d centre =
+      (vertices_[e.from].point + vertices_[e.to].point + apex.point) / 3.0;
+  const double reach = std::max({apex.length, wish.height, vertices_[e.from].length});
+  const double spacing = std::min({spacing_[e.from], spacing_[e.to], apex.length});
+  collect(frame, centre, 1.8 * reach, spacing, false);
+  if (!clearAround(e, apex)) return false;
+  if (!legal(frame, id, none, frame.flat(apex.point), false)) return false;
+  emit(id, addVertex(apex), none, FaceOrigin::Front);
+  return true;
+}
+
+bool AdvancingFront::tryConnection(std::uint32_t id, bool relaxed) {
+  const Edge e = edges_[id];
+  const Frame frame = frameOf(e);
+  const Eigen::Vector3d& a = vertices_[e.from].point;
+  const Eigen::Vector3d& b = vertices_[e.to].point;
+  const double length = (b - a).norm();
+  const double wanted = std::max({length, vertices_[e.from].length, vertices_[e.to].length});
+  struct Candidate {
+    double cosine;
+    std::uint32_t vertex;
+    Eigen::Vector2d at;
+  };
+  std::vector<Candidate> candidates;
+  for (const double reach : {1.5, 3.0}) {
+    if (reach > 2.0 && !relaxed) break;
+    collect(frame, 0.5 * (a + b) + 0.4 * wanted * frame.v, reach * wanted,
+            std::min(spacing_[e.from], spacing_[e.to]), relaxed);
+    const Eigen::Vector2d a2 = frame.flat(a), b2 = frame.flat(b);
+    candidates.clear();
+    for (const Near& near : near_) {
+      if (near.vertex == e.from || near.vertex == e.to) continue;
+      if (near.at.y() <= 1e-9 * length) continue;
+      // The vertex that sees the base under the largest angle has an empty circumcircle.
+      const Eigen::Vector2d p = (a2 - near.at).normalized(), q = (b2 - near.at).normalized();
+      candidates.push_back({p.dot(q), near.vertex, near.at});
+    }
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& p, const Candidate& q) {
+      return p.cosine != q.cosine ? p.cosine < q.cosine : p.vertex < q.vertex;
+    });
+    for (const Candidate& c : candidates) {
+      if (!edgesUsable(id, c.vertex)) continue;
+      const std::uint32_t corner = openCorner(frame, id, c.vertex, c.at);
+      if (corner == none) continue;
+      if (!legal(frame, id, c.vertex, c.at, relaxed)) continue;
+      emit(id, c.vertex, corner, FaceOrigin::Front);
+      return true;
+    }
+  }
+  return false;
+}
+
+// Replaces the base by the two new edges. `corner` is the front edge that leaves the apex on the
+// side where the triangle comes in; none for a new vertex.
+void AdvancingFront::emit(std::uint32_t id, std::uint32_t apex, std::uint32_t corner,
+                          FaceOrigin origin) {
+  const Edge e = edges_[id];
+  const std::uint32_t t = addTriangle({e.from, e.to, apex}, origin);
+  const bool earNext = corner != none && edges_[e.next].to == apex && edges_[e.next].next == corner;
+  const bool earPrevious = corner != none && e.previous == corner;
+  if (earNext && earPrevious) {
+    dropEdge(e.next);
+    dropEdge(e.previous);
+    dropEdge(id);
+  } else if (earNext) {
+    const std::uint32_t added = newEdge(e.from, apex);
+    join(e.previous, added);
+    join(added, edges_[e.next].next);
+    dropEdge(e.next);
+    dropEdge(id);
+    refresh(added);
+    refresh(edges_[added].previous);
+    refresh(edges_[added].next);
+  } else if (earPrevious) {
+    const std::uint32_t added = newEdge(apex, e.to);
+    join(edges_[e.previous].previous, added);
+    join(added, e.next);
+    dropEdge(e.previous);
+    dropEdge(id);
+    refresh(added);
+    refresh(edges_[added].previous);
+    refresh(edges_[added].next);
+  } else {
+    const std::uint32_t into = newEdge(e.from, apex);
+    const std::uint32_t out = newEdge(apex, e.to);
+    if (corner == none) {
+      join(into, out);
+    } else {
+      join(edges_[corner].previous, out);
+      join(into, corner);
+    }
+    join(e.previous, into);
+    join(out, e.next);
+    dropEdge(id);
+    for (const std::uint32_t added : {into, out}) {
+      refresh(added);
+      refresh(edges_[added].previous);
+      refresh(edges_[added].next);
+    }
+  }
+  flipAround(t);
+}
+
+// Flips edges of the new triangle where that enlarges the smaller of the two least angles and both
+// new triangles look the same way as the old ones.
+void AdvancingFront::flipAround(std::uint32_t triangle) {
+  const Triangle t = triangles_[triangle];
+  for (std::size_t k = 0; k < 3; ++k)
+    if (flip(t[k], t[(k + 1) % 3])) return;
+}
+
+bool AdvancingFront::flip(std::uint32_t from, std::uint32_t to) {
+  const std::uint32_t left = used_.find(from, to), right = used_.find(to, from);
+  if (left >= EdgeMap::rim || right >= EdgeMap::rim) return false;
+  const auto third = [&](std::uint32_t t) {
+    for (const std::uint32_t v : triangles_[t])
+      if (v != from && v != to) return v;
+    return none;
+  };
+  const std::uint32_t p = third(left), q = third(right);
+  if (p == q || used_.has(p, q) || used_.has(q, p)) return false;
+  const auto& a = vertices_[from].point;
+  const auto& b = vertices_[to].point;
+  const auto& c = vertices_[p].point;
+  const auto& d = vertices_[q].point;
+  const double before = std::max(largestCosine(a, b, c), largestCosine(b, a, d));
+  const double after = std::max(largestCosine(a, d, c), largestCosine(d, b, c));
+  if (!(after < before - 1e-9)) return false;
+  const Eigen::Vector3d n1 = (b - a).cross(c - a), n2 = (a - b).cross(d - b);
+  const Eigen::Vector3d m1 = (d - a).cross(c - a), m2 = (b - d).cross(c - d);
+  const Eigen::Vector3d n = n1 + n2;
+  if (m1.dot(n) <= 0.5 * m1.norm() * n.norm() || m2.dot(n) <= 0.5 * m2.norm() * n.norm())
+    return false;
+  used_.set(from, to, none);
+  used_.set(to, from, none);
+  triangles_[left] = {from, q, p};
+  triangles_[right] = {q, to, p};
+  for (const std::uint32_t t : {left, right})
+    for (std::size_t k = 0; k < 3; ++k) used_.set(triangles_[t][k], triangles_[t][(k + 1) % 3], t);
+  return true;
+}
+
+}  // namespace angiomesh

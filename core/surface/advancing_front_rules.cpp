@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/quality/predicates.h"
+#include "core/surface/advancing_front.h"
+
+namespace angiomesh {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Shares of the wanted edge length. A free corner keeps this distance from the fronts' vertices
+// and edges, and its edges keep it from the vertices: what is left open is then closed by
+// triangles with no angle much below 30 degrees.
+constexpr double kClearOfVertex = 0.72, kClearOfEdge = 0.5, kEdgeClearOfVertex = 0.45;
+
+double squaredDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const Vector3d ab = b - a;
+  const double t = std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+  return (p - a - t * ab).squaredNorm();
+}
+
+// Whether the open segments have one point in common (exact).
+bool cross(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
+  const int abc = orient2d(a, b, c), abd = orient2d(a, b, d);
+  if (abc * abd > 0) return false;
+  const int cda = orient2d(c, d, a), cdb = orient2d(c, d, b);
+  return cda * cdb <= 0 && (abc != 0 || abd != 0);
+}
+
+// Whether the direction of d lies strictly inside the sector at q that runs counter-clockwise from
+// z to y.
+bool inSector(const Vector2d& q, const Vector2d& z, const Vector2d& y, const Vector2d& d) {
+  if (orient2d(q, z, y) > 0) return orient2d(q, z, d) > 0 && orient2d(q, d, y) > 0;
+  return !(orient2d(q, y, d) >= 0 && orient2d(q, d, z) >= 0);
+}
+
+}  // namespace
+
+AdvancingFront::Frame AdvancingFront::frameOf(const Edge& e) const {
+  const FrontPoint& a = vertices_[e.from];
+  const FrontPoint& b = vertices_[e.to];
+  Frame f;
+  f.origin = 0.5 * (a.point + b.point);
+  f.u = (b.point - a.point).normalized();
+  Vector3d n = a.normal + b.normal;
+  n -= n.dot(f.u) * f.u;
+  f.n = n.normalized();
+  f.v = f.n.cross(f.u);
+  return f;
+}
+
+// The front's vertices and edges on the frame's sheet of the surface. Other sheets are told by
+// their normals, and by their distance from the frame's plane.
+void AdvancingFront::collect(const Frame& frame, const Vector3d& centre, double radius,
+                             double spacing, bool relaxed) {
+  near_.clear();
+  nearEdges_.clear();
+  seen_.resize(vertices_.size(), 0);
+  ++collected_;
+  const double agreement = relaxed ? -0.1 : 0.2;
+  const double steepness = relaxed ? 1.2 : 0.7;
+  const double shortest = 0.7 * (spacing - surface_.slope() * radius);
+  grid_.forEachNear(centre, radius, shortest, [&](std::uint32_t id) {
+    const FrontPoint& p = vertices_[id];
+    if (p.normal.dot(frame.n) < agreement) return;
+    const Vector3d d = p.point - frame.origin;
+    if (std::fabs(d.dot(frame.n)) > steepness * d.norm()) return;
+    seen_[id] = collected_;
+    near_.push_back({id, frame.flat(p.point)});
+  });
+  for (const Near& near : near_) {
+    for (std::uint32_t h = leaving_[near.vertex]; h != none; h = edges_[h].nextLeaving) {
+      nearEdges_.push_back({h, near.at, frame.flat(vertices_[edges_[h].to].point)});
+      const std::uint32_t in = edges_[h].previous;
+      const std::uint32_t before = edges_[in].from;
+      if (seen_[before] != collected_)
+        nearEdges_.push_back({in, frame.flat(vertices_[before].point), near.at});
+    }
+  }
+}
+
+// The angle of the unmeshed sector between the front edges in -> v -> out, radians.
+double AdvancingFront::cornerAngle(std::uint32_t in, std::uint32_t out) const {
+  const FrontPoint& v = vertices_[edges_[out].from];
+  const Vector3d z = vertices_[edges_[out].to].point - v.point;
+  const Vector3d y = vertices_[edges_[in].from].point - v.point;
+  const double sine = z.cross(y).dot(v.normal), cosine = z.dot(y);
+  const double angle = std::atan2(sine, cosine);
+  return angle < 0.0 ? angle + 2.0 * M_PI : angle;
+}
+
+// Both new edges as long as wanted at their ends; where a corner of the front leaves room for
+// two triangles, they share it evenly.
+ApexWish AdvancingFront::wishFor(const Frame& frame, std::uint32_t id) const {
+  const Edge& e = edges_[id];
+  const FrontPoint& a = vertices_[e.from];
+  const FrontPoint& b = vertices_[e.to];
+  const Vector3d ab = b.point - a.point;
+  const double base = ab.norm();
+  const auto bounded = [base](double s) { return std::clamp(s, base / 1.6, 1.6 * base); };
+  double sa = bounded(a.length), sb = bounded(b.length);
+  ApexWish wish;
+  for (int round = 0; round < 2; ++round) {
+    wish.along =
+        std::clamp((base * base + sa * sa - sb * sb) / (2.0 * base), 0.1 * base, 0.9 * base);
+    wish.height = std::sqrt(std::max(sa * sa - wish.along * wish.along, 0.25 * base * base));
+    if (round == 1) break;
+    const double there = surface_.lengthAt(a.point + wish.along * frame.u + wish.height * frame.v);
+    sa = bounded(0.5 * (a.length + there));
+    sb = bounded(0.5 * (b.length + there));
+  }
+  const auto share = [](double corner) {
+    return corner > 1.5 && corner < 2.7 ? 0.5 * corner : M_PI / 3.0;
+  };
+  const double ta = std::tan(std::min(share(cornerAngle(e.previous, id)), 1.35));
+  const double tb = std::tan(std::min(share(cornerAngle(id, e.next)), 1.35));
+  const double along = base * tb / (ta + tb);
+  const double height = along * ta;
+  wish.along = 0.5 * (wish.along + along);
+  wish.height = 0.5 * (wish.height + std::clamp(height, 0.7 * wish.height, 1.3 * wish.height));
+  return wish;
+}
+
+bool AdvancingFront::clearAround(const Edge& e, const FrontPoint& apex) const {
+  const double g = std::min(apex.length, 1.3 * (apex.point - vertices_[e.from].point).norm());
+  const double vertexLimit = kClearOfVertex * kClearOfVertex * g * g;
+  const double edgeLimit = kClearOfEdge * kClearOfEdge * g * g;
+  const double sideLimit = kEdgeClearOfVertex * kEdgeClearOfVertex * g * g;
+  for (const Near& near : near_) {
+    if (near.vertex == e.from || near.vertex == e.to) continue;
+    const Vector3d& p = vertices_[near.vertex].point;
+    if ((p - apex.point).squaredNorm() < vertexLimit) return false;
+    if (squaredDistance(p, vertices_[e.from].point, apex.point) < sideLimit) return false;
+    if (squaredDistance(p, vertices_[e.to].point, apex.point) < sideLimit) return false;
+  }
+  for (const NearEdge& near : nearEdges_) {
+    const Edge& other = edges_[near.edge];
+    if (other.from == e.from && other.to == e.to) continue;
+    if (squaredDistance(apex.point, vertices_[other.from].point, vertices_[other.to].point) <
+        edgeLimit)
+      return false;
+  }
+  return true;
+}
+
+// Whether the sides from the base to the apex cross an edge of the front that shares no end with
+// them, or a vertex of the front lies in the triangle.
+bool AdvancingFront::crossesFront(const Frame& frame, std::uint32_t id, std::uint32_t apex,
+                                  const Vector2d& at) const {
+  const Edge& e = edges_[id];
+  const Vector2d a = frame.flat(vertices_[e.from].point), b = frame.flat(vertices_[e.to].point);
+  for (const Near& near : near_) {
+    if (near.vertex == e.from || near.vertex == e.to || near.vertex == apex) continue;
+    if (orient2d(a, b, near.at) >= 0 && orient2d(b, at, near.at) >= 0 &&
+        orient2d(at, a, near.at) >= 0)
+      return true;
+  }
+  for (const NearEdge& near : nearEdges_) {
+    if (near.edge == id) continue;
+    const Edge& other = edges_[near.edge];
+    if (other.from == apex || other.to == apex) continue;
+    if (other.from != e.from && other.to != e.from && cross(a, at, near.from, near.to)) return true;
+    if (other.from != e.to && other.to != e.to && cross(b, at, near.from, near.to)) return true;
+  }
+  return false;
+}
+
+bool AdvancingFront::legal(const Frame& frame, std::uint32_t id, std::uint32_t apex,
+                           const Vector2d& at, bool relaxed) const {
+  const Edge& e = edges_[id];
+  const Vector2d a = frame.flat(vertices_[e.from].point), b = frame.flat(vertices_[e.to].point);
+  if (orient2d(a, b, at) <= 0) return false;
+  const std::uint32_t before = edges_[e.previous].from, after = edges_[e.next].to;
+  if (before != apex && before != e.to) {
+    const Vector2d x = frame.flat(vertices_[before].point);
+    if (orient2d(a, b, x) > 0 && orient2d(a, at, x) <= 0) return false;
+  }
+  if (after != apex && after != e.from) {
+    const Vector2d y = frame.flat(vertices_[after].point);
+    if (orient2d(a, b, y) > 0 && orient2d(at, b, y) <= 0) return false;
+  }
+  if (apex != none) {
+    const Vector3d normal = (vertices_[e.to].point - vertices_[e.from].point)
+                                .cross(vertices_[apex].point - vertices_[e.from].point)
+                                .normalized();
+    const double limit = relaxed ? -0.2 : 0.3;
+    for (const std::uint32_t v : {e.from, e.to, apex})
+      if (normal.dot(vertices_[v].normal) < limit) return false;
+  }
+  return !crossesFront(frame, id, apex, at);
+}
+
+// The triangle may use the sides (to, apex) and (apex, from) when nothing lies there yet, and when
+// an edge between these vertices is the neighbouring one of the front.
+bool AdvancingFront::edgesUsable(std::uint32_t id, std::uint32_t apex) const {
+  const Edge& e = edges_[id];
+  if (used_.has(e.to, apex) || used_.has(apex, e.from)) return false;
+  if (used_.has(apex, e.to) && edges_[e.next].to != apex) return false;
+  return !used_.has(e.from, apex) || edges_[e.previous].from == apex;
+}
+
+// The front edge that leaves the apex where the triangle comes in between it and the edge before.
+std::uint32_t AdvancingFront::openCorner(const Frame& frame, std::uint32_t id, std::uint32_t apex,
+                                         const Vector2d& at) const {
+  const Edge& e = edges_[id];
+  const Vector2d a = frame.flat(vertices_[e.from].point), b = frame.flat(vertices_[e.to].point);
+  for (std::uint32_t h = leaving_[apex]; h != none; h = edges_[h].nextLeaving) {
+    const std::uint32_t in = edges_[h].previous;
+    const Vector2d z = frame.flat(vertices_[edges_[h].to].point);
+    const Vector2d y = frame.flat(vertices_[edges_[in].from].point);
+    const bool aFits = h == e.previous || inSector(at, z, y, a);
+    const bool bFits = in == e.next || inSector(at, z, y, b);
+    if (aFits && bFits) return h;
+  }
+  return none;
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/border_curves.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+#include "core/surface/mesh_edges.h"
+
+namespace angiomesh {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint32_t none = 0xffffffffU;
+constexpr int kFine = 4;  // pieces of a rim's segment in `reference` that a curve is measured by
+
+class Tracer {
+ public:
+  Tracer(const SplineField& field, const GuidanceField& size, double chordAngle)
+      : field_(field), grid_(field.geometry()), size_(size), chordAngle_(chordAngle) {}
+
+  BorderCurves run(const TriMesh& reference, bool caps) {
+    const std::vector<std::uint32_t> next = rimOf(reference);
+    std::vector<char> done(reference.points.size(), 0);
+    // Loops with corners first start at a corner, so that each piece lies in one plane.
+    for (const bool corners : {true, false})
+      for (std::uint32_t v = 0; v < next.size(); ++v)
+        if (next[v] != none && done[v] == 0 && (!corners || isCorner(reference.points[v])))
+          traceLoop(reference, next, v, done);
+    if (caps) {
+      for (int first = 0; first < 6; ++first)
+        for (int second = first + 1; second < 6; ++second)
+          if (first / 2 != second / 2) volumeEdge(first, second);
+      for (std::size_t plane = 0; plane < 6; ++plane) chain(plane);
+    }
+    return std::move(curves_);
+  }
+
+ private:
+  static std::vector<std::uint32_t> rimOf(const TriMesh& mesh) {
+    std::vector<std::uint32_t> next(mesh.points.size(), none);
+    const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
+      if (edgeRunEnd(sides, i) != i + 1) continue;
+      const EdgeSide& s = sides[i];
+      next[s.forward ? s.low : s.high] = s.forward ? s.high : s.low;
+    }
+    return next;
+  }
+
+  [[nodiscard]] bool isCorner(const Vector3d& p) const {
+    return std::popcount(borderPlanes(grid_, p)) > 1;
+  }
+
+  // Moves a point to phi = 0 along the planes it lies in; where that leads far away it stays.
+  [[nodiscard]] Vector3d settled(const Vector3d& start, std::uint8_t planes) const {
+    Vector3d p = start;
+    for (int n = 0; n < 20; ++n) {
+      const SplineField::Jet jet = field_.at(p);
+      const Vector3d g = within(jet.gradient, planes);
+      const double slope = g.norm();
+      if (!(slope > 1e-3 * jet.gradient.norm()) || !(slope > 1e-12)) return start;
+      const double step = jet.value / slope;
+      if (std::fabs(step) < 1e-9 * grid_.voxelMm()) break;
+      p -= std::clamp(step, -0.3 * grid_.voxelMm(), 0.3 * grid_.voxelMm()) / slope * g;
+      if ((p - start).norm() > 0.7 * grid_.voxelMm()) return start;
+    }
+    return kept(p, planes);
+  }
+
+  // The part of a vector that lies in all the planes.
+  [[nodiscard]] Vector3d within(const Vector3d& v, std::uint8_t planes) const {
+    std::array<Vector3d, 3> n;
+    std::size_t count = 0;
+    for (int a = 0; a < 6 && count < 3; ++a)
+      if ((planes >> a & 1) != 0) n[count++] = borderNormal(grid_, a);
+    if (count == 0) return v;
+    if (count == 1) return v - v.dot(n[0]) * n[0];
+    if (count > 2) return Vector3d::Zero();
+    const Vector3d along = n[0].cross(n[1]).normalized();
+    return v.dot(along) * along;
+  }
+
+  // The point with the coordinates of its planes exact, inside the grid.
+  [[nodiscard]] Vector3d kept(const Vector3d& p, std::uint8_t planes) const {
+    Vector3d index = grid_.toIndex(p);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double last = grid_.size[static_cast<std::size_t>(axis)] - 1;
+      index[axis] = std::clamp(index[axis], 0.0, last);
+      if ((planes >> (2 * axis) & 1) != 0) index[axis] = 0.0;
+      if ((planes >> (2 * axis + 1) & 1) != 0) index[axis] = last;
+    }
+    return grid_.toPhysical(index);
+  }
+
+  std::uint32_t add(const Vector3d& p, std::uint8_t place) {
+    FrontPoint point;
+    point.point = p;
+    const Vector3d gradient = field_.at(p).gradient;
+    if (gradient.norm() > 1e-12) point.normal = gradient.normalized();
+    point.length = size_.at(p);
+    curves_.points.push_back(point);
+    curves_.place.push_back(place);
+    return static_cast<std::uint32_t>(curves_.points.size() - 1);
+  }
+
+  void traceLoop(const TriMesh& reference, const std::vector<std::uint32_t>& next,
+                 std::uint32_t start, std::vector<char>& done) {
+    BorderCurves::Loop loop;
+    std::uint32_t v = start;
+    const bool corners = isCorner(reference.points[start]);
+    const std::uint32_t firstCorner = corners ? cornerVertex(reference.points[start]) : none;
+    std::uint32_t from = firstCorner;
+    do {
+      std::vector<Vector3d> piece{reference.points[v]};
+      do {
+        done[v] = 1;
+        v = next[v];
+        if (v == none) return;  // not a closed rim: nothing to start from
+        piece.push_back(reference.points[v]);
+      } while (v != start && !(corners && isCorner(reference.points[v])));
+      const auto plane = commonPlane(piece);
+      if (!corners) {
+        loop = divide(piece, plane, none, none);
+      } else {
+        const std::uint32_t to = v == start ? firstCorner : cornerVertex(reference.points[v]);
+        loop.push_back(from);
+        const BorderCurves::Loop inner = divide(piece, plane, from, to);
+        loop.insert(loop.end(), inner.begin(), inner.end());
+        segment(plane, from, inner, to);
+        from = to;
+      }
+      if (!corners) closedSegment(plane, loop);
+    } while (v != start);
+    if (loop.size() >= 3) curves_.rims.push_back(loop);
+  }
+
+  std::uint32_t cornerVertex(const Vector3d& p) {
+    const std::uint8_t planes = borderPlanes(grid_, p);
+    const std::uint32_t id =
+        add(settled(p, planes), static_cast<std::uint8_t>(planes | PatchMesh::wallBit));
+    corners_.push_back(id);
+    return id;
+  }
+
+  [[nodiscard]] std::uint8_t commonPlane(const std::vector<Vector3d>& piece) const {
+    unsigned planes = PatchMesh::planeBits;
+    for (std::size_t i = 0; i < piece.size(); ++i) planes &= borderPlanes(grid_, piece[i]);
+    if (planes == 0 || std::popcount(planes) == 1) return static_cast<std::uint8_t>(planes);
+    // A single segment along an edge of the volume: either plane will do.
+    return static_cast<std::uint8_t>(planes & (~planes + 1));
+  }
+
+  // Wanted edge length on the rim: the surface's, and the curve's own curvature.
+  [[nodiscard]] double lengthOn(const Vector3d& p, const Vector3d& tangent,
+                                std::uint8_t plane) const {
+    double length = size_.at(p);
+    const SplineField::SecondJet jet = field_.secondAt(p);
+    const double slope = within(jet.gradient, plane).norm();
+    const double bend = std::fabs(tangent.dot(jet.hessian * tangent));
+    if (chordAngle_ > 0.0 && bend * length > chordAngle_ * slope)
+      length = std::max(chordAngle_ * slope / bend, 0.1 * length);
+    return length;
+  }
+
+  // Divides a polyline of the reference's rim evenly by the wanted length. Returns the new inner
+  // vertices; of a closed one (no ends) all of them.
+  BorderCurves::Loop divide(const std::vector<Vector3d>& piece, std::uint8_t plane,
+                            std::uint32_t from, std::uint32_t to) {
+    const bool closed = from == none;
+    std::vector<Vector3d> fine;
+    for (std::size_t i = 0; i + 1 < piece.size(); ++i)
+      for (int k = 0; k < kFine; ++k)
+        fine.push_back(settled(piece[i] + (piece[i + 1] - piece[i]) * (1.0 * k / kFine), plane));
+    fine.push_back(closed ? fine.front() : curves_.points[to].point);
+    if (!closed) fine.front() = curves_.points[from].point;
+    std::vector<double> wanted(fine.size(), 0.0);
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+      const std::size_t last = fine.size() - 1;
+      const Vector3d& before = fine[i > 0 ? i - 1 : (closed ? last - 1 : 0)];
+      const Vector3d& after = fine[i < last ? i + 1 : (closed ? 1 : last)];
+      const Vector3d t = after - before;
+      wanted[i] = lengthOn(fine[i], t.norm() > 0.0 ? t.normalized() : t, plane);
+    }
+    grade(fine, wanted, closed);
+    std::vector<double> along(fine.size(), 0.0);
+    for (std::size_t i = 1; i < fine.size(); ++i)
+      along[i] = along[i - 1] +
+                 2.0 * (fine[i] - fine[i - 1]).norm() / std::max(wanted[i] + wanted[i - 1], 1e-12);
+    const auto least = closed ? 5L : 2L;
+    const long count = std::max(least, std::lround(along.back()));
+    BorderCurves::Loop loop;
+    std::size_t i = 1;
+    for (long k = closed ? 0 : 1; k < count; ++k) {
+      const double target = along.back() * static_cast<double>(k) / static_cast<double>(count);
+      while (i + 1 < fine.size() && along[i] < target) ++i;
+      const double step = along[i] - along[i - 1];
+      const double t = step > 0.0 ? (target - along[i - 1]) / step : 0.0;
+      const Vector3d p = settled(fine[i - 1] + t * (fine[i] - fine[i - 1]), plane);
+      loop.push_back(add(p, static_cast<std::uint8_t>(plane | PatchMesh::wallBit)));
+      curves_.points.back().length = wanted[i - 1] + t * (wanted[i] - wanted[i - 1]);
+    }
+    return loop;
+  }
+
+  // Lengths grow along the curve no faster than the guidance field does.
+  void grade(const std::vector<Vector3d>& fine, std::vector<double>& wanted, bool closed) const {
+    const double slope = std::max(size_.slope(), 0.05);
+    const std::size_t n = fine.size();
+    for (int round = 0; round < (closed ? 2 : 1); ++round) {
+      for (std::size_t i = 1; i < n; ++i)
+        wanted[i] = std::min(wanted[i], wanted[i - 1] + slope * (fine[i] - fine[i - 1]).norm());
+      for (std::size_t i = n - 1; i > 0; --i)
+        wanted[i - 1] = std::min(wanted[i - 1], wanted[i] + slope * (fine[i] - fine[i - 1]).norm());
+      if (closed) wanted.front() = wanted.back() = std::min(wanted.front(), wanted.back());
+    }
+  }
+
+  // The cap runs along a rim against the wall.
+  void segment(std::uint8_t planes, std::uint32_t from, const BorderCurves::Loop& inner,
+               std::uint32_t to) {
+    if (planes == 0) return;
+    auto& follow = follow_[static_cast<std::size_t>(std::countr_zero(planes))];
+    std::uint32_t last = from;
+    for (const std::uint32_t v : inner) {
+      follow[v] = last;
+      last = v;
+    }
+    follow[to] = last;
+  }
+
+  void closedSegment(std::uint8_t planes, const BorderCurves::Loop& loop) {
+    if (planes == 0 || loop.size() < 3) return;
+    auto& follow = follow_[static_cast<std::size_t>(std::countr_zero(planes))];
+    for (std::size_t i = 0; i < loop.size(); ++i) follow[loop[(i + 1) % loop.size()]] = loop[i];
+  }
+
+  // The stretches of an edge of the volume that lie inside phi, shared by two caps.
+  void volumeEdge(int first, int second) {
+    const auto planes = static_cast<std::uint8_t>(1U << first | 1U << second);
+    const int axis = 3 - first / 2 - second / 2;
+    std::vector<std::pair<double, std::uint32_t>> ends;
+    for (const std::uint32_t c : corners_)
+      if ((curves_.place[c] & planes) == planes)
+        ends.emplace_back(grid_.toIndex(curves_.points[c].point)[axis], c);
+    const double last = grid_.size[static_cast<std::size_t>(axis)] - 1;
+    for (const double at : {0.0, last}) {
+      Vector3d index = Vector3d::Zero();
+      index[axis] = at;
+      for (const int a : {first, second})
+        if (a % 2 == 1) index[a / 2] = grid_.size[static_cast<std::size_t>(a / 2)] - 1;
+      if (field_.atIndex(index).value >= 0.0) continue;
+      const int end = 2 * axis + (at > 0.0 ? 1 : 0);
+      ends.emplace_back(at, volumeCorner(static_cast<std::uint8_t>(planes | 1U << end), index));
+    }
+    std::sort(ends.begin(), ends.end());
+    if (ends.size() % 2 != 0) return;
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+      insideStretch(first, second, ends[i].second, ends[i + 1].second);
+  }
+
+  std::uint32_t volumeCorner(std::uint8_t planes, const Vector3d& index) {
+    const auto found = volumeCorners_.find(planes);
+    if (found != volumeCorners_.end()) return found->second;
+    const std::uint32_t id = add(grid_.toPhysical(index), planes);
+    volumeCorners_[planes] = id;
+    return id;
+  }
+
+  void insideStretch(int first, int second, std::uint32_t from, std::uint32_t to) {
+    const Vector3d a = curves_.points[from].point, b = curves_.points[to].point;
+    const auto planes = static_cast<std::uint8_t>(1U << first | 1U << second);
+    const double wanted = 0.5 * (curves_.points[from].length + curves_.points[to].length);
+    const long count = std::max(1L, std::lround((b - a).norm() / wanted));
+    BorderCurves::Loop inner;
+    for (long k = 1; k < count; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(count);
+      inner.push_back(add(kept(a + t * (b - a), planes), planes));
+      curves_.points.back().length = wanted;
+    }
+    // Seen from outside, the cap in plane `first` lies to the left of n_first x n_second.
+    const Vector3d left = borderNormal(grid_, first).cross(borderNormal(grid_, second));
+    const bool forward = left.dot(b - a) > 0.0;
+    for (const int plane : {first, second}) {
+      auto& follow = follow_[static_cast<std::size_t>(plane)];
+      const bool along = forward == (plane == first);
+      BorderCurves::Loop all{from};
+      all.insert(all.end(), inner.begin(), inner.end());
+      all.push_back(to);
+      if (!along) std::reverse(all.begin(), all.end());
+      for (std::size_t i = 0; i + 1 < all.size(); ++i) follow[all[i]] = all[i + 1];
+    }
+  }
+
+  void chain(std::size_t plane) {
+    auto& follow = follow_[plane];
+    while (!follow.empty()) {
+      BorderCurves::Loop loop;
+      const std::uint32_t start = follow.begin()->first;
+      std::uint32_t v = start;
+      for (auto at = follow.find(v); at != follow.end(); at = follow.find(v)) {
+        loop.push_back(v);
+        v = at->second;
+        follow.erase(at);
+      }
+      if (v == start && loop.size() >= 3) curves_.caps[plane].push_back(loop);
+    }
+  }
+
+  const SplineField& field_;
+  const Geometry& grid_;
+  const GuidanceField& size_;
+  double chordAngle_;
+  BorderCurves curves_;
+  std::vector<std::uint32_t> corners_;
+  std::map<std::uint8_t, std::uint32_t> volumeCorners_;
+  std::array<std::map<std::uint32_t, std::uint32_t>, 6> follow_;
+};
+
+}  // namespace
+
+Vector3d borderNormal(const Geometry& grid, int plane) {
+  const Vector3d n = grid.physicalToIndexMatrix().row(plane / 2).transpose().normalized();
+  return plane % 2 == 0 ? Vector3d(-n) : n;
+}
+
+std::uint8_t borderPlanes(const Geometry& grid, const Vector3d& pointLps) {
+  const Vector3d index = grid.toIndex(pointLps);
+  unsigned planes = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::fabs(index[axis]) < 1e-6) planes |= 1U << (2 * axis);
+    const double last = grid.size[static_cast<std::size_t>(axis)] - 1;
+    if (std::fabs(index[axis] - last) < 1e-6) planes |= 1U << (2 * axis + 1);
+  }
+  return static_cast<std::uint8_t>(planes);
+}
+
+BorderCurves borderCurves(const TriMesh& reference, const SplineField& field,
+                          const GuidanceField& size, double chordAngle, bool caps) {
+  return Tracer(field, size, chordAngle).run(reference, caps);
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/grow_front.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/surface/advancing_front.h"
+#include "core/surface/border_curves.h"
+#include "core/surface/mesh_edges.h"
+#include "core/surface/surface_cover.h"
+
+namespace angiomesh {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint32_t none = SurfaceCover::none;
+
+// Grows the wall, and knows which places of the zero set it has reached.
+class Wall {
+ public:
+  Wall(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size)
+      : landmarks_(landmarks), surface_(field, size), front_(surface_), cover_(size.slope()) {}
+
+  void addRims(const BorderCurves& curves) {
+    for (const FrontPoint& p : curves.points) front_.addVertex(p, surface_.lengthAt(p.point));
+    for (const BorderCurves::Loop& rim : curves.rims) front_.startAlong(rim);
+  }
+
+  void run(const Progress& progress) {
+    front_.run(progress);
+    noteReached();
+    // A piece of the reference that no front has reached is a component of its own, unless it is a
+    // detail smaller than the edges: a few vertices next to the rest.
+    const std::vector<std::uint32_t> cluster = unreachedClusters();
+    std::vector<std::uint32_t> inCluster(cluster.size(), 0), inComponent(cluster.size(), 0);
+    for (std::uint32_t v = 0; v < cluster.size(); ++v) {
+      if (cluster[v] != none) ++inCluster[cluster[v]];
+      ++inComponent[landmarks_.component[v]];
+    }
+    std::vector<char> tried(cluster.size(), 0);
+    for (std::uint32_t v = 0; v < cluster.size(); ++v) {
+      const std::uint32_t c = cluster[v];
+      if (c == none || tried[c] > 3) continue;
+      if (inCluster[c] < std::min(inComponent[landmarks_.component[v]], 40U)) continue;
+      const FrontPoint& seed = landmarks_.points[v];
+      if (cover_.reach(seed) != none) continue;
+      if (!startFrom(seed)) {
+        ++tried[c];
+        continue;
+      }
+      front_.run(progress);
+      noteReached();
+    }
+    front_.close();
+  }
+
+  [[nodiscard]] const AdvancingFront& front() const { return front_; }
+
+ private:
+  void noteReached() {
+    while (cover_.size() < front_.vertices().size()) cover_.add(front_.vertices()[cover_.size()]);
+  }
+
+  // Joins the landmarks that the mesh does not reach along the reference's edges; none elsewhere.
+  [[nodiscard]] std::vector<std::uint32_t> unreachedClusters() const {
+    const std::size_t n = landmarks_.points.size();
+    std::vector<char> open(n, 0);
+    parallelFor(0, n, 2048, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        open[v] = static_cast<char>(landmarks_.valid[v] != 0 &&
+                                    cover_.reach(landmarks_.points[v]) == none);
+    });
+    DisjointSets sets(n);
+    for (const auto& t : landmarks_.triangles)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (open[t[k]] != 0 && open[t[(k + 1) % 3]] != 0) sets.join(t[k], t[(k + 1) % 3]);
+    std::vector<std::uint32_t> cluster(n, none);
+    for (std::uint32_t v = 0; v < n; ++v)
+      if (open[v] != 0) cluster[v] = sets.find(v);
+    return cluster;
+  }
+
+  bool startFrom(const FrontPoint& seed) {
+    const Vector3d n = seed.normal;
+    const Vector3d side = n.unitOrthogonal();
+    for (const double turn : {0.0, 0.7, 1.4, 2.1}) {
+      const Vector3d u = std::cos(turn) * side + std::sin(turn) * n.cross(side);
+      FrontPoint second, third;
+      // The wished corner of a base that has no other side yet: along the tangent.
+      FrontPoint ahead = seed;
+      ahead.point = seed.point + 1e-3 * seed.length * n.cross(u);
+      const ApexWish forward{5e-4 * seed.length, seed.length};
+      if (!surface_.turn(seed, ahead, forward, second)) continue;
+      const double base = (second.point - seed.point).norm();
+      if (!surface_.turn(seed, second, {0.5 * base, 0.866 * base}, third)) continue;
+      if (cover_.reach(second) != none || cover_.reach(third) != none) continue;
+      const std::uint32_t a = front_.addVertex(seed), b = front_.addVertex(second);
+      front_.startAt({a, b, front_.addVertex(third)});
+      return true;
+    }
+    return false;
+  }
+
+  const Landmarks& landmarks_;
+  WallSurface surface_;
+  AdvancingFront front_;
+  SurfaceCover cover_;
+};
+
+// Adds a cap's triangles; the first vertices of the front are those of the border curves.
+void addCap(PatchMesh& out, const std::vector<BorderCurves::Loop>& loops, int plane,
+            const Vector3d& normal, const GuidanceField& size, const BorderCurves& curves,
+            const Progress& progress) {
+  const CapSurface surface(size);
+  AdvancingFront front(surface);
+  std::vector<std::uint32_t> toOut, toFront(curves.points.size(), none);
+  std::vector<BorderCurves::Loop> starts;
+  for (const BorderCurves::Loop& loop : loops) {
+    starts.emplace_back();
+    for (const std::uint32_t v : loop) {
+      if (toFront[v] == none) {
+        FrontPoint p = curves.points[v];
+        p.normal = normal;
+        toFront[v] = front.addVertex(p, size.at(p.point));
+        toOut.push_back(v);
+      }
+      starts.back().push_back(toFront[v]);
+    }
+  }
+  for (const BorderCurves::Loop& loop : starts) front.startAlong(loop);
+  front.run(progress);
+  front.close();
+  for (std::size_t v = toOut.size(); v < front.vertices().size(); ++v) {
+    toOut.push_back(static_cast<std::uint32_t>(out.mesh.points.size()));
+    out.mesh.points.push_back(front.vertices()[v].point);
+    out.place.push_back(static_cast<std::uint8_t>(1U << plane));
+  }
+  for (std::size_t t = 0; t < front.triangles().size(); ++t) {
+    const auto& corners = front.triangles()[t];
+    out.mesh.triangles.push_back({toOut[corners[0]], toOut[corners[1]], toOut[corners[2]]});
+    out.patch.push_back(static_cast<std::uint8_t>(1 + plane));
+    out.origin.push_back(front.origins()[t]);
+  }
+}
+
+}  // namespace
+
+Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const GuidanceField& size) {
+  Landmarks marks;
+  const std::size_t n = wall.points.size();
+  marks.points.resize(n);
+  marks.valid.assign(n, 0);
+  marks.triangles = wall.triangles;
+  const WallSurface surface(field, size);
+  std::vector<char> used(n, 0);
+  for (const auto& t : wall.triangles)
+    for (const std::uint32_t v : t) used[v] = 1;
+  parallelFor(0, n, 1024, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v)
+      marks.valid[v] =
+          static_cast<char>(used[v] != 0 && surface.settle(wall.points[v], marks.points[v]));
+  });
+  DisjointSets sets(n);
+  for (const auto& t : wall.triangles) {
+    sets.join(t[0], t[1]);
+    sets.join(t[1], t[2]);
+  }
+  marks.component.resize(n);
+  for (std::uint32_t v = 0; v < n; ++v) marks.component[v] = sets.find(v);
+  return marks;
+}
+
+PatchMesh growFront(const TriMesh& wall, const Landmarks& landmarks, const SplineField& field,
+                    const GuidanceField& size, double chordAngle, SurfaceBorder border,
+                    const Progress& progress) {
+  const bool caps = border == SurfaceBorder::Cap;
+  const BorderCurves curves = borderCurves(wall, field, size, chordAngle, caps);
+  Wall grown(landmarks, field, size);
+  grown.addRims(curves);
+  grown.run(progress);
+  PatchMesh out;
+  for (const FrontPoint& p : grown.front().vertices()) out.mesh.points.push_back(p.point);
+  out.place = curves.place;
+  out.place.resize(out.mesh.points.size(), PatchMesh::wallBit);
+  out.mesh.triangles = grown.front().triangles();
+  out.origin = grown.front().origins();
+  out.patch.assign(out.mesh.triangles.size(), 0);
+  for (int plane = 0; plane < 6; ++plane)
+    if (!curves.caps[static_cast<std::size_t>(plane)].empty())
+      addCap(out, curves.caps[static_cast<std::size_t>(plane)], plane,
+             borderNormal(field.geometry(), plane), size, curves, progress);
+  return out;
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/front_surface.h"
+#include "core/surface/marching_cubes.h"
+#include "core/surface/patch_mesh.h"
+
+namespace angiomesh {
+
+/// Places of the zero set that a mesh of it has to reach: the vertices of marching cubes, settled
+/// on it.
+struct Landmarks {
+  std::vector<FrontPoint> points;
+  std::vector<char> valid;               ///< per point: it lies on the zero set
+  std::vector<std::uint32_t> component;  ///< per point: the smallest point of its component
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const GuidanceField& size);
+
+/// The zero set of `field`, and its caps, meshed by advancing fronts: one from each rim of `wall`
+/// (marching cubes of the field, open where it leaves the grid), and one from a seed on each
+/// component of its landmarks that the fronts before have not reached. `chordAngle` as for
+/// borderCurves(). @throws Cancelled
+PatchMesh growFront(const TriMesh& wall, const Landmarks& landmarks, const SplineField& field,
+                    const GuidanceField& size, double chordAngle, SurfaceBorder border,
+                    const Progress& progress);
+
+}  // namespace angiomesh

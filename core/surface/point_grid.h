@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace angiomesh {
+
+/// Points of very different spacing, found by position: a hash of cubic cells whose size follows
+/// the length that each point is entered with (powers of two), so that a query costs about the same
+/// everywhere. The order of a query's answers depends only on the order of the insertions.
+class PointGrid {
+ public:
+  PointGrid() : heads_(1024, none) {}
+
+  /// `id` must not be in the grid; `length` > 0 is about the distance to its neighbours.
+  void insert(std::uint32_t id, const Eigen::Vector3d& point, double length);
+  void remove(std::uint32_t id);
+
+  /// Calls visit(id) for the points within `radius` of `centre`; those entered with a length below
+  /// `shortest` may be left out.
+  template <class Visit>
+  void forEachNear(const Eigen::Vector3d& centre, double radius, double shortest,
+                   Visit visit) const {
+    const int from = shortest > 0.0 ? std::max(lowest_, levelOf(shortest)) : lowest_;
+    for (int level = from; level <= highest_; ++level) {
+      if (onLevel_[static_cast<std::size_t>(level)] == 0) continue;
+      const double inverse = 1.0 / cellSize(level);
+      std::array<std::int64_t, 3> low{}, high{};
+      for (int a = 0; a < 3; ++a) {
+        low[static_cast<std::size_t>(a)] =
+            static_cast<std::int64_t>(std::floor((centre[a] - radius) * inverse));
+        high[static_cast<std::size_t>(a)] =
+            static_cast<std::int64_t>(std::floor((centre[a] + radius) * inverse));
+      }
+      for (std::int64_t k = low[2]; k <= high[2]; ++k)
+        for (std::int64_t j = low[1]; j <= high[1]; ++j)
+          for (std::int64_t i = low[0]; i <= high[0]; ++i) {
+            const std::uint64_t key = keyOf(level, i, j, k);
+            for (std::uint32_t id = heads_[bucket(key)]; id != none; id = entries_[id].next) {
+              const Entry& entry = entries_[id];
+              if (entry.key == key && (entry.point - centre).squaredNorm() <= radius * radius)
+                visit(id);
+            }
+          }
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::uint64_t absent = ~0ULL;
+  static constexpr int kLevels = 127, kUnitLevel = 64;
+
+  struct Entry {
+    std::uint64_t key = absent;
+    std::uint32_t next = none, previous = none;
+    Eigen::Vector3d point{0.0, 0.0, 0.0};
+  };
+
+  // Cells of four to eight lengths: a query of two lengths then meets few of them.
+  static int levelOf(double length) {
+    return std::clamp(std::ilogb(length) + 3 + kUnitLevel, 0, kLevels - 1);
+  }
+  static double cellSize(int level) { return std::ldexp(1.0, level - kUnitLevel); }
+  // Cells 2^19 apart share a key: the distance tells them apart.
+  static std::uint64_t keyOf(int level, std::int64_t i, std::int64_t j, std::int64_t k) {
+    constexpr std::uint64_t mask = (1ULL << 19U) - 1;
+    return (static_cast<std::uint64_t>(level) << 57U) |
+           ((static_cast<std::uint64_t>(k) & mask) << 38U) |
+           ((static_cast<std::uint64_t>(j) & mask) << 19U) | (static_cast<std::uint64_t>(i) & mask);
+  }
+  [[nodiscard]] std::size_t bucket(std::uint64_t key) const {
+    std::uint64_t h = key * 0xff51afd7ed558ccdULL;
+    h ^= h >> 32U;
+    h *= 0x9e3779b97f4a7c15ULL;
+    return static_cast<std::size_t>(h >> 24U) & (heads_.size() - 1);
+  }
+  void link(std::uint32_t id);
+  void grow();
+
+  std::vector<std::uint32_t> heads_;
+  std::vector<Entry> entries_;
+  std::array<std::uint32_t, kLevels> onLevel_{};
+  std::size_t count_ = 0;
+  int lowest_ = kLevels, highest_ = -1;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/grow_front.h"
+#include "core/surface/mesh_edges.h"
+#include "core/surface/zero_set_mesh.h"
+
+namespace angiomesh {
+
+/// What is known of a surface, component by component.
+struct SurfaceCheck {
+  MeshComponents parts;
+  std::vector<SurfaceComponent> components;  ///< per label of `parts`
+  /// Per component of the landmarks that has one: the label of the part that reaches most of its
+  /// landmarks (`none` when no part reaches half of them), and how many none reaches.
+  struct Reached {
+    std::uint32_t component = 0;  ///< its smallest landmark
+    std::uint32_t part = 0;
+    std::size_t landmarks = 0, missed = 0;
+  };
+  static constexpr std::uint32_t none = 0xffffffffU;
+  std::vector<Reached> reached;
+};
+
+/// The first of the checks below: manifold, oriented, closed but for rims.
+SurfaceCheck checkManifold(const PatchMesh& mesh, SurfaceBorder border);
+
+/// Checks that each component of a mesh of phi = 0 is
+/// - an oriented manifold whose rims lie in the border planes (no rims with `Cap`),
+/// - nowhere turned away from the field: on each wall triangle and around it, as far as its feet on
+///   the zero set, the gradient has a positive part along the triangle's normal. It follows from
+///   the gradient at the centroid and a bound of the second derivatives (cell_bounds.h); the zero
+///   set has no critical point there, and the mesh maps to it one to one along the gradient;
+/// - within reach of every landmark of the zero set (most of them decide which component a
+///   landmark's belongs to).
+SurfaceCheck checkSurface(const PatchMesh& mesh, const SplineField& field,
+                          const GuidanceField& size, const Landmarks& landmarks,
+                          SurfaceBorder border, const Progress& progress);
+
+}  // namespace angiomesh

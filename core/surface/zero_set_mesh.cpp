@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/zero_set_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/surface/grow_front.h"
+#include "core/surface/reference_surface.h"
+#include "core/surface/remesh.h"
+#include "core/surface/surface_check.h"
+
+namespace angiomesh {
+namespace {
+
+constexpr std::uint32_t none = SurfaceCheck::none;
+
+// The triangles that `keep` names, with the points they use.
+template <class Keep>
+PatchMesh selected(const PatchMesh& from, Keep keep) {
+  PatchMesh out;
+  std::vector<std::uint32_t> number(from.mesh.points.size(), none);
+  for (std::uint32_t t = 0; t < from.mesh.triangles.size(); ++t) {
+    if (!keep(t)) continue;
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = from.mesh.triangles[t][k];
+      if (number[v] == none) {
+        number[v] = static_cast<std::uint32_t>(out.mesh.points.size());
+        out.mesh.points.push_back(from.mesh.points[v]);
+        out.place.push_back(from.place[v]);
+      }
+      corners[k] = number[v];
+    }
+    out.mesh.triangles.push_back(corners);
+    out.patch.push_back(from.patch[t]);
+    out.origin.push_back(from.origin[t]);
+  }
+  return out;
+}
+
+void append(PatchMesh& to, const PatchMesh& from) {
+  const auto offset = static_cast<std::uint32_t>(to.mesh.points.size());
+  to.mesh.points.insert(to.mesh.points.end(), from.mesh.points.begin(), from.mesh.points.end());
+  to.place.insert(to.place.end(), from.place.begin(), from.place.end());
+  to.patch.insert(to.patch.end(), from.patch.begin(), from.patch.end());
+  to.origin.insert(to.origin.end(), from.origin.begin(), from.origin.end());
+  for (const auto& t : from.mesh.triangles)
+    to.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+}
+
+class Mesher {
+ public:
+  Mesher(const SplineField& field, const SizingParams& sizing, SurfaceBorder border,
+         const Progress& progress)
+      : field_(field),
+        sizing_(sizing),
+        border_(border),
+        progress_(progress),
+        size_(field, sizing, progress.sub(0.0, 0.15)) {
+    reference_ = referenceSurface(sampleField(field, wholeGrid(field.geometry()), progress),
+                                  field.geometry(), border, progress.sub(0.15, 0.2));
+    wall_ = wallOf(reference_);
+    landmarks_ = landmarksOf(wall_, field, size_);
+    progress_.report(0.25);
+  }
+
+  ZeroSetMesh run(SurfaceMethod method) {
+    PatchMesh mesh;
+    if (method == SurfaceMethod::Remesh) {
+      mesh = remesh(reference_, field_, size_, progress_.sub(0.25, 0.9));
+    } else {
+      mesh = growFront(wall_, landmarks_, field_, size_, chordAngle(), border_, progress_);
+      progress_.report(0.5);
+      dropBroken(mesh);
+      improveTriangles(mesh, field_, size_, progress_.sub(0.5, 0.8));
+    }
+    SurfaceCheck check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
+    progress_.report(0.9);
+    if (method == SurfaceMethod::AdvancingFront && replaceFaulty(mesh, check))
+      check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
+    progress_.report(1.0);
+    return result(std::move(mesh), check);
+  }
+
+ private:
+  [[nodiscard]] double chordAngle() const {
+    const double angle = 2.0 * std::sin(0.5 * sizing_.rho) * sizing_.curvatureRelax;
+    return sizing_.etaCompensated ? angle : angle * sizing_.etaInverse;
+  }
+
+  // Takes out components that are no manifolds, or not closed: improving them makes no sense.
+  void dropBroken(PatchMesh& mesh) const {
+    const SurfaceCheck check = checkManifold(mesh, border_);
+    if (std::all_of(check.components.begin(), check.components.end(),
+                    [](const SurfaceComponent& c) { return c.why.empty(); }))
+      return;
+    mesh = selected(
+        mesh, [&](std::uint32_t t) { return check.components[check.parts.label[t]].why.empty(); });
+  }
+
+  // Whether a part of the front's mesh has the topology of the reference's component that it
+  // reaches.
+  bool replaceFaulty(PatchMesh& mesh, const SurfaceCheck& check) {
+    const MeshComponents parts = meshComponents(reference_.mesh);
+    std::vector<std::uint32_t> partOfPoint(reference_.mesh.points.size(), none);
+    for (std::size_t t = 0; t < parts.label.size(); ++t)
+      for (const std::uint32_t v : reference_.mesh.triangles[t]) partOfPoint[v] = parts.label[t];
+    const std::vector<int> euler = eulerOf(reference_, parts);
+    std::vector<char> keep(check.components.size(), 1), again(parts.count, 0);
+    std::vector<char> claimed(check.components.size(), 0);
+    for (const SurfaceCheck::Reached& r : check.reached) {
+      const std::uint32_t part = partOfPoint[r.component];
+      const bool faulty = r.part != none && !check.components[r.part].verified &&
+                          check.components[r.part].euler != euler[part];
+      if (r.part == none || faulty) again[part] = 1;
+      if (faulty) keep[r.part] = 0;
+      if (r.part != none) claimed[r.part] = 1;
+    }
+    // A part that reaches no component of the zero set in full is not one of its own.
+    for (std::size_t i = 0; i < keep.size(); ++i)
+      if (claimed[i] == 0 && !check.components[i].verified) keep[i] = 0;
+    // Components that share a part of the mesh with a faulty one are made again with it.
+    for (const SurfaceCheck::Reached& r : check.reached)
+      if (r.part != none && keep[r.part] == 0) again[partOfPoint[r.component]] = 1;
+    const bool any = std::find(again.begin(), again.end(), 1) != again.end() ||
+                     std::find(keep.begin(), keep.end(), 0) != keep.end();
+    if (!any) return false;
+    mesh = selected(mesh, [&](std::uint32_t t) { return keep[check.parts.label[t]] != 0; });
+    const PatchMesh start =
+        selected(reference_, [&](std::uint32_t t) { return again[parts.label[t]] != 0; });
+    append(mesh, remesh(start, field_, size_, progress_.sub(0.9, 0.98)));
+    return true;
+  }
+
+  static std::vector<int> eulerOf(const PatchMesh& mesh, const MeshComponents& parts) {
+    std::vector<int> euler(parts.count, 0);
+    std::vector<char> seen(mesh.mesh.points.size(), 0);
+    for (std::size_t t = 0; t < parts.label.size(); ++t) {
+      ++euler[parts.label[t]];
+      for (const std::uint32_t v : mesh.mesh.triangles[t]) {
+        if (seen[v] == 0) ++euler[parts.label[t]];
+        seen[v] = 1;
+      }
+    }
+    const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
+    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i))
+      --euler[parts.label[sides[i].triangle]];
+    return euler;
+  }
+
+  ZeroSetMesh result(PatchMesh mesh, const SurfaceCheck& check) const {
+    ZeroSetMesh out;
+    out.estimatedTriangles = size_.estimatedTriangles();
+    out.components = check.components;
+    std::stable_sort(out.components.begin(), out.components.end(),
+                     [](const SurfaceComponent& a, const SurfaceComponent& b) {
+                       return a.triangles > b.triangles;
+                     });
+    for (const SurfaceCheck::Reached& r : check.reached) {
+      if (r.part != none) continue;
+      const Eigen::Vector3d& p = landmarks_.points[r.component].point;
+      char text[160];
+      std::snprintf(
+          text, sizeof text,
+          "a component of the zero set near L %.1f P %.1f S %.1f mm, too small for a mesh", p.x(),
+          p.y(), p.z());
+      out.dropped.emplace_back(text);
+    }
+    const auto fromFront = std::count(mesh.origin.begin(), mesh.origin.end(), FaceOrigin::Front);
+    if (!mesh.origin.empty())
+      out.fromFrontPercent =
+          100.0 * static_cast<double>(fromFront) / static_cast<double>(mesh.origin.size());
+    out.mesh = std::move(mesh.mesh);
+    out.origin = std::move(mesh.origin);
+    return out;
+  }
+
+  const SplineField& field_;
+  const SizingParams& sizing_;
+  SurfaceBorder border_;
+  const Progress& progress_;
+  GuidanceField size_;
+  PatchMesh reference_;
+  TriMesh wall_;
+  Landmarks landmarks_;
+};
+
+}  // namespace
+
+ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
+                        SurfaceBorder border, const Progress& progress) {
+  if (method == SurfaceMethod::MarchingCubes)
+    throw InputError("marching cubes makes no sized triangles", "surface.method",
+                     "use advancing-front or remesh");
+  return Mesher(field, sizing, border, progress).run(method);
+}
+
+}  // namespace angiomesh

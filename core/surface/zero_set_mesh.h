@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/marching_cubes.h"
+#include "core/surface/patch_mesh.h"
+#include "core/surface/sizing.h"
+#include "core/surface/spline_field.h"
+
+namespace angiomesh {
+
+enum class SurfaceMethod { AdvancingFront, MarchingCubes, Remesh };
+
+/// One edge-connected part of a surface.
+struct SurfaceComponent {
+  std::size_t triangles = 0;
+  int euler = 0;
+  int boundaryLoops = 0;
+  bool verified = false;   ///< the checks of meshZeroSet() hold for it
+  std::string why;         ///< else: which one does not
+  double volumeMm3 = 0.0;  ///< meaningful when closed
+  double fromFrontPercent = 0.0;
+};
+
+struct ZeroSetMesh {
+  TriMesh mesh;
+  std::vector<FaceOrigin> origin;            ///< per triangle
+  std::vector<SurfaceComponent> components;  ///< largest first
+  double fromFrontPercent = 0.0;
+  double estimatedTriangles = 0.0;   ///< before meshing
+  std::vector<std::string> dropped;  ///< what was too small to be meshed, in words
+};
+
+/// The zero set of the field as triangles of the wanted size with well-shaped corners, faces
+/// counter-clockwise from outside, vertices on the zero set; by the advancing front or, for
+/// `Remesh`, by remeshing marching cubes. `Cap` closes it by flat caps in the outermost planes of
+/// voxel centres, `Open` leaves planar rims there. The same for any number of threads.
+///
+/// Each component is checked: it is an oriented manifold, closed but for rims; it turns nowhere
+/// away from the field's gradient by 90 degrees or more, bounded from the spline's second
+/// derivatives around each triangle; it covers the crossings of the zero set with the edges of the
+/// grid. Where the front's component fails, marching cubes' component there is remeshed instead.
+/// @throws InputError for `MarchingCubes`, Cancelled
+ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
+                        SurfaceBorder border, const Progress& progress = {});
+
+}  // namespace angiomesh
