@@ -55,6 +55,7 @@ class NodeMap {
 /// A node near the zero set, the lowest cone over it and the sample that the cone belongs to.
 struct Node {
   Index3 at;
+  Eigen::Vector3d place;  ///< LPS mm
   std::uint32_t sample = none;
   double value = std::numeric_limits<double>::infinity();
 };
@@ -114,12 +115,12 @@ void GuidanceField::Data::makeNodes() {
           std::uint32_t& node = nodeAt.ref(n);
           if (node != none) continue;
           node = static_cast<std::uint32_t>(nodes.size());
-          nodes.push_back({n});
+          nodes.push_back({n, place(n)});
         }
   }
 }
 
-/// Every node takes over from its 26 neighbours the sample whose cone over it is lowest, lowest
+/// Every node takes over from its six neighbours the sample whose cone over it is lowest, lowest
 /// nodes first; a node that finds a lower one later is taken up again. The cones start at the
 /// samples themselves here, or nodes within the reach of one would not look for a nearer one. One
 /// after the other: the order, and so the result, is fixed.
@@ -131,7 +132,7 @@ void GuidanceField::Data::spread(const Progress& progress) {
     Node& node = nodes[n];
     if (node.sample == sample) return false;
     const Sample& from = surface.samples[sample];
-    const double value = from.lengthMm + slope * (place(node.at) - from.point).norm();
+    const double value = from.lengthMm + slope * (node.place - from.point).norm();
     if (!(value < node.value - gain)) return false;
     node.value = value;
     node.sample = sample;
@@ -153,13 +154,14 @@ void GuidanceField::Data::spread(const Progress& progress) {
     if (++steps % 65536 == 0) progress.check();
     const Index3 at = nodes[number].at;
     const std::uint32_t sample = nodes[number].sample;
-    Index3 n;
-    for (n[2] = std::max(at[2] - 1, 0); n[2] <= std::min(at[2] + 1, cells[2]); ++n[2])
-      for (n[1] = std::max(at[1] - 1, 0); n[1] <= std::min(at[1] + 1, cells[1]); ++n[1])
-        for (n[0] = std::max(at[0] - 1, 0); n[0] <= std::min(at[0] + 1, cells[0]); ++n[0]) {
-          const std::uint32_t next = nodeAt.get(n);
-          if (next != none && offer(next, sample)) queue.emplace(nodes[next].value, next);
-        }
+    for (int a = 0; a < 3; ++a)
+      for (const int step : {-1, 1}) {
+        Index3 n = at;
+        n[a] += step;
+        if (n[a] < 0 || n[a] > cells[a]) continue;
+        const std::uint32_t next = nodeAt.get(n);
+        if (next != none && offer(next, sample)) queue.emplace(nodes[next].value, next);
+      }
   }
   for (const Node& node : nodes) nodeAt.ref(node.at) = node.sample;
   nodes = {};

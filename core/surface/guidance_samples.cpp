@@ -97,7 +97,7 @@ class Sampler {
     if (!foot) return;
     const GuidanceField::Sample whole = at(*foot);
     const double length = whole.lengthMm / voxel_;
-    const int n = std::min(length >= 2.0 ? 1 : length >= 0.25 ? 2 : 4, finest_);
+    const int n = std::min(length >= 1.0 ? 1 : length >= 0.25 ? 2 : 4, finest_);
     if (n > 1) {
       const double side = 1.0 / n;
       for (int s = 0; s < n * n * n; ++s) {
