@@ -25,5 +25,6 @@ void addEvaluate(CLI::App& program, Session& session);
 
 void addParameters(CLI::App& program, Session& session);
 void addSnapshot(CLI::App& program, Session& session);
+void addStudy(CLI::App& program, Session& session);
 
 }  // namespace angiomesh::cli

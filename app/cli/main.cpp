@@ -54,6 +54,7 @@ int parseAndRun(int argc, char** argv) {
   addConvert(program, session);
 #ifdef ANGIOMESH_WITH_RENDER
   addSnapshot(program, session);
+  addStudy(program, session);
 #endif
   addParameters(program, session);
 
