@@ -14,6 +14,7 @@
 #include "core/surface/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/spline_field.h"
+#include "core/surface/zero_set_mesh.h"
 
 namespace angiomesh::bench {
 namespace {
@@ -58,6 +59,16 @@ std::vector<Contestant> contestants(const Volume<float>& phi, const SizingParams
          const SplineField field(phi, SplineKind::InterpolatingBspline);
          const GuidanceField guidance(field, sizing);
          return TriMesh{};
+       }},
+      {"advancing front",
+       [&phi, sizing] {
+         const SplineField field(phi, SplineKind::InterpolatingBspline);
+         return meshZeroSet(field, sizing, SurfaceMethod::AdvancingFront, SurfaceBorder::Cap).mesh;
+       }},
+      {"remesh",
+       [&phi, sizing] {
+         const SplineField field(phi, SplineKind::InterpolatingBspline);
+         return meshZeroSet(field, sizing, SurfaceMethod::Remesh, SurfaceBorder::Cap).mesh;
        }},
       {"VTK flying edges", [&phi] { return flyingEdges(phi); }},
       {"CGAL isotropic remeshing of it",
