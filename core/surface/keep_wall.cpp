@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "core/quality/self_intersection.h"
+#include "core/surface/sagitta_offset.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/wall.h"
 #include "core/surface/wall_smoother.h"
@@ -42,14 +43,24 @@ TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params, const Sp
   progress.report(0.0);
   checkMesh(mesh);
   if (mesh.triangles.empty() || params.iterations <= 0) return mesh;
+  std::vector<char> frozen(mesh.points.size(), 0);
+  constexpr int attempts = 6;
+  if (phi != nullptr && inscribedInZeroSet(mesh, *phi)) {
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      TriMesh moved = offsetBySagitta(mesh, *phi, frozen, progress);
+      if (!freezeMeeting(moved, frozen, attempt < 2 ? 1 : 3, progress.sub(0.5, 0.95))) {
+        progress.report(1.0);
+        return moved;
+      }
+    }
+    return mesh;
+  }
   std::unique_ptr<Wall> wall;
   if (phi != nullptr) {
     wall = std::make_unique<ZeroSetWall>(*phi);
   } else {
     wall = std::make_unique<MeshWall>(mesh, params.wallBoundVoxels, progress);
   }
-  std::vector<char> frozen(mesh.points.size(), 0);
-  constexpr int attempts = 6;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const double from = attempt == 0 ? 0.0 : 0.9;
     TriMesh smoothed = WallSmoother(mesh, params, phi, *wall, frozen)

@@ -25,7 +25,14 @@ struct SmoothParams {
 TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params,
                      const Progress& progress = {});
 
-/// Smooths the triangulation, not the vessel. In each of `iterations` sweeps the vertices slide
+/// Smooths the triangulation, not the vessel; 0 iterations change nothing.
+/// Good triangles inscribed in phi = 0 (of the advancing front and the remesher; see
+/// inscribedInZeroSet()) need no smoothing, but enclose less than a convex wall: their vertices
+/// move along the wall's normal by the mean height of the wall over the triangles around them, so
+/// that each component encloses the zero set's volume; lambda and wallBoundVoxels play no part, and
+/// surroundings of triangles that would come to meet stay as they were. Rims and caps in the
+/// outermost planes of voxel centres of phi stay there.
+/// On other meshes, such as marching cubes: in each of `iterations` sweeps the vertices slide
 /// along the wall towards their neighbours' mean (by lambda; mu is not used, as nothing shrinks),
 /// and edges are flipped where that makes better triangles; then the worst triangles are worked on
 /// one by one, and the volume that the input enclosed is given back place by place.
