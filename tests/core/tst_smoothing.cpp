@@ -126,6 +126,30 @@ class TestSmoothing : public QObject {
     }
   }
 
+  void taubinFiltersWhatIsNoManifold() {
+    // Two tetrahedra in one vertex and a vertex of no triangle, beside a tube that does not notice.
+    const TriMesh tube = shapes::openTube(12, 30, 2.0);
+    TriMesh mixed = tube;
+    const auto base = static_cast<std::uint32_t>(tube.points.size());
+    const auto other = [&](std::uint32_t v) { return v == 0 ? base : base + v + 3; };
+    const TriMesh tetrahedron = shapes::tetrahedron();
+    for (const Vector3d& p : tetrahedron.points) mixed.points.push_back(p);
+    for (std::size_t v = 1; v < 4; ++v) mixed.points.emplace_back(-1.0 * tetrahedron.points[v]);
+    for (const auto& t : tetrahedron.triangles) {
+      mixed.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+      mixed.triangles.push_back({other(t[0]), other(t[1]), other(t[2])});
+    }
+    mixed.points.emplace_back(9.0, 9.0, 9.0);
+    const SmoothParams params{SmoothMethod::Taubin};
+    const TriMesh alone = taubinSmooth(tube, params), beside = taubinSmooth(mixed, params);
+    QVERIFY(beside.triangles == mixed.triangles);
+    QVERIFY(beside.points.back() == Vector3d(9.0, 9.0, 9.0));
+    for (std::size_t v = 0; v < tube.points.size(); ++v)
+      QVERIFY((alone.points[v] - beside.points[v]).norm() < 1e-12);
+    // The vertex that they share stays between them.
+    QVERIFY(beside.points[base].norm() < 1e-12);
+  }
+
   void noneAndNoIterationsChangeNothing() {
     const TriMesh mesh = shapes::torus(12, 8, 3.0, 1.0);
     SmoothParams params;
