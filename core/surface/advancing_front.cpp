@@ -133,6 +133,12 @@ bool AdvancingFront::tryFree(std::uint32_t id) {
   if (!(wish.height > 0.0)) return false;
   FrontPoint apex;
   if (!surface_.turn(vertices_[e.from], vertices_[e.to], wish, apex)) return false;
+  // Sizes grow along the front no faster than they may, also from a rim that is finer than the
+  // wall.
+  const double growth = std::max(surface_.slope(), 0.2);
+  for (const std::uint32_t v : {e.from, e.to})
+    apex.length = std::min(apex.length,
+                           vertices_[v].length + growth * (apex.point - vertices_[v].point).norm());
   const Eigen::Vector3d centre =
       (vertices_[e.from].point + vertices_[e.to].point + apex.point) / 3.0;
   const double reach = std::max({apex.length, wish.height, vertices_[e.from].length});

@@ -63,7 +63,8 @@ void AdvancingFront::collect(const Frame& frame, const Vector3d& centre, double 
   ++collected_;
   const double agreement = relaxed ? -0.1 : 0.2;
   const double steepness = relaxed ? 1.2 : 0.7;
-  const double shortest = 0.7 * (spacing - surface_.slope() * radius);
+  // The last term bounds the work where sizes may change at any rate.
+  const double shortest = std::max(0.7 * (spacing - surface_.slope() * radius), 0.05 * radius);
   grid_.forEachNear(centre, radius, shortest, [&](std::uint32_t id) {
     const FrontPoint& p = vertices_[id];
     if (p.normal.dot(frame.n) < agreement) return;

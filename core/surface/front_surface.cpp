@@ -24,6 +24,16 @@ struct Circle {
   }
 };
 
+// Whether a point lies between the outermost voxel centres, to `tolerance` voxels.
+bool insideGrid(const Geometry& grid, const Eigen::Vector3d& point, double tolerance) {
+  const Eigen::Vector3d index = grid.toIndex(point);
+  for (int axis = 0; axis < 3; ++axis)
+    if (index[axis] < -tolerance ||
+        index[axis] > grid.size[static_cast<std::size_t>(axis)] - 1.0 + tolerance)
+      return false;
+  return true;
+}
+
 constexpr double kLargestTurn = 1.0471975511965976;  // 60 degrees
 constexpr double kLeastAgreement = 0.3;              // cosine of the normals, apex to base
 
@@ -43,6 +53,8 @@ bool WallSurface::turn(const FrontPoint& a, const FrontPoint& b, const ApexWish&
     if (std::fabs(jet.value) < 1e-7 * slope * circle.radius) {
       apex.normal = jet.gradient / slope;
       if (apex.normal.dot(circle.up) < kLeastAgreement) return false;
+      // Beyond the outermost voxel centres the field is extrapolated: the wall ends there.
+      if (!insideGrid(field_.geometry(), apex.point, 0.0)) return false;
       apex.length = size_.at(apex.point);
       return true;
     }
@@ -83,7 +95,7 @@ bool CapSurface::turn(const FrontPoint& a, const FrontPoint& b, const ApexWish& 
   apex.point = circle.centre + circle.radius * circle.left;
   apex.normal = a.normal;
   apex.length = size_.at(apex.point);
-  return true;
+  return insideGrid(field_.geometry(), apex.point, 1e-6) && field_.at(apex.point).value < 0.0;
 }
 
 }  // namespace angiomesh

@@ -62,10 +62,10 @@ class WallSurface : public FrontSurface {
   const GuidanceField& size_;
 };
 
-/// The plane of a cap. The sizes must outlive it.
+/// The part of a border plane where phi < 0: a cap. Field and sizes must outlive it.
 class CapSurface : public FrontSurface {
  public:
-  explicit CapSurface(const GuidanceField& size) : size_(size) {}
+  CapSurface(const SplineField& field, const GuidanceField& size) : field_(field), size_(size) {}
   [[nodiscard]] bool turn(const FrontPoint& a, const FrontPoint& b, const ApexWish& wish,
                           FrontPoint& apex) const override;
   [[nodiscard]] double lengthAt(const Eigen::Vector3d& point) const override {
@@ -74,6 +74,7 @@ class CapSurface : public FrontSurface {
   [[nodiscard]] double slope() const override { return size_.slope(); }
 
  private:
+  const SplineField& field_;
   const GuidanceField& size_;
 };
 

@@ -112,9 +112,10 @@ class Wall {
 
 // Adds a cap's triangles; the first vertices of the front are those of the border curves.
 void addCap(PatchMesh& out, const std::vector<BorderCurves::Loop>& loops, int plane,
-            const Vector3d& normal, const GuidanceField& size, const BorderCurves& curves,
+            const SplineField& field, const GuidanceField& size, const BorderCurves& curves,
             const Progress& progress) {
-  const CapSurface surface(size);
+  const CapSurface surface(field, size);
+  const Vector3d normal = borderNormal(field.geometry(), plane);
   AdvancingFront front(surface);
   std::vector<std::uint32_t> toOut, toFront(curves.points.size(), none);
   std::vector<BorderCurves::Loop> starts;
@@ -190,8 +191,8 @@ PatchMesh growFront(const TriMesh& wall, const Landmarks& landmarks, const Splin
   out.patch.assign(out.mesh.triangles.size(), 0);
   for (int plane = 0; plane < 6; ++plane)
     if (!curves.caps[static_cast<std::size_t>(plane)].empty())
-      addCap(out, curves.caps[static_cast<std::size_t>(plane)], plane,
-             borderNormal(field.geometry(), plane), size, curves, progress);
+      addCap(out, curves.caps[static_cast<std::size_t>(plane)], plane, field, size, curves,
+             progress);
   return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +28,7 @@ class SurfaceCover {
   [[nodiscard]] std::uint32_t reach(const FrontPoint& place) const {
     std::uint32_t nearest = none;
     double least = place.length * place.length;
-    const double shortest = kMargin * place.length * (1.0 - slope_);
+    const double shortest = place.length * std::max(kMargin * (1.0 - slope_), 0.05);
     grid_.forEachNear(place.point, place.length, shortest, [&](std::uint32_t id) {
       const double d = (vertices_[id].point - place.point).squaredNorm();
       if (d < least && vertices_[id].normal.dot(place.normal) > 0.2) {
