@@ -85,10 +85,12 @@ struct GuidanceField::Data {
   double triangles = 0.0;
   double area = 0.0;
 
-  [[nodiscard]] double cone(std::uint32_t s, const Eigen::Vector3d& x) const {
+  /// The smaller of `value` and the cone of sample s at x.
+  [[nodiscard]] double under(double value, std::uint32_t s, const Eigen::Vector3d& x) const {
     const Sample& sample = surface.samples[s];
+    if (sample.lengthMm >= value) return value;
     const double off = (x - sample.point).norm() - sample.reachMm;
-    return off > 0.0 ? sample.lengthMm + slope * off : sample.lengthMm;
+    return std::min(value, off > 0.0 ? sample.lengthMm + slope * off : sample.lengthMm);
   }
   [[nodiscard]] Eigen::Vector3d place(const Index3& n) const {
     return geometry.toPhysical({1.0 * n[0], 1.0 * n[1], 1.0 * n[2]});
@@ -181,7 +183,7 @@ double GuidanceField::Data::lowest(const Eigen::Vector3d& x, const Index3& first
             sample == seen[3])
           continue;
         seen[turn++ & 3] = sample;
-        value = std::min(value, cone(sample, x));
+        value = under(value, sample, x);
       }
   return value;
 }
@@ -196,12 +198,12 @@ double GuidanceField::Data::at(const Eigen::Vector3d& x) const {
   const std::uint32_t own = cellAt.get(cell);
   if (own != none)
     for (std::uint32_t s = 0; s < surface.cells[own].sampleCount; ++s)
-      value = std::min(value, cone(surface.cells[own].firstSample + s, x));
+      value = under(value, surface.cells[own].firstSample + s, x);
   for (int r = 1; r <= 3 && std::isinf(value); ++r)
     value = lowest(x, {cell[0] - r, cell[1] - r, cell[2] - r},
                    {cell[0] + 1 + r, cell[1] + 1 + r, cell[2] + 1 + r});
   if (std::isinf(value))
-    for (std::uint32_t s = 0; s < surface.samples.size(); ++s) value = std::min(value, cone(s, x));
+    for (std::uint32_t s = 0; s < surface.samples.size(); ++s) value = under(value, s, x);
   return value;
 }
 

@@ -191,7 +191,8 @@ SplineField::SplineField(const Volume<float>& samples, SplineKind kind)
   const Index3& n = geometry_.size;
   rowStride_ = padded(n[0]);
   layerStride_ = rowStride_ * padded(n[1]);
-  coefficients_.resize(layerStride_ * padded(n[2]));
+  // atVoxel() reads one sample beyond the three that it needs.
+  coefficients_.resize(layerStride_ * padded(n[2]) + 1);
   float* inner = coefficients_.data() + layerStride_ + rowStride_ + 1;
   const auto nx = static_cast<std::size_t>(n[0]);
   const auto ny = static_cast<std::size_t>(n[1]);
@@ -356,17 +357,19 @@ double SplineField::atVoxel(int i, int j, int k) const {
                     static_cast<std::size_t>(j) * rowStride_ +
                     static_cast<std::size_t>(k) * layerStride_;
   if (kind_ == SplineKind::CatmullRom) return at[layerStride_ + rowStride_ + 1];
-  const double weight[3] = {1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0};
-  double value = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    double layer = 0.0;
-    for (std::size_t b = 0; b < 3; ++b) {
-      const float* row = at + b * rowStride_ + c * layerStride_;
-      layer += weight[b] * (weight[0] * row[0] + weight[1] * row[1] + weight[2] * row[2]);
-    }
-    value += weight[c] * layer;
+  constexpr double outer = 1.0 / 6.0;
+  constexpr double middle = 2.0 / 3.0;
+  Row layers[3];
+  for (std::size_t c = 0; c < 3; ++c, at += layerStride_) {
+    const Row before = load(at);
+    const Row here = load(at + rowStride_);
+    const Row after = load(at + 2 * rowStride_);
+    layers[c].low = outer * (before.low + after.low) + middle * here.low;
+    layers[c].high = outer * (before.high + after.high) + middle * here.high;
   }
-  return value;
+  const Pair low = outer * (layers[0].low + layers[2].low) + middle * layers[1].low;
+  const Pair high = outer * (layers[0].high + layers[2].high) + middle * layers[1].high;
+  return outer * (low[0] + high[0]) + middle * low[1];
 }
 
 std::array<double, 2> SplineField::bounds(const Index3& first, const Index3& last) const {
