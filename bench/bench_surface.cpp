@@ -23,9 +23,11 @@ namespace {
 
 struct Options {
   std::string input;
+  std::string only;
   int size = 128;
   double radius = 4.0;
   double noise = 0.0;
+  double rho = 0.4;
   int threads = 0;
   int repeat = 3;
   bool defaults = false;
@@ -84,9 +86,11 @@ void printRow(const bench::Contestant& contestant, const SplineField& field, int
 }
 
 int run(const Options& options) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   setThreads(options.threads);
   const Volume<float> phi = makePhi(options);
   SizingParams sizing;
+  sizing.rho = options.rho;
   if (!options.defaults) {
     sizing.etaCompensated = false;
     sizing.edgesAround = 0;
@@ -104,6 +108,7 @@ int run(const Options& options) {
               "cpu s", "triangles", "min", "<30 %", "max", "2r/R", "min", "vertex", "max",
               "centroid", "max", "comp", "genus", "bad");
   for (const bench::Contestant& contestant : bench::contestants(phi, sizing, edge)) {
+    if (contestant.name.find(options.only) == std::string::npos) continue;
     try {
       printRow(contestant, field, options.repeat);
     } catch (const std::exception& error) {
@@ -122,8 +127,10 @@ int main(int argc, char** argv) {
   app.add_option("--size", options.size, "voxels along each side of the phantom");
   app.add_option("--radius", options.radius, "the phantom's radius, voxels");
   app.add_option("--noise", options.noise, "sigma of Gaussian noise on phi, voxels");
+  app.add_option("--rho", options.rho, "the wanted accuracy, radians");
   app.add_option("--threads", options.threads, "0: all cores");
   app.add_option("--repeat", options.repeat, "runs of each")->check(CLI::PositiveNumber);
+  app.add_option("--only", options.only, "those alone whose name holds this text");
   app.add_flag("--defaults", options.defaults, "the product's own sizing, not the thesis's");
   CLI11_PARSE(app, argc, argv);
   try {
