@@ -7,10 +7,7 @@
 #include "app/cli/field_input.h"
 #include "app/cli/options.h"
 #include "app/cli/output_folder.h"
-#include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
-#include "core/pipeline/segments.h"
-#include "core/surface/marching_cubes.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/spline_field.h"
 #include "io/image_io.h"
@@ -49,27 +46,6 @@ int segmentCommand(const StepOptions& options, const Progress& progress) {
   writeVolume(*result.surface->phi, options.output);
   std::printf("%zu voxels inside, %d iterations\n", result.surface->insideVoxels,
               result.evolve->iterations);
-  return Done;
-}
-
-int meshCommand(const StepOptions& options, const Progress& progress) {
-  const SurfaceParams params = options.settings.parameters().surface;
-  const Volume<float> phi = readPhiOrMask(options.input);
-  TriMesh mesh;
-  if (params.cellVoxels == 1.0) {
-    mesh = marchingCubes(phi, params.border, progress);
-  } else {
-    const double cellMm = params.cellVoxels * phi.geometry.voxelMm();
-    const SplineField field(phi, params.spline);
-    mesh = marchingCubes(resampleField(field, cellMm, progress.sub(0.0, 0.5)), params.border,
-                         progress.sub(0.5, 1.0));
-  }
-  dropSmallComponents(mesh, params.minComponentMm3);
-  if (mesh.triangles.empty())
-    throw InputError("there is no surface in it", options.input,
-                     "give a level set function that is negative inside, or a mask");
-  writeMesh(mesh, options.output);
-  std::printf("%zu triangles\n", mesh.triangles.size());
   return Done;
 }
 
@@ -122,11 +98,6 @@ void addSegment(CLI::App& program, Session& session) {
   program.get_subcommand("segment")
       ->add_option("--method", options->method, "level-set")
       ->check(CLI::IsMember({"level-set"}));
-}
-
-void addMesh(CLI::App& program, Session& session) {
-  addStep(program, session, "mesh", "The surface of a level set function or mask, not smoothed",
-          "Level set function or mask", "Mesh to write: .ply, .stl, .obj or .vtp", meshCommand);
 }
 
 void addSmooth(CLI::App& program, Session& session) {

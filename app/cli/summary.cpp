@@ -88,6 +88,11 @@ void printQualities(const std::vector<NamedQuality>& columns) {
   for (const NamedQuality& column : columns) std::printf("%*s", kColumnWidth, column.name.c_str());
   std::printf("\n");
   printRow("triangles", columns, [](Q q) { return count(q.triangles); });
+  if (std::any_of(columns.begin(), columns.end(),
+                  [](const NamedQuality& c) { return c.quality->fromFrontPercent.has_value(); }))
+    printRow("from the front (%)", columns, [](Q q) {
+      return q.fromFrontPercent ? text("%.2f", *q.fromFrontPercent) : std::string("-");
+    });
   printRow("components", columns, [](Q q) { return std::to_string(q.components); });
   printRow("genus", columns, [](Q q) { return std::to_string(q.genus); });
   printRow("closed, oriented", columns, [](Q q) {
@@ -115,6 +120,17 @@ void printQualities(const std::vector<NamedQuality>& columns) {
   }
 }
 
+void printSurface(std::size_t triangles, const SurfaceOrigin& origin) {
+  std::printf("%zu triangles", triangles);
+  if (origin.estimatedTriangles) std::printf(" (%.0f estimated)", *origin.estimatedTriangles);
+  if (origin.fromFrontPercent)
+    std::printf(", %.2f %% from the advancing front", *origin.fromFrontPercent);
+  if (const std::size_t count = origin.components.size(); count > 0)
+    std::printf(", %zu component%s, %zu verified", count, count == 1 ? "" : "s",
+                count - origin.unverified());
+  std::printf("\n");
+}
+
 void printOverlap(const OverlapMeasures& m) {
   std::printf("%-13s overlap %.2f %%, sensitivity %.4f, precision %.4f", "truth", m.overlap,
               m.sensitivity, m.precision);
@@ -128,6 +144,10 @@ void printSummary(const RunResult& result, const std::optional<OverlapMeasures>&
   if (result.preprocessed) printGrid("working grid", result.preprocessed->geometry);
   if (result.evolve) printSegmentation(result);
   if (truth) printOverlap(*truth);
+  if (result.surface) {
+    std::printf("%-13s ", "surface");
+    printSurface(result.surface->mesh->triangles.size(), result.surface->origin);
+  }
   std::printf("%-13s", "seconds");
   for (const StageReport& stage : result.stages)
     std::printf(" %s %.2f,", stepId(stage.step), stage.seconds);

@@ -18,6 +18,9 @@ struct NamedQuality {
 /// Mesh qualities side by side, one column each, on stdout.
 void printQualities(const std::vector<NamedQuality>& columns);
 
+/// One line on how a surface came to be, on stdout.
+void printSurface(std::size_t triangles, const SurfaceOrigin& origin);
+
 /// One line of overlap measures on stdout.
 void printOverlap(const OverlapMeasures& measures);
 

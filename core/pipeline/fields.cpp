@@ -309,8 +309,11 @@ void addSurface(Table& t) {
          "components smaller than this are left out");
   t.points("segmentation.drop", MEMBER(segmentation.drop),
            "the components that hold these points, x,y,z,... in mm LPS, are left out");
-  t.choice("surface.method", MEMBER(surface.method), {"marching-cubes"},
-           "how phi becomes triangles");
+  t.choice("surface.method", MEMBER(surface.method),
+           {"advancing-front", "marching-cubes", "remesh"},
+           "advancing-front: triangles of the wanted size, made on phi = 0 itself; marching-cubes: "
+           "one set for each cell; remesh: marching cubes made over to the wanted size")
+      .main = true;
   t.choice("surface.spline", MEMBER(surface.spline),
            {"interpolating-bspline", "bspline", "catmull-rom"},
            "interpolant of phi whose zero set is the wall");

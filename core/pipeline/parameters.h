@@ -13,6 +13,7 @@
 #include "core/surface/marching_cubes.h"
 #include "core/surface/sizing.h"
 #include "core/surface/smoothing.h"
+#include "core/surface/zero_set_mesh.h"
 #include "core/vesselness/vesselness.h"
 
 namespace angiomesh {
@@ -26,10 +27,8 @@ struct SegmentationParams {
       drop;  ///< x,y,z,... LPS mm: the components that hold these points are left out
 };
 
-enum class SurfaceMethod { MarchingCubes };
-
 struct SurfaceParams {
-  SurfaceMethod method = SurfaceMethod::MarchingCubes;
+  SurfaceMethod method = SurfaceMethod::AdvancingFront;
   SplineKind spline = SplineKind::InterpolatingBspline;
   SizingParams sizing;      ///< of the methods that follow the size field
   double cellVoxels = 1.0;  ///< edge of a marching cubes cell, working voxels

@@ -23,7 +23,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 1, 1, 1, 2};
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 1, 2, 1, 2};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -142,36 +142,29 @@ EvolveResult evolve(const VesselnessResult& vessels, const SeedsResult& seeds,
   return result;
 }
 
-SurfaceResult makeSurface(const EvolveResult& evolved, const Parameters& params,
-                          const Progress& progress, std::vector<std::string>& warnings) {
+SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
+                      const Progress& progress, std::vector<std::string>& warnings) {
   const SurfaceParams& p = params.surface;
   SurfaceResult result;
   Segments segments = selectSegments(*evolved.phi, params.segmentation, params.seeds.points);
-  result.phi = withoutDropped(evolved.phi, segments, progress.sub(0.0, 0.3));
+  result.phi = withoutDropped(evolved.phi, segments, progress.sub(0.0, 0.2));
   result.components = std::move(segments.components);
   result.insideVoxels = segments.insideVoxels;
   result.marchingCubes =
-      std::make_shared<const TriMesh>(marchingCubes(*result.phi, p.border, progress.sub(0.3, 0.5)));
-  if (p.cellVoxels == 1.0 && p.minComponentMm3 == 0.0) {
+      std::make_shared<const TriMesh>(marchingCubes(*result.phi, p.border, progress.sub(0.2, 0.3)));
+  if (p.method == SurfaceMethod::MarchingCubes && p.cellVoxels == 1.0 && p.minComponentMm3 == 0.0) {
     result.mesh = result.marchingCubes;
     return result;
   }
-  TriMesh mesh;
-  if (p.cellVoxels == 1.0) {
-    mesh = *result.marchingCubes;
-  } else {
-    const SplineField field(*result.phi, p.spline);
-    const double cellMm = p.cellVoxels * result.phi->geometry.voxelMm();
-    mesh = marchingCubes(resampleField(field, cellMm, progress), p.border, progress.sub(0.5, 1.0));
-  }
-  const int dropped = dropSmallComponents(mesh, p.minComponentMm3);
-  if (dropped > 0)
-    warnings.push_back(std::to_string(dropped) +
-                       " surface components below surface.minComponentMm3 were left out");
-  if (mesh.triangles.empty())
+  const SplineField field(*result.phi, p.spline);
+  MadeSurface made = makeSurface(*result.phi, field, p, progress.sub(0.3, 1.0));
+  if (made.mesh.triangles.empty())
     throw NumericError("no surface component is left", "surface",
-                       "lower surface.minComponentMm3 or surface.cellVoxels");
-  result.mesh = std::make_shared<const TriMesh>(std::move(mesh));
+                       "lower surface.minComponentMm3 or surface.cellVoxels, or choose another "
+                       "surface.method");
+  for (std::string& warning : made.origin.warnings()) warnings.push_back(std::move(warning));
+  result.mesh = std::make_shared<const TriMesh>(std::move(made.mesh));
+  result.origin = std::move(made.origin);
   return result;
 }
 
@@ -182,9 +175,12 @@ QualityResult measure(const RunResult& run, const SplineField& field, const Prog
   result.unsmoothed = run.surface->mesh == run.surface->marchingCubes
                           ? result.marchingCubes
                           : measureQuality(*run.surface->mesh, &field, progress.sub(0.33, 0.66));
+  result.unsmoothed.fromFrontPercent = run.surface->origin.fromFrontPercent;
   result.mesh = run.smoothed == run.surface->mesh
                     ? result.unsmoothed
                     : measureQuality(*run.smoothed, &field, progress.sub(0.66, 1.0));
+  // Smoothing moves vertices and flips edges; it makes no triangle.
+  result.mesh.fromFrontPercent = run.surface->origin.fromFrontPercent;
   return result;
 }
 
@@ -328,7 +324,7 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   if (!wanted(Step::Surface)) return finished();
   run.surface = state_->obtain<SurfaceResult>(Step::Surface, run.key, run, [&](Warnings& warnings) {
     return std::make_shared<const SurfaceResult>(
-        makeSurface(*run.evolve, params, progress.sub(0.8, 0.88), warnings));
+        surface(*run.evolve, params, progress.sub(0.8, 0.88), warnings));
   });
   if (!wanted(Step::Smooth)) return finished();
   const SplineField field(*run.surface->phi, params.surface.spline);

@@ -11,6 +11,7 @@
 
 #include "core/base/progress.h"
 #include "core/pipeline/parameters.h"
+#include "core/pipeline/surface_step.h"
 #include "core/quality/mesh_quality.h"
 
 namespace angiomesh {
@@ -63,6 +64,7 @@ struct SurfaceResult {
   std::vector<SegmentComponent> components;
   std::size_t insideVoxels = 0;                  ///< of the kept components
   std::shared_ptr<const TriMesh> mesh;           ///< unsmoothed
+  SurfaceOrigin origin;                          ///< of `mesh`
   std::shared_ptr<const TriMesh> marchingCubes;  ///< VTK's on the same phi, for comparison
 };
 

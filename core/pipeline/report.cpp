@@ -109,9 +109,37 @@ Json segmentationBlock(const RunResult& result) {
   return block;
 }
 
-Json surfaceBlock(const RunResult& result) {
+Json componentBlock(const SurfaceComponent& part) {
+  Json block{{"triangles", part.triangles},
+             {"euler", part.euler},
+             {"genus", (2 - part.boundaryLoops - part.euler) / 2},
+             {"boundary_loops", part.boundaryLoops},
+             {"verified", part.verified}};
+  if (!part.verified) block["why"] = part.why;
+  if (part.boundaryLoops == 0) block["volume_mm3"] = part.volumeMm3;
+  return block;
+}
+
+Json surfaceBlock(const SurfaceOrigin& origin) {
+  Parameters params;
+  params.surface.method = origin.method;
   const Field& method = findField("surface.method");
-  return {{"method", fieldText(method.get(result.params), method)}};
+  Json block{{"method", fieldText(method.get(params), method)}};
+  if (origin.estimatedTriangles) block["estimated_triangles"] = *origin.estimatedTriangles;
+  if (origin.fromFrontPercent) block["from_front_percent"] = *origin.fromFrontPercent;
+  if (!origin.components.empty()) {
+    block["components"] = Json::array();
+    for (const SurfaceComponent& part : origin.components) {
+      block["components"].push_back(componentBlock(part));
+      if (origin.fromFrontPercent)
+        block["components"].back()["from_front_percent"] = part.fromFrontPercent;
+    }
+    block["unverified"] = origin.unverified();
+  }
+  // An estimate alone says nothing of what will be left out.
+  const bool estimateAlone = origin.estimatedTriangles && origin.components.empty();
+  if (!estimateAlone || !origin.dropped.empty()) block["dropped"] = origin.dropped;
+  return block;
 }
 
 std::optional<double> peakMemoryMb() {
@@ -145,7 +173,7 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
 
   if (result.evolve) report["segmentation"] = segmentationBlock(result);
   if (truth) report["truth"] = overlapBlock(*truth);
-  if (result.surface) report["surface"] = surfaceBlock(result);
+  if (result.surface) report["surface"] = surfaceBlock(result.surface->origin);
   if (result.quality) {
     report["mesh"] = meshBlock(result.quality->mesh);
     report["mesh_unsmoothed"] = meshBlock(result.quality->unsmoothed);
@@ -156,6 +184,10 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
 
 std::string meshQualityJson(const MeshQuality& quality) {
   return Json{{"schema", kSchema}, {"mesh", meshBlock(quality)}}.dump(kIndent) + "\n";
+}
+
+std::string surfaceJson(const SurfaceOrigin& origin) {
+  return Json{{"schema", kSchema}, {"surface", surfaceBlock(origin)}}.dump(kIndent) + "\n";
 }
 
 std::string overlapJson(const OverlapMeasures& measures) {

@@ -14,8 +14,9 @@ namespace angiomesh {
 std::string runReportJson(const RunResult& result,
                           const std::optional<OverlapMeasures>& truth = {});
 
-/// The `mesh` block alone, and the `truth` block alone, as {"schema": 1, "mesh": {...}} and so on.
+/// One block alone, as {"schema": 1, "mesh": {...}} and so on.
 std::string meshQualityJson(const MeshQuality& quality);
+std::string surfaceJson(const SurfaceOrigin& origin);
 std::string overlapJson(const OverlapMeasures& measures);
 
 /// The version of the library, "0.1.0".

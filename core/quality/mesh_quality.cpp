@@ -9,6 +9,7 @@
 #include "core/quality/self_intersection.h"
 #include "core/quality/triangle_intersection.h"
 #include "core/quality/triangle_shape.h"
+#include "core/quality/wall_triangles.h"
 #include "core/surface/mesh_edges.h"
 #include "core/surface/triangle_tree.h"
 
@@ -188,7 +189,7 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
   q.below30Percent = 100.0 * static_cast<double>(below30) / count;
 }
 
-// Caps lie outside the outermost voxel centres, where phi has no zero set.
+// Marching cubes goes half a voxel beyond the outermost voxel centres, where phi is not known.
 bool inGrid(const Geometry& g, const Eigen::Vector3d& pointLps) {
   const Eigen::Vector3d index = g.toIndex(pointLps);
   constexpr double rounding = 1e-6;
@@ -211,13 +212,16 @@ struct Deviations {
   std::optional<CurvedDeviation> curved;
 };
 
+// Of the points where `counts` is not 0.
 template <class PointAt>
-Deviations deviation(std::size_t count, PointAt pointAt, bool withCurvature, const SplineField& phi,
-                     const Progress& progress) {
+Deviations deviation(const std::vector<char>& counts, PointAt pointAt, bool withCurvature,
+                     const SplineField& phi, const Progress& progress) {
+  const std::size_t count = counts.size();
   std::vector<double> moved(count, -1.0), curved(withCurvature ? count : 0, -1.0);
   parallelFor(0, count, 512, [&](std::size_t first, std::size_t last) {
     progress.check();
     for (std::size_t i = first; i < last; ++i) {
+      if (counts[i] == 0) continue;
       const Eigen::Vector3d start = pointAt(i);
       if (!inGrid(phi.geometry(), start)) continue;
       Eigen::Vector3d onWall = start;
@@ -256,13 +260,17 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Pr
   q.selfIntersections = q.intersectingPairs.size();
   if (q.intersectingPairs.size() > listedPairs) q.intersectingPairs.resize(listedPairs);
   if (phi != nullptr) {
-    q.vertexDeviation = deviation(
-                            mesh.points.size(), [&](std::size_t i) { return mesh.points[i]; },
-                            false, *phi, progress)
-                            .distance;
+    // Caps are no part of the zero set.
+    const std::vector<char> wall = wallTriangles(mesh, phi->geometry());
+    std::vector<char> onWall(mesh.points.size(), 0);
+    for (std::size_t t = 0; t < wall.size(); ++t)
+      if (wall[t] != 0)
+        for (const std::uint32_t v : mesh.triangles[t]) onWall[v] = 1;
+    const auto vertexAt = [&](std::size_t i) { return mesh.points[i]; };
+    q.vertexDeviation = deviation(onWall, vertexAt, false, *phi, progress).distance;
     progress.report(0.75);
     const Deviations centroids = deviation(
-        mesh.triangles.size(),
+        wall,
         [&](std::size_t i) -> Eigen::Vector3d {
           const Triangle3 t = cornersOf(mesh, static_cast<std::uint32_t>(i));
           return (t[0] + t[1] + t[2]) / 3.0;

@@ -17,7 +17,7 @@ struct SizingCheck {
   double wantedTriangles = 0.0;      ///< the wall's area / (sqrt(3)/4 g^2), summed by triangles
 };
 
-/// Triangles whose corners all lie in one border plane of `grid`, or outside it, count as caps.
+/// Caps by wallTriangles() on `grid`.
 /// @throws InputError (see checkMesh), Cancelled
 SizingCheck checkSizing(const TriMesh& mesh, const GuidanceField& wanted, const Geometry& grid,
                         const Progress& progress = {});

@@ -132,7 +132,14 @@ class TestCli : public QObject {
                        "truth.precision",
                        "truth.assd_mm",
                        "truth.hd95_mm",
-                       "surface.method"};
+                       "surface.method",
+                       "surface.estimated_triangles",
+                       "surface.from_front_percent",
+                       "surface.components",
+                       "surface.unverified",
+                       "surface.dropped",
+                       "mesh.from_front_percent",
+                       "mesh_unsmoothed.from_front_percent"};
     for (const char* mesh : {"mesh.", "mesh_unsmoothed.", "marching_cubes."})
       for (const char* key : {"vertices",
                               "triangles",
@@ -330,12 +337,47 @@ class TestCli : public QObject {
     QVERIFY2(segment.code == 0, segment.errors.constData());
     QVERIFY(readImage(nativePath(at("phi.nrrd"))).image.voxels ==
             readImage(nativePath(at("out/phi.nrrd"))).image.voxels);
-    QCOMPARE(cli({"mesh", "phi.nrrd", "-o", "raw.ply"}).code, 0);
-    QVERIFY(readMesh(nativePath(at("raw.ply"))).triangles ==
+    const CliResult mesh = cli({"mesh", "phi.nrrd", "-o", "raw.ply", "--json"});
+    QVERIFY2(mesh.code == 0, mesh.errors.constData());
+    const QJsonObject report = readJson(at("out/report.json"));
+    QCOMPARE(mesh.json().value("surface"), report.value("surface"));
+    QCOMPARE(static_cast<int>(readMesh(nativePath(at("raw.ply"))).triangles.size()),
+             report.value("mesh_unsmoothed").toObject().value("triangles").toInt());
+    QCOMPARE(
+        cli({"mesh", "phi.nrrd", "-o", "cubes.ply", "--set", "surface.method=marching-cubes"}).code,
+        0);
+    QVERIFY(readMesh(nativePath(at("cubes.ply"))).triangles ==
             readMesh(nativePath(at("out/marching-cubes.ply"))).triangles);
     QCOMPARE(cli({"smooth", "raw.ply", "-o", "smooth.ply", "--phi", "phi.nrrd"}).code, 0);
     QCOMPARE(readMesh(nativePath(at("smooth.ply"))).points.size(),
              readMesh(nativePath(at("raw.ply"))).points.size());
+  }
+
+  void trianglesAreEstimatedBeforeMeshing() {
+    const QStringList before = filesIn(dir_.path());
+    const CliResult text = cli({"mesh", "out/phi.nrrd", "--estimate"});
+    QVERIFY2(text.code == 0, text.errors.constData());
+    QVERIFY(text.output.contains("triangles estimated"));
+    const QJsonObject surface =
+        cli({"mesh", "out/phi.nrrd", "--estimate", "--json"}).json().value("surface").toObject();
+    const QJsonObject made = readJson(at("out/report.json")).value("surface").toObject();
+    QCOMPARE(surface.value("estimated_triangles"), made.value("estimated_triangles"));
+    double triangles = 0.0;
+    for (const QJsonValue& part : made.value("components").toArray())
+      triangles += part.toObject().value("triangles").toDouble();
+    const double ratio = triangles / made.value("estimated_triangles").toDouble();
+    QVERIFY2(ratio > 0.7 && ratio < 1.3, qPrintable(QString::number(ratio)));
+    QCOMPARE(filesIn(dir_.path()), before);
+  }
+
+  void theRemesherIsAMethodOfItsOwn() {
+    const CliResult mesh = cli(
+        {"mesh", "out/phi.nrrd", "-o", "remeshed.ply", "--json", "--set", "surface.method=remesh"});
+    QVERIFY2(mesh.code == 0, mesh.errors.constData());
+    const QJsonObject surface = mesh.json().value("surface").toObject();
+    QCOMPARE(surface.value("method").toString(), QString("remesh"));
+    QVERIFY(!surface.contains("from_front_percent"));
+    QCOMPARE(cli({"quality", "remeshed.ply", "--gate", "closed"}).code, 0);
   }
 
   void aMaskIsMeshedToo() {

@@ -148,6 +148,11 @@ class TestCliFailures : public QObject {
     row("phantom tree --radius-range 4,2 -o p");
     row("mesh good.mha -o out.xyz");
     row("mesh missing.nrrd -o out.ply");
+    row("mesh truth.mha");
+    row("mesh truth.mha --estimate -o out.ply");
+    row("mesh truth.mha --estimate --set surface.method=marching-cubes");
+    row("mesh truth.mha -o out.ply --set surface.edgesAround=2");
+    row("mesh truth.mha -o out.ply --set surface.edgeMinMm=2 --set surface.edgeMaxMm=1");
     row("smooth mesh.ply -o out.ply");
     row("smooth good.mha -o out.ply");
     row("quality mesh.ply");

@@ -60,9 +60,14 @@ class TestPipeline : public QObject {
     QCOMPARE(mesh.nonManifoldEdges + mesh.nonManifoldVertices + mesh.degenerateTriangles,
              std::size_t{0});
     QCOMPARE(mesh.components, static_cast<int>(run.surface->components.size()));
-    QCOMPARE(mesh.triangles, run.quality->marchingCubes.triangles);
+    QCOMPARE(run.surface->origin.method, SurfaceMethod::AdvancingFront);
+    QCOMPARE(run.surface->origin.unverified(), std::size_t{0});
+    QVERIFY(mesh.fromFrontPercent && *mesh.fromFrontPercent >= 95.0);
+    QVERIFY(!run.quality->marchingCubes.fromFrontPercent);
+    QCOMPARE(mesh.triangles, run.surface->mesh->triangles.size());
     QVERIFY(mesh.radiusRatioMean > run.quality->marchingCubes.radiusRatioMean);
-    QVERIFY(mesh.vertexDeviation && mesh.vertexDeviation->maxMm < 0.2);
+    QVERIFY(mesh.vertexDeviation && mesh.vertexDeviation->meanMm < 0.02);
+    QVERIFY(run.quality->unsmoothed.vertexDeviation->maxMm < 1e-3);
     QVERIFY(std::fabs(mesh.volumeMm3 / static_cast<double>(run.surface->insideVoxels) - 1.0) < 0.2);
   }
 
@@ -223,7 +228,9 @@ class TestPipeline : public QObject {
   void finerCellsGiveMoreTriangles() {
     Pipeline pipeline(makeSource(twoTubes(), "tubes"));
     Parameters params = smallParams();
+    params.surface.method = SurfaceMethod::MarchingCubes;
     const RunResult normal = pipeline.run(params);
+    QCOMPARE(normal.quality->mesh.triangles, normal.quality->marchingCubes.triangles);
     params.surface.cellVoxels = 0.5;
     const RunResult fine = pipeline.run(params);
     QVERIFY(fine.quality->mesh.triangles > 3 * normal.quality->mesh.triangles);

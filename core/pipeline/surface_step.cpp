@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/surface_step.h"
+
+#include <algorithm>
+
+#include "core/pipeline/segments.h"
+#include "core/surface/guidance_field.h"
+#include "core/surface/marching_cubes.h"
+
+namespace angiomesh {
+namespace {
+
+/// More of one kind would hide what else there is to say.
+constexpr std::size_t kNamedWarnings = 20;
+
+MadeSurface byMarchingCubes(const Volume<float>& phi, const SplineField& field,
+                            const SurfaceParams& params, const Progress& progress) {
+  MadeSurface made;
+  if (params.cellVoxels == 1.0) {
+    made.mesh = marchingCubes(phi, params.border, progress);
+  } else {
+    const double cellMm = params.cellVoxels * phi.geometry.voxelMm();
+    made.mesh = marchingCubes(resampleField(field, cellMm, progress.sub(0.0, 0.5)), params.border,
+                              progress.sub(0.5, 1.0));
+  }
+  return made;
+}
+
+MadeSurface bySize(const SplineField& field, const SurfaceParams& params,
+                   const Progress& progress) {
+  ZeroSetMesh zeroSet =
+      meshZeroSet(field, params.sizing, params.method, params.border, progress.sub(0.0, 1.0));
+  MadeSurface made;
+  made.mesh = std::move(zeroSet.mesh);
+  made.origin.components = std::move(zeroSet.components);
+  made.origin.estimatedTriangles = zeroSet.estimatedTriangles;
+  made.origin.dropped = std::move(zeroSet.dropped);
+  return made;
+}
+
+/// The share of all triangles, from those of the components.
+double fromFront(const std::vector<SurfaceComponent>& components) {
+  double sum = 0.0, count = 0.0;
+  for (const SurfaceComponent& part : components) {
+    sum += part.fromFrontPercent * static_cast<double>(part.triangles);
+    count += static_cast<double>(part.triangles);
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+}  // namespace
+
+std::size_t SurfaceOrigin::unverified() const {
+  return static_cast<std::size_t>(
+      std::count_if(components.begin(), components.end(),
+                    [](const SurfaceComponent& part) { return !part.verified; }));
+}
+
+std::vector<std::string> SurfaceOrigin::warnings() const {
+  std::vector<std::string> list;
+  std::size_t named = 0;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const SurfaceComponent& part = components[i];
+    if (part.verified || ++named > kNamedWarnings) continue;
+    list.push_back("surface component " + std::to_string(i + 1) + " (" +
+                   std::to_string(part.triangles) + " triangles) is not verified: " + part.why);
+  }
+  if (named > kNamedWarnings)
+    list.push_back(std::to_string(named - kNamedWarnings) +
+                   " more surface components are not verified");
+  for (std::size_t i = 0; i < dropped.size() && i < kNamedWarnings; ++i)
+    list.push_back("left out of the surface: " + dropped[i]);
+  if (dropped.size() > kNamedWarnings)
+    list.push_back(std::to_string(dropped.size() - kNamedWarnings) +
+                   " more pieces were left out of the surface");
+  return list;
+}
+
+MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
+                        const SurfaceParams& params, const Progress& progress) {
+  MadeSurface made = params.method == SurfaceMethod::MarchingCubes
+                         ? byMarchingCubes(phi, field, params, progress)
+                         : bySize(field, params, progress);
+  SurfaceOrigin& origin = made.origin;
+  origin.method = params.method;
+  if (const int count = dropSmallComponents(made.mesh, params.minComponentMm3); count > 0) {
+    origin.dropped.push_back(std::to_string(count) + " components below surface.minComponentMm3");
+    std::erase_if(origin.components, [&](const SurfaceComponent& part) {
+      return part.volumeMm3 < params.minComponentMm3;
+    });
+  }
+  if (params.method == SurfaceMethod::AdvancingFront)
+    origin.fromFrontPercent = fromFront(origin.components);
+  return made;
+}
+
+double estimateTriangles(const SplineField& field, const SurfaceParams& params,
+                         const Progress& progress) {
+  return GuidanceField(field, params.sizing, progress).estimatedTriangles();
+}
+
+}  // namespace angiomesh
