@@ -34,10 +34,15 @@ QString nameOf(const QString& path) {
 void pushPartner(Parameters& params, const std::string& key) {
   VesselnessParams& v = params.vesselness;
   LevelSetParams& l = params.levelset;
+  SizingParams& edge = params.surface.sizing;
   if (key == "vesselness.sigmaMinMm" && v.sigmaMinMm && v.sigmaMaxMm) {
     v.sigmaMaxMm = std::max(*v.sigmaMaxMm, *v.sigmaMinMm);
   } else if (key == "vesselness.sigmaMaxMm" && v.sigmaMinMm && v.sigmaMaxMm) {
     v.sigmaMinMm = std::min(*v.sigmaMinMm, *v.sigmaMaxMm);
+  } else if (key == "surface.edgeMinMm" && edge.edgeMinMm && edge.edgeMaxMm) {
+    edge.edgeMaxMm = std::max(*edge.edgeMaxMm, *edge.edgeMinMm);
+  } else if (key == "surface.edgeMaxMm" && edge.edgeMinMm && edge.edgeMaxMm) {
+    edge.edgeMinMm = std::min(*edge.edgeMinMm, *edge.edgeMaxMm);
   } else if (key == "levelset.bMin") {
     l.bMax = std::max(l.bMax, l.bMin);
   } else if (key == "levelset.bMax") {
@@ -60,6 +65,7 @@ CaseController::CaseController(const JobRunnerFactory& makeRunner, QObject* pare
       loadRunner_(makeRunner()),
       exportRunner_(makeRunner()),
       speedRunner_(makeRunner()),
+      estimateRunner_(makeRunner()),
       params_(preset("angiomesh")) {
   timer_.setInterval(kPollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &CaseController::poll);
@@ -67,14 +73,15 @@ CaseController::CaseController(const JobRunnerFactory& makeRunner, QObject* pare
 
 CaseController::~CaseController() {
   undo_.disconnect(this);
+  cancelEstimate();
   if (run_) {
     run_->cancel();
   }
   if (load_) {
     load_->progress().cancel();
   }
-  for (JobRunner* runner :
-       {runRunner_.get(), loadRunner_.get(), exportRunner_.get(), speedRunner_.get()}) {
+  for (JobRunner* runner : {runRunner_.get(), loadRunner_.get(), exportRunner_.get(),
+                            speedRunner_.get(), estimateRunner_.get()}) {
     runner->wait();
   }
 }

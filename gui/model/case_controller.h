@@ -84,7 +84,7 @@ class CaseController : public QObject {
   [[nodiscard]] bool running() const { return run_ != nullptr; }
   [[nodiscard]] bool evolving() const;
   [[nodiscard]] bool paused() const;
-  [[nodiscard]] bool busy() const { return run_ || load_ || export_ || speedRun_; }
+  [[nodiscard]] bool busy() const { return run_ || load_ || export_ || speedRun_ || estimateRun_; }
 
   [[nodiscard]] StepState state(Step step) const;
   /// Empty when nothing is computed.
@@ -116,6 +116,11 @@ class CaseController : public QObject {
   [[nodiscard]] std::shared_ptr<const MeshFacts> facts() const { return facts_; }
   /// Whether the mesh at hand belongs to the present parameters.
   [[nodiscard]] bool meshFresh() const;
+  /// How the mesh at hand came to be; null without one.
+  [[nodiscard]] const SurfaceOrigin* surfaceOrigin() const;
+  /// The number of triangles that the parameters ask for, before meshing; made on demand,
+  /// resultsChanged() tells when. Empty for marching cubes and before the evolution.
+  [[nodiscard]] std::optional<double> estimatedTriangles();
   [[nodiscard]] const RunResult& results() const { return shown_; }
 
   /// Writes the exported mesh; `report` adds NAME.report.json.
@@ -135,6 +140,11 @@ class CaseController : public QObject {
  private:
   friend class ChangeParameters;
   struct SpeedJob;
+  struct EstimateJob;
+  struct Estimate {
+    std::shared_ptr<const Volume<float>> phi;  ///< null: nothing to estimate
+    std::string key;
+  };
 
   void say(Severity severity, const QString& text);
   void startLoad(std::shared_ptr<LoadJob> job);
@@ -154,13 +164,17 @@ class CaseController : public QObject {
   void requestSpeed();
   void finishSpeed();
   [[nodiscard]] std::string speedKey() const;
+  [[nodiscard]] Estimate estimateWanted() const;
+  void requestEstimate(const Estimate& wanted);
+  void finishEstimate();
+  void cancelEstimate();
   void clearResults();
   [[nodiscard]] std::vector<std::size_t> dropsIn(const SegmentComponent& component,
                                                  const Parameters& params) const;
 
   QUndoStack undo_;
   QTimer timer_;
-  std::unique_ptr<JobRunner> runRunner_, loadRunner_, exportRunner_, speedRunner_;
+  std::unique_ptr<JobRunner> runRunner_, loadRunner_, exportRunner_, speedRunner_, estimateRunner_;
 
   Parameters params_;
   std::shared_ptr<Pipeline> pipeline_;
@@ -176,6 +190,7 @@ class CaseController : public QObject {
   std::optional<Step> interruptAfter_;  ///< this step the run is of no more use
   std::optional<Step> runAgain_;        ///< once the present run has ended
   std::shared_ptr<SpeedJob> speedRun_;
+  std::shared_ptr<EstimateJob> estimateRun_;
 
   RunResult shown_;
   std::array<std::string, kStepCount> keys_;  ///< of the results shown
@@ -183,6 +198,9 @@ class CaseController : public QObject {
   std::shared_ptr<const MeshFacts> facts_;
   std::shared_ptr<const Volume<float>> speed_;
   std::string speedKey_;
+  std::optional<double> estimate_;
+  std::string estimateKey_;
+  std::weak_ptr<const Volume<float>> estimatePhi_;
   std::shared_ptr<const Volume<float>> livePhi_;
   std::shared_ptr<const TriMesh> liveSurface_;
   std::string failedKey_;

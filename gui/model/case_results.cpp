@@ -178,6 +178,10 @@ const MeshQuality* CaseController::quality(MeshKind kind) const {
   return nullptr;
 }
 
+const SurfaceOrigin* CaseController::surfaceOrigin() const {
+  return meshRun_ && meshRun_->surface ? &meshRun_->surface->origin : nullptr;
+}
+
 bool CaseController::meshFresh() const { return state(Step::Smooth) == StepState::Fresh; }
 
 void CaseController::exportMesh(MeshKind kind, const QString& path, LengthUnit unit, Frame frame,

@@ -78,6 +78,7 @@ void CaseController::startRun(Step until) {
   failedKey_.clear();
   polledStep_.reset();
   interruptAfter_.reset();
+  cancelEstimate();
   run_ = std::make_shared<RunJob>(pipeline_, params_, until);
   runRunner_->start([job = run_] { job->execute(); });
   timer_.start();
@@ -169,6 +170,10 @@ void CaseController::poll() {
   }
   if (speedRun_ && !speedRunner_->running()) {
     finishSpeed();
+    Q_EMIT resultsChanged();
+  }
+  if (estimateRun_ && !estimateRunner_->running()) {
+    finishEstimate();
     Q_EMIT resultsChanged();
   }
   if (load_ && !loadRunner_->running()) {

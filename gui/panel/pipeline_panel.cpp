@@ -12,6 +12,7 @@
 #include "gui/model/case_controller.h"
 #include "gui/panel/case_tables.h"
 #include "gui/panel/step_panel.h"
+#include "gui/panel/surface_note.h"
 
 namespace angiomesh {
 
@@ -53,6 +54,7 @@ PipelinePanel::PipelinePanel(CaseController& controller, QWidget* parent)
     } else if (step == Step::Evolve) {
       panel->addExtra(new EvolutionControls(controller_, panel));
     } else if (step == Step::Surface) {
+      panel->addExtra(new SurfaceNote(controller_, panel));
       panel->addExtra(new ComponentTable(controller_, panel));
     }
     steps->addWidget(panel);

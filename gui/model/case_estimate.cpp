@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/pipeline/surface_step.h"
+#include "gui/model/case_controller.h"
+
+namespace angiomesh {
+
+/// The number of triangles to expect, made off the window's thread.
+struct CaseController::EstimateJob {
+  std::shared_ptr<const Volume<float>> phi;
+  SurfaceParams params;
+  std::string key;
+  Progress progress;
+  std::optional<double> triangles;
+
+  void execute() noexcept {
+    try {
+      const SplineField field(*phi, params.spline);
+      triangles = estimateTriangles(field, params, progress);
+    } catch (const std::exception&) {
+      // Without an estimate nothing is lost: meshing says what is wrong.
+    }
+  }
+};
+
+CaseController::Estimate CaseController::estimateWanted() const {
+  Estimate wanted;
+  if (params_.surface.method == SurfaceMethod::MarchingCubes || !shown_.evolve) {
+    return wanted;
+  }
+  wanted.phi = meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve
+                   ? meshRun_->surface->phi
+                   : shown_.evolve->phi;
+  wanted.key = keys_[static_cast<std::size_t>(Step::Evolve)];
+  for (const Field& field : parameterFields()) {
+    if (field.key.starts_with("surface.")) {
+      wanted.key += '/' + fieldText(field.get(params_), field);
+    }
+  }
+  return wanted;
+}
+
+std::optional<double> CaseController::estimatedTriangles() {
+  if (state(Step::Surface) == StepState::Fresh && meshRun_ && meshRun_->surface) {
+    return meshRun_->surface->origin.estimatedTriangles;
+  }
+  const Estimate wanted = estimateWanted();
+  if (!wanted.phi) {
+    return std::nullopt;
+  }
+  if (estimateKey_ == wanted.key && estimatePhi_.lock() == wanted.phi) {
+    return estimate_;
+  }
+  requestEstimate(wanted);
+  return estimateKey_ == wanted.key ? estimate_ : std::nullopt;
+}
+
+void CaseController::requestEstimate(const Estimate& wanted) {
+  if (run_) {
+    return;  // its surface step will tell
+  }
+  if (estimateRun_) {
+    if (estimateRun_->key != wanted.key) {
+      estimateRun_->progress.cancel();
+    }
+    return;
+  }
+  estimateRun_ = std::make_shared<EstimateJob>();
+  estimateRun_->phi = wanted.phi;
+  estimateRun_->params = params_.surface;
+  estimateRun_->key = wanted.key;
+  estimateRunner_->start([job = estimateRun_] { job->execute(); });
+  if (estimateRunner_->running()) {
+    timer_.start();
+  } else {
+    finishEstimate();
+  }
+}
+
+void CaseController::finishEstimate() {
+  const std::shared_ptr<EstimateJob> job = std::exchange(estimateRun_, nullptr);
+  if (job->progress.cancelled()) {
+    return;
+  }
+  estimate_ = job->triangles;
+  estimateKey_ = job->key;
+  estimatePhi_ = job->phi;
+}
+
+void CaseController::cancelEstimate() {
+  if (estimateRun_) {
+    estimateRun_->progress.cancel();
+  }
+}
+
+}  // namespace angiomesh
