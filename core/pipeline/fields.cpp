@@ -291,7 +291,8 @@ void addSizing(Table& t) {
   add(t.real("surface.curvatureRelax", MEMBER(surface.sizing.curvatureRelax), 0.1, 10.0, "",
              "the curvature is divided by it; 3 imitates the reference program"));
   add(t.countOrNone("surface.edgesAround", MEMBER(surface.sizing.edgesAround), 3.0, 96.0,
-                    "at least so many edges around any vessel; none: the curvature alone counts"));
+                    "at least so many edges around any vessel; none: the curvature alone counts"))
+      .main = true;
   Field& least = add(t.real("surface.edgeMinMm", MEMBER(surface.sizing.edgeMinMm), 1e-3, 1e3, "mm",
                             "no shorter edge is wanted; none: no limit"));
   least.emptyWord = "none";
@@ -323,7 +324,8 @@ void addSurface(Table& t) {
   cell.main = cell.logarithmic = true;
   cell.idle = idleWithoutMarchingCubes;
   t.choice("surface.border", MEMBER(surface.border), {"cap", "open"},
-           "where a vessel leaves the volume: a flat cap or an open rim");
+           "where a vessel leaves the volume: a flat cap or an open rim")
+      .main = true;
   t.real("surface.minComponentMm3", MEMBER(surface.minComponentMm3), 0.0, 1e9, "mm3",
          "surface components that enclose less are left out");
 }

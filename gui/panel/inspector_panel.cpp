@@ -11,11 +11,13 @@
 #include <QSplitter>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <functional>
 
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
 #include "gui/panel/plot_widget.h"
+#include "gui/panel/surface_note.h"
 
 namespace angiomesh {
 
@@ -26,17 +28,28 @@ struct Row {
   std::function<QString(const MeshQuality&)> text;
 };
 
+const QString kNothing = QStringLiteral("–");
+
 QString count(std::size_t n) { return QLocale().toString(static_cast<qulonglong>(n)); }
 QString fixed(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 QString yesNo(bool value) { return value ? QStringLiteral("yes") : QStringLiteral("no"); }
 QString deviation(const std::optional<DeviationStats>& stats, double DeviationStats::*member) {
-  return stats ? QLocale().toString((*stats).*member, 'g', 3) : QStringLiteral("–");
+  return stats ? QLocale().toString((*stats).*member, 'g', 3) : kNothing;
 }
+QString curved(const std::optional<CurvedDeviation>& stats, double CurvedDeviation::*member) {
+  return stats ? QLocale().toString((*stats).*member, 'g', 3) : kNothing;
+}
+
+/// Not of the mesh alone: see refreshVerified().
+constexpr const char* kVerifiedTitle = "Verified parts";
 
 const std::vector<Row>& rows() {
   using Q = MeshQuality;
   static const std::vector<Row> table{
       {"Triangles", [](const Q& q) { return count(q.triangles); }},
+      {"From the front, %",
+       [](const Q& q) { return q.fromFrontPercent ? fixed(*q.fromFrontPercent, 1) : kNothing; }},
+      {kVerifiedTitle, [](const Q&) { return kNothing; }},
       {"Vertices", [](const Q& q) { return count(q.vertices); }},
       {"Components", [](const Q& q) { return QString::number(q.components); }},
       {"Closed", [](const Q& q) { return yesNo(q.closed); }},
@@ -50,7 +63,7 @@ const std::vector<Row>& rows() {
       {"Euler number", [](const Q& q) { return QString::number(q.euler); }},
       {"Genus", [](const Q& q) { return QString::number(q.genus); }},
       {"Area, mm²", [](const Q& q) { return fixed(q.areaMm2, 1); }},
-      {"Volume, mm³", [](const Q& q) { return fixed(q.volumeMm3, 1); }},
+      {"Volume, mm³", [](const Q& q) { return q.closed ? fixed(q.volumeMm3, 1) : kNothing; }},
       {"Min angle, least, °", [](const Q& q) { return fixed(q.minAngleMin, 2); }},
       {"Min angle, 1 %, °", [](const Q& q) { return fixed(q.minAngleP01, 2); }},
       {"Min angle, mean, °", [](const Q& q) { return fixed(q.minAngleMean, 2); }},
@@ -75,7 +88,11 @@ const std::vector<Row>& rows() {
       {"Centroid off, 99 %, mm",
        [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::p99Mm); }},
       {"Centroid off, max, mm",
-       [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::maxMm); }}};
+       [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::maxMm); }},
+      {"Centroid off · κ, mean",
+       [](const Q& q) { return curved(q.centroidTimesCurvature, &CurvedDeviation::mean); }},
+      {"Centroid off · κ, 99 %",
+       [](const Q& q) { return curved(q.centroidTimesCurvature, &CurvedDeviation::p99); }}};
   return table;
 }
 
@@ -177,14 +194,29 @@ void InspectorPanel::refreshResults() {
     const MeshQuality* quality = controller_.quality(kind);
     for (int row = 0; row < table_->rowCount(); ++row) {
       table_->item(row, column)
-          ->setText(quality ? rows()[static_cast<std::size_t>(row)].text(*quality)
-                            : QStringLiteral("–"));
+          ->setText(quality ? rows()[static_cast<std::size_t>(row)].text(*quality) : kNothing);
     }
     const auto i = static_cast<std::size_t>(column);
     angles_->setValues(kind, facts ? facts->minAnglesDeg[i] : std::vector<float>());
     ratios_->setValues(kind, facts ? facts->radiusRatios[i] : std::vector<float>());
   }
+  refreshVerified();
   refreshHints();
+}
+
+void InspectorPanel::refreshVerified() {
+  const auto title = [](const Row& row) { return row.title == kVerifiedTitle; };
+  const auto row =
+      static_cast<int>(std::find_if(rows().begin(), rows().end(), title) - rows().begin());
+  const SurfaceOrigin* origin = controller_.surfaceOrigin();
+  const QString text = origin ? verifiedText(*origin) : QString();
+  const QString why = origin ? verifiedReasons(*origin) : QString();
+  // Smoothing keeps what was verified: it neither cuts nor joins. Marching cubes is not checked.
+  for (const MeshKind kind : {MeshKind::Exported, MeshKind::Unsmoothed}) {
+    QTableWidgetItem* item = table_->item(row, static_cast<int>(kind));
+    item->setText(text.isEmpty() ? kNothing : text);
+    item->setToolTip(why);
+  }
 }
 
 void InspectorPanel::refreshState() {
@@ -219,6 +251,11 @@ void InspectorPanel::refreshHints() {
                (q->degenerateTriangles == 0
                     ? tr("no degenerate triangles")
                     : tr("%1 degenerate triangles").arg(q->degenerateTriangles));
+  const SurfaceOrigin* origin = controller_.surfaceOrigin();
+  if (origin && origin->unverified() > 0 && state_.meshKind() != MeshKind::MarchingCubes) {
+    lines << mark(false) + tr("%1 parts not verified").arg(origin->unverified());
+  }
+  hints_->setToolTip(origin ? verifiedReasons(*origin) : QString());
   QString text = lines.join(QStringLiteral("   "));
   if (!controller_.meshFresh()) {
     text = tr("◐ The mesh belongs to earlier parameters: run again.") + '\n' + text;

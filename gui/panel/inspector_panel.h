@@ -26,6 +26,7 @@ class InspectorPanel : public QWidget {
   void buildTable();
   void refreshResults();
   void refreshState();
+  void refreshVerified();
   void refreshHints();
 
   CaseController& controller_;

@@ -141,9 +141,9 @@ class TestMainWindow : public QObject {
     QVERIFY(!rest->isVisible());
     QTest::mouseClick(c.find<QToolButton>("more", "step:surface"), Qt::LeftButton);
     QVERIFY(rest->isVisible());
-    auto* border = c.find<QComboBox>("combo", "field:surface.border");
-    c.choose(border, 1);
-    QVERIFY(c.controller().parameters().surface.border == SurfaceBorder::Open);
+    auto* spline = c.find<QComboBox>("combo", "field:surface.spline");
+    c.choose(spline, 1);
+    QVERIFY(c.controller().parameters().surface.spline == SplineKind::Bspline);
   }
 
   void fieldsWithoutEffectAreDisabledAndSayWhy() {
@@ -155,6 +155,70 @@ class TestMainWindow : public QObject {
     c.choose(c.find<QComboBox>("combo", "field:smooth.method"), 1);
     QVERIFY(mu->isEnabled() && !bound->isEnabled());
     QVERIFY(!mu->toolTip().contains("Without effect"));
+  }
+
+  void theSurfaceFormFollowsItsMethod() {
+    WindowCase c;
+    auto* rho = c.find<QWidget>("field:surface.rho");
+    auto* cell = c.find<QWidget>("field:surface.cellVoxels");
+    QVERIFY(rho->isEnabled() && !cell->isEnabled());
+    c.choose(c.find<QComboBox>("combo", "field:surface.method"), 1);
+    QVERIFY(c.controller().parameters().surface.method == SurfaceMethod::MarchingCubes);
+    QVERIFY(!rho->isEnabled() && cell->isEnabled());
+    QVERIFY2(rho->toolTip().contains("marching cubes"), qPrintable(rho->toolTip()));
+    c.choose(c.find<QComboBox>("combo", "field:surface.border"), 1);
+    QVERIFY(c.controller().parameters().surface.border == SurfaceBorder::Open);
+    // A limit that is switched on begins with a length of this image, and keeps its partner.
+    QVERIFY(!c.controller().parameters().surface.sizing.edgeMaxMm);
+    c.controller().setField("surface.edgeMaxMm", 0.5);
+    c.controller().setField("surface.edgeMinMm", 0.8);
+    QCOMPARE(*c.controller().parameters().surface.sizing.edgeMaxMm, 0.8);
+  }
+
+  void trianglesAreExpectedAndThenCounted() {
+    WindowCase c;
+    auto* note = c.find<QLabel>("surfaceNote");
+    c.controller().take(twoTubes());
+    QVERIFY(note->isHidden());
+    c.controller().run(Step::Evolve);
+    QVERIFY2(note->text().contains("about"), qPrintable(note->text()));
+    const double usual = *c.controller().estimatedTriangles();
+    c.controller().setField("surface.rho", 0.2);
+    QVERIFY(*c.controller().estimatedTriangles() > 1.5 * usual);
+    c.controller().setField("surface.rho", 0.4);
+    c.controller().run(Step::Surface);
+    QVERIFY2(note->text().contains("from the front"), qPrintable(note->text()));
+    QVERIFY2(note->text().contains("verified"), qPrintable(note->text()));
+    c.controller().setField("surface.method", std::string("marching-cubes"));
+    QVERIFY(!c.controller().estimatedTriangles());
+    QVERIFY(note->isHidden());
+  }
+
+  void theInspectorComparesThreeMeshes() {
+    WindowCase c;
+    c.controller().take(twoTubes());
+    c.click(c.find<QPushButton>("run"));
+    auto* table = c.find<QTableWidget>("quality");
+    QCOMPARE(table->columnCount(), 3);
+    QCOMPARE(table->verticalHeaderItem(0)->text(), QString("Triangles"));
+    const auto rowOf = [table](const QString& title) {
+      for (int row = 0; row < table->rowCount(); ++row) {
+        if (table->verticalHeaderItem(row)->text() == title) {
+          return row;
+        }
+      }
+      return -1;
+    };
+    const int front = rowOf("From the front, %"), verified = rowOf("Verified parts");
+    QVERIFY(front > 0 && verified > 0);
+    for (const int row : {front, verified}) {
+      QVERIFY(table->item(row, 0)->text() != QString("–"));
+      QVERIFY(table->item(row, 1)->text() != QString("–"));
+      QCOMPARE(table->item(row, 2)->text(), QString("–"));
+    }
+    const SurfaceOrigin* origin = c.controller().surfaceOrigin();
+    QVERIFY(origin && !origin->components.empty());
+    QCOMPARE(table->item(verified, 1)->toolTip().isEmpty(), origin->warnings().empty());
   }
 
   void presetsAreChosen() {
