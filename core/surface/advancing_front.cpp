@@ -13,7 +13,9 @@ std::uint32_t AdvancingFront::addVertex(const FrontPoint& point, double spacing)
   vertices_.push_back(point);
   spacing_.push_back(spacing);
   leaving_.push_back(none);
-  return static_cast<std::uint32_t>(vertices_.size() - 1);
+  const auto id = static_cast<std::uint32_t>(vertices_.size() - 1);
+  all_.insert(id, point.point, spacing);
+  return id;
 }
 
 std::uint32_t AdvancingFront::newEdge(std::uint32_t from, std::uint32_t to) {
@@ -146,6 +148,7 @@ bool AdvancingFront::tryFree(std::uint32_t id) {
   collect(frame, centre, 1.8 * reach, spacing, false);
   if (!clearAround(e, apex)) return false;
   if (!legal(frame, id, none, frame.flat(apex.point), false)) return false;
+  if (meshedAt(apex)) return false;
   emit(id, addVertex(apex), none, FaceOrigin::Front);
   return true;
 }

@@ -91,6 +91,7 @@ class AdvancingFront {
   [[nodiscard]] ApexWish wishFor(const Frame& frame, std::uint32_t id) const;
   [[nodiscard]] double cornerAngle(std::uint32_t in, std::uint32_t out) const;
   [[nodiscard]] bool clearAround(const Edge& e, const FrontPoint& apex) const;
+  [[nodiscard]] bool meshedAt(const FrontPoint& place) const;
   [[nodiscard]] bool legal(const Frame& frame, std::uint32_t id, std::uint32_t apex,
                            const Eigen::Vector2d& at, bool relaxed) const;
   [[nodiscard]] bool crossesFront(const Frame& frame, std::uint32_t id, std::uint32_t apex,
@@ -123,6 +124,7 @@ class AdvancingFront {
   std::vector<std::uint32_t> freeEdges_;
   std::vector<std::uint32_t> leaving_;  ///< per vertex: a front edge that leaves it
   PointGrid grid_;                      ///< the vertices on fronts
+  PointGrid all_;                       ///< all vertices
   std::priority_queue<HeapEntry> heap_;
   std::uint32_t age_ = 0;
   std::vector<Near> near_;

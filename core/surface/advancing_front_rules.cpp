@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 // and edges, and its edges keep it from the vertices: what is left open is then closed by
 // triangles with no angle much below 30 degrees.
 constexpr double kClearOfVertex = 0.72, kClearOfEdge = 0.5, kEdgeClearOfVertex = 0.45;
+constexpr double kClearOfMesh = 0.6;
 
 double squaredDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d ab = b - a;
@@ -146,6 +147,18 @@ bool AdvancingFront::clearAround(const Edge& e, const FrontPoint& apex) const {
       return false;
   }
   return true;
+}
+
+// Whether a vertex, of a front or finished, lies so near on the same sheet that the surface there
+// must be meshed already.
+bool AdvancingFront::meshedAt(const FrontPoint& place) const {
+  const double radius = kClearOfMesh * place.length;
+  const double shortest = place.length * std::max(0.7 * (1.0 - surface_.slope()), 0.05);
+  bool meshed = false;
+  all_.forEachNear(place.point, radius, shortest, [&](std::uint32_t id) {
+    meshed = meshed || vertices_[id].normal.dot(place.normal) > 0.2;
+  });
+  return meshed;
 }
 
 // Whether the sides from the base to the apex cross an edge of the front that shares no end with
