@@ -78,7 +78,8 @@ RemeshWorker::Merit RemeshWorker::merit(const std::vector<std::uint32_t>& vertic
   return m;
 }
 
-double RemeshWorker::ringBadness(const Ring& ring, const Vector3d& point) const {
+double RemeshWorker::ringBadness(const Ring& ring, const Vector3d& point) {
+  effort_ += ring.triangles();
   double worst = 0.0;
   for (std::uint32_t i = 0; i < ring.triangles(); ++i)
     worst = std::max(worst, remeshing::badness(point, mesh_.point(ring.vertex[i]),
@@ -209,7 +210,8 @@ std::vector<RemeshWorker::Move> RemeshWorker::movesFor(std::uint32_t t, int leve
 
 // Tries one change after the other around t, each followed by flips and relocation, and keeps the
 // first that leaves nothing bad, else the best. True when something was kept.
-bool RemeshWorker::work(std::uint32_t t, int level, std::size_t& quota) {
+bool RemeshWorker::work(std::uint32_t t, int level, std::size_t quota) {
+  const std::size_t limit = effort_ + quota;
   const std::vector<std::uint32_t> region = around(t, level);
   const Merit before = merit(region);
   const int rounds = level + 2;
@@ -224,9 +226,8 @@ bool RemeshWorker::work(std::uint32_t t, int level, std::size_t& quota) {
     return true;
   };
   for (const Move& move : movesFor(t, level)) {
-    if (quota == 0) break;
+    if (effort_ > limit) break;
     const bool done = attempt(move);
-    quota -= done ? 1 : 0;
     if (!done) {
       mesh_.takeBack();
       continue;
@@ -272,11 +273,10 @@ void RemeshWorker::repair() {
     const std::vector<Job> start = badFaces();
     if (start.empty()) return;
     std::priority_queue<Job> queue(std::less<Job>(), start);
-    // Trials of a higher level cost more; what cannot be made good must not take for ever.
-    std::size_t quota = (mesh_.halfEdgeSlots() / 3 + 5000) >> (2 * level);
-    // A fold that stays mostly lies where the wall has a crease that no triangle can follow.
-    std::size_t foldQuota = quota / 16;
-    while (!queue.empty() && quota > 0) {
+    // What cannot be made good must not take for ever; least of all folds, which mostly lie where
+    // the wall has a crease that no triangle can follow. Counted in triangles looked at.
+    std::size_t quota = 300 * (mesh_.halfEdgeSlots() / 3) + 3000000, foldQuota = quota / 8;
+    while (!queue.empty()) {
       progress_.check();
       const Job job = queue.top();
       queue.pop();
@@ -287,12 +287,16 @@ void RemeshWorker::repair() {
         queue.push({bad, job.triangle});
         continue;
       }
-      if (!work(job.triangle, level, shapeBadness(job.triangle) > 1.0 ? quota : foldQuota))
-        continue;
+      std::size_t& left = shapeBadness(job.triangle) > 1.0 ? quota : foldQuota;
+      if (left == 0) continue;
+      const std::size_t before = effort_;
+      const bool better = work(job.triangle, level, left);
+      left -= std::min(left, effort_ - before);
+      if (!better) continue;
       facesOf(touched_, faces_);
       for (const std::uint32_t t : faces_) {
-        const double left = faceBadness(t);
-        if (left > 1.0) queue.push({left, t});
+        const double now = faceBadness(t);
+        if (now > 1.0) queue.push({now, t});
       }
     }
   }

@@ -12,7 +12,6 @@ namespace angiomesh {
 namespace {
 
 constexpr std::size_t blockSize = 512;
-constexpr double folded = 1.05;  ///< badness of a triangle that just turns away
 
 struct Flat {
   double x, y;
@@ -101,14 +100,16 @@ double RemeshWorker::shapeBadness(std::uint32_t t) const {
                             mesh_.point(mesh_.origin(3 * t + 2)));
 }
 
-// Also bad where the triangle turns away from the wall.
+// Bad as well where the triangle turns away from the wall: not as bad as an angle below 30 degrees,
+// but worse when it is turned over.
 double RemeshWorker::faceBadness(std::uint32_t t) const {
   const std::array<std::uint32_t, 3> c{mesh_.origin(3 * t), mesh_.origin(3 * t + 1),
                                        mesh_.origin(3 * t + 2)};
   const std::array<Vector3d, 3> p{mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2])};
   const double shape = remeshing::badness(p[0], p[1], p[2]);
-  const double turned = 0.35 - agreement(mesh_.patch(t), c, p);
-  return turned > 0.0 ? std::max(shape, folded + 3.0 * turned) : shape;
+  const double cosine = agreement(mesh_.patch(t), c, p);
+  if (cosine > 0.35) return shape;
+  return std::max(shape, cosine > 0.0 ? 1.1 - 0.2 * cosine : 1.5 - cosine);
 }
 
 // The smallest cosine between a triangle's normal and the wall's at its corners (the plane's in a

@@ -84,12 +84,12 @@ class RemeshWorker {
   [[nodiscard]] std::vector<std::uint32_t> around(std::uint32_t t, int level) const;
   void facesOf(const std::vector<std::uint32_t>& vertices, std::vector<std::uint32_t>& faces);
   Merit merit(const std::vector<std::uint32_t>& vertices);
-  [[nodiscard]] double ringBadness(const Ring& ring, const Vector3d& point) const;
+  [[nodiscard]] double ringBadness(const Ring& ring, const Vector3d& point);
   bool relocate(std::uint32_t v);
   void settle(const std::vector<std::uint32_t>& vertices, int rounds);
   bool apply(const Move& move, std::vector<std::uint32_t>& vertices);
   [[nodiscard]] std::vector<Move> movesFor(std::uint32_t t, int level) const;
-  bool work(std::uint32_t t, int level, std::size_t& quota);
+  bool work(std::uint32_t t, int level, std::size_t quota);
   std::vector<Job> badFaces() const;
 
   EditMesh mesh_;
@@ -99,6 +99,7 @@ class RemeshWorker {
   std::vector<std::vector<std::uint32_t>> colours_;
   std::vector<std::uint32_t> marks_;
   std::uint32_t mark_ = 0;
+  std::size_t effort_ = 0;  ///< triangles looked at by repair()
   std::vector<std::uint32_t> faces_, touched_;
 };
 
