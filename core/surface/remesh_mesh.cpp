@@ -25,6 +25,7 @@ EditMesh::EditMesh(const PatchMesh& start)
   for (std::size_t t = 0; t < count; ++t)
     for (std::size_t k = 0; k < 3; ++k) corner_[3 * t + k] = start.mesh.triangles[t][k];
   leaving_.assign(points_.size(), none);
+  valence_.assign(points_.size(), 0);
   buildTwins();
   lockIrregular();
 }
@@ -69,6 +70,7 @@ void EditMesh::buildTwins() {
       h = twin_[previous(h)];
     } while (h != none && h != leaving_[v] && count <= fan[v]);
     if (count != fan[v] || count + 1 >= ringLimit) locked_[v] = 1;
+    valence_[v] = h == none ? count + 1 : count;
   }
 }
 
@@ -138,17 +140,6 @@ EditMesh::Ring EditMesh::ring(std::uint32_t v) const {
   return r;
 }
 
-std::uint32_t EditMesh::valence(std::uint32_t v) const {
-  std::uint32_t h = leaving_[v], count = 0;
-  const std::uint32_t first = h;
-  do {
-    ++count;
-    h = twin_[previous(h)];
-    if (h == none) return count + 1;
-  } while (h != first && count < ringLimit);
-  return count;
-}
-
 std::uint32_t EditMesh::edgeBetween(std::uint32_t u, std::uint32_t v) const {
   std::uint32_t h = leaving_[u];
   const std::uint32_t first = h;
@@ -185,6 +176,11 @@ void EditMesh::flip(std::uint32_t h) {
   join(hn, on);
   if (leaving_[u] == on) setLeaving(u, h);
   if (leaving_[v] == hn) setLeaving(v, o);
+  constexpr std::uint32_t less = 0xffffffffU;  // minus one
+  addValence(u, less);
+  addValence(v, less);
+  addValence(a, 1);
+  addValence(b, 1);
 }
 
 std::uint32_t EditMesh::newTriangle(std::uint32_t like) {
@@ -219,6 +215,7 @@ std::uint32_t EditMesh::newVertex(std::uint8_t place) {
     places_.push_back(place);
     locked_.push_back(0);
     leaving_.push_back(none);
+    valence_.push_back(0);
   }
   if (trial_) madeVertices_.push_back(v);
   return v;
@@ -238,6 +235,8 @@ std::uint32_t EditMesh::split(std::uint32_t h, std::uint8_t place) {
   join(n + 2, hn);
   if (leaving_[v] == hn) setLeaving(v, n + 1);
   setLeaving(m, n);
+  put(valence_, 3, m, o == none ? 3 : 4);
+  addValence(a, 1);
   if (o == none) {
     setTwin(n, none);
     return m;
@@ -252,6 +251,7 @@ std::uint32_t EditMesh::split(std::uint32_t h, std::uint8_t place) {
   join(w + 1, ub);
   join(w + 2, on);
   if (leaving_[u] == on) setLeaving(u, w + 1);
+  addValence(b, 1);
   join(n, o);
   join(w, h);
   return m;
@@ -306,8 +306,10 @@ void EditMesh::collapse(std::uint32_t h) {
     setLeaving(v, y != none ? y : next(x));
     for (std::uint32_t k = 0; k < 3; ++k) setCorner(3 * (e / 3) + k, none);
     (trial_ ? deadTriangles_ : freeTriangles_).push_back(e / 3);
+    addValence(a, 0xffffffffU);  // minus one
     return a;
   };
+  put(valence_, 3, v, valence_[u] + valence_[v] - (o != none ? 4 : 3));
   const std::uint32_t a = drop(h);
   const std::uint32_t b = o != none ? drop(o) : none;
   setLeaving(u, none);
@@ -321,7 +323,10 @@ void EditMesh::beginTrial() { trial_ = true; }
 
 void EditMesh::takeBack() {
   for (auto c = changes_.rbegin(); c != changes_.rend(); ++c)
-    (c->what == 0 ? corner_ : c->what == 1 ? twin_ : leaving_)[c->index] = c->value;
+    (c->what == 0   ? corner_
+     : c->what == 1 ? twin_
+     : c->what == 2 ? leaving_
+                    : valence_)[c->index] = c->value;
   for (auto m = moved_.rbegin(); m != moved_.rend(); ++m) {
     points_[m->vertex] = m->point;
     normals_[m->vertex] = m->normal;

@@ -66,7 +66,7 @@ class EditMesh {
   void set(std::uint32_t v, const Vector3d& point, const Vector3d& normal, double size);
 
   [[nodiscard]] Ring ring(std::uint32_t v) const;
-  [[nodiscard]] std::uint32_t valence(std::uint32_t v) const;
+  [[nodiscard]] std::uint32_t valence(std::uint32_t v) const { return valence_[v]; }
   [[nodiscard]] bool onRim(std::uint32_t v) const { return twin_[leaving_[v]] == none; }
   /// Between different patches, or on an open rim.
   [[nodiscard]] bool isFeature(std::uint32_t h) const {
@@ -86,6 +86,10 @@ class EditMesh {
   /// topology (link condition) and the same patches.
   [[nodiscard]] bool canCollapse(std::uint32_t h) const;
   void collapse(std::uint32_t h);
+
+  /// Numbers vertices and triangles along a space-filling curve, without gaps: neighbours on the
+  /// surface come to lie together in memory. Not within a trial.
+  void reorder();
 
   void beginTrial();
   void takeBack();
@@ -110,6 +114,9 @@ class EditMesh {
   void setCorner(std::uint32_t h, std::uint32_t v) { put(corner_, 0, h, v); }
   void setTwin(std::uint32_t h, std::uint32_t o) { put(twin_, 1, h, o); }
   void setLeaving(std::uint32_t v, std::uint32_t h) { put(leaving_, 2, v, h); }
+  void addValence(std::uint32_t v, std::uint32_t change) {
+    put(valence_, 3, v, valence_[v] + change);
+  }
   void join(std::uint32_t h, std::uint32_t o) {
     if (h != none) setTwin(h, o);
     if (o != none) setTwin(o, h);
@@ -120,7 +127,7 @@ class EditMesh {
   void lockIrregular();
   void startAtRim(std::uint32_t v);
 
-  std::vector<std::uint32_t> corner_, twin_, leaving_;
+  std::vector<std::uint32_t> corner_, twin_, leaving_, valence_;
   std::vector<Vector3d> points_, normals_;
   std::vector<double> sizes_;
   std::vector<std::uint8_t> places_, patches_, locked_;

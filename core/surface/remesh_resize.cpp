@@ -75,6 +75,14 @@ std::size_t RemeshWorker::flipEdges(FlipBy by, bool all) {
   return count;
 }
 
+// Has the next sweep look at v and its neighbours.
+void RemeshWorker::activate(std::uint32_t v) {
+  active_.resize(mesh_.vertexSlots(), 1);
+  const Ring ring = mesh_.ring(v);
+  active_[v] = 1;
+  for (std::uint32_t i = 0; i < ring.count; ++i) active_[ring.vertex[i]] = 1;
+}
+
 std::uint8_t RemeshWorker::splitPlace(std::uint32_t h) const {
   if (mesh_.isFeature(h))
     return static_cast<std::uint8_t>(mesh_.place(mesh_.origin(h)) & mesh_.place(mesh_.target(h)));
@@ -100,6 +108,7 @@ std::uint32_t RemeshWorker::splitEdge(std::uint32_t h) {
     return EditMesh::none;
   const std::uint32_t m = mesh_.split(h, where);
   mesh_.set(m, point, normal, ground_.sizeAt(point));
+  activate(m);
   return m;
 }
 
@@ -143,6 +152,7 @@ bool RemeshWorker::collapseEdge(std::uint32_t h, double longest) {
   const std::uint32_t v = mesh_.target(h);
   mesh_.collapse(h);
   place(v, point, 1, 0.3 * mesh_.size(v));
+  activate(v);
   return true;
 }
 
@@ -177,10 +187,17 @@ std::size_t RemeshWorker::collapseShort() {
 
 void RemeshWorker::resize() {
   constexpr int rounds = 16;
+  std::size_t ordered = mesh_.vertexSlots();
+  active_.assign(mesh_.vertexSlots(), 1);
   for (int round = 0; round < rounds; ++round) {
     const std::size_t changed = collapseShort() + splitLong();
-    flipEdges(FlipBy::Valence, true);
-    active_.assign(mesh_.vertexSlots(), 1);
+    // New vertices are far from their neighbours in memory.
+    if (mesh_.vertexSlots() > 2 * ordered || 300 * changed < mesh_.halfEdgeSlots() / 3) {
+      mesh_.reorder();
+      ordered = mesh_.vertexSlots();
+      active_.assign(mesh_.vertexSlots(), 1);
+    }
+    flipEdges(FlipBy::Valence, false);
     relax(2, 0.02);
     progress_.report(0.6 * (round + 1) / rounds);
     if (300 * changed < mesh_.halfEdgeSlots() / 3) break;

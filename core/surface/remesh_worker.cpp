@@ -12,6 +12,7 @@ namespace angiomesh {
 namespace {
 
 constexpr std::size_t blockSize = 512;
+constexpr std::size_t cached = 20000;  ///< so many vertices fit into the processor's cache
 
 struct Flat {
   double x, y;
@@ -70,6 +71,7 @@ void addEnergy(const Flat& a, const Flat& b, double wanted, Energy& e) {
 RemeshWorker::RemeshWorker(const PatchMesh& start, const RemeshGround& ground,
                            const Progress& progress)
     : mesh_(start), ground_(ground), progress_(progress) {
+  if (mesh_.vertexSlots() > cached) mesh_.reorder();
   const double reach = 0.3 * ground_.voxelMm();
   parallelFor(0, mesh_.vertexSlots(), blockSize, [&](std::size_t first, std::size_t last) {
     progress_.check();
