@@ -10,6 +10,7 @@
 #include "core/surface/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/remesh.h"
+#include "core/surface/remesh_mesh.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -233,6 +234,47 @@ class TestRemesh : public QObject {
       for (const std::uint32_t v : result.mesh.triangles[t])
         QVERIFY((result.place[v] >> (result.patch[t] - 1) & 1) != 0);
     }
+  }
+
+  // Random changes to a torus with an open rim, half of them taken back.
+  void changesKeepAManifold() {
+    PatchMesh start;
+    start.mesh = shapes::torus(16, 10, 3.0, 1.0);
+    start.mesh.triangles.erase(start.mesh.triangles.begin());
+    start.place.assign(start.mesh.points.size(), PatchMesh::wallBit);
+    start.patch.assign(start.mesh.triangles.size(), 0);
+    start.origin.assign(start.mesh.triangles.size(), FaceOrigin::Front);
+    EditMesh mesh(start);
+    std::size_t done = 0;
+    for (std::uint64_t n = 0; n < 3000; ++n) {
+      const auto h = static_cast<std::uint32_t>(randomBits(3, 2 * n) % mesh.halfEdgeSlots());
+      const std::uint64_t what = randomBits(3, 2 * n + 1) % 6;
+      if (mesh.origin(h) == EditMesh::none) continue;
+      const bool back = what % 2 == 0;
+      const PatchMesh before = mesh.result();
+      if (back) mesh.beginTrial();
+      if (what < 2) {
+        if (mesh.canFlip(h)) mesh.flip(h), ++done;
+      } else if (what < 4) {
+        if (mesh.canCollapse(h)) mesh.collapse(h), ++done;
+      } else {
+        const Vector3d middle = 0.5 * (mesh.point(mesh.origin(h)) + mesh.point(mesh.target(h)));
+        mesh.set(mesh.split(h, PatchMesh::wallBit), middle, Vector3d::UnitX(), 1.0);
+        ++done;
+      }
+      if (back) mesh.takeBack();
+      if (back) QVERIFY(same(mesh.result(), before));
+      if (n % 500 == 250) mesh.reorder();
+      if (n % 50 != 0) continue;
+      const MeshQuality q = measureQuality(mesh.result().mesh);
+      QVERIFY(q.oriented);
+      QCOMPARE(q.nonManifoldEdges + q.nonManifoldVertices, std::size_t{0});
+      QCOMPARE(q.euler, -1);
+      QCOMPARE(q.boundaryLoops, std::size_t{1});
+      for (std::uint32_t v = 0; v < mesh.vertexSlots(); ++v)
+        if (mesh.livesVertex(v)) QCOMPARE(mesh.valence(v), mesh.ring(v).count);
+    }
+    QVERIFY(done > 1000);
   }
 
   void takesWhatThereIs() {
