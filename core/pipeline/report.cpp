@@ -142,6 +142,20 @@ Json surfaceBlock(const SurfaceOrigin& origin) {
   return block;
 }
 
+/// What smoothing did to the size of the surface. The radius is the one of a tube of the same
+/// volume and area, 2 V / A; an open surface encloses no volume.
+Json smoothingBlock(const MeshQuality& before, const MeshQuality& after) {
+  const auto percent = [](double from, double to) { return 100.0 * (to / from - 1.0); };
+  Json block;
+  block["area_change_percent"] = percent(before.areaMm2, after.areaMm2);
+  if (before.closed && after.closed && before.volumeMm3 > 0.0) {
+    block["volume_change_percent"] = percent(before.volumeMm3, after.volumeMm3);
+    block["radius_change_percent"] =
+        percent(before.volumeMm3 / before.areaMm2, after.volumeMm3 / after.areaMm2);
+  }
+  return block;
+}
+
 std::optional<double> peakMemoryMb() {
   rusage usage{};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return std::nullopt;
@@ -175,6 +189,9 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
   if (truth) report["truth"] = overlapBlock(*truth);
   if (result.surface) report["surface"] = surfaceBlock(result.surface->origin);
   if (result.quality) {
+    if (result.params.smooth.method != SmoothMethod::None &&
+        result.quality->unsmoothed.areaMm2 > 0.0)
+      report["smoothing"] = smoothingBlock(result.quality->unsmoothed, result.quality->mesh);
     report["mesh"] = meshBlock(result.quality->mesh);
     report["mesh_unsmoothed"] = meshBlock(result.quality->unsmoothed);
     report["marching_cubes"] = meshBlock(result.quality->marchingCubes);

@@ -138,6 +138,9 @@ class TestCli : public QObject {
                        "surface.components",
                        "surface.unverified",
                        "surface.dropped",
+                       "smoothing.radius_change_percent",
+                       "smoothing.area_change_percent",
+                       "smoothing.volume_change_percent",
                        "mesh.from_front_percent",
                        "mesh_unsmoothed.from_front_percent"};
     for (const char* mesh : {"mesh.", "mesh_unsmoothed.", "marching_cubes."})
@@ -351,6 +354,20 @@ class TestCli : public QObject {
     QCOMPARE(cli({"smooth", "raw.ply", "-o", "smooth.ply", "--phi", "phi.nrrd"}).code, 0);
     QCOMPARE(readMesh(nativePath(at("smooth.ply"))).points.size(),
              readMesh(nativePath(at("raw.ply"))).points.size());
+  }
+
+  void reportSaysWhatSmoothingDidToTheSize() {
+    const QJsonObject report = readJson(at("out/report.json"));
+    const auto number = [&](const char* block, const char* key) {
+      return report.value(block).toObject().value(key).toDouble();
+    };
+    const double volume = number("mesh", "volume_mm3") / number("mesh_unsmoothed", "volume_mm3");
+    const double area = number("mesh", "area_mm2") / number("mesh_unsmoothed", "area_mm2");
+    QVERIFY(volume > 1.0);
+    QVERIFY(std::abs(number("smoothing", "volume_change_percent") - 100.0 * (volume - 1.0)) < 1e-9);
+    QVERIFY(std::abs(number("smoothing", "area_change_percent") - 100.0 * (area - 1.0)) < 1e-9);
+    QVERIFY(std::abs(number("smoothing", "radius_change_percent") - 100.0 * (volume / area - 1.0)) <
+            1e-9);
   }
 
   void trianglesAreEstimatedBeforeMeshing() {
