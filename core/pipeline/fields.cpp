@@ -263,12 +263,23 @@ std::string idleWithoutSmoothing(const Parameters& p) {
   return p.smooth.method == SmoothMethod::None ? "smooth.method is none" : "";
 }
 
+/// Of those that keep-wall reads for marching cubes alone: the triangles of the other methods are
+/// even, and only get the volume back that inscribed triangles lose.
+std::string idleForEvenTriangles(const Parameters& p) {
+  if (p.smooth.method == SmoothMethod::Taubin) return "";
+  return p.smooth.method == SmoothMethod::KeepWall &&
+                 p.surface.method != SurfaceMethod::MarchingCubes
+             ? "keep-wall uses it for surface.method marching-cubes alone"
+             : idleWithoutSmoothing(p);
+}
+
 std::string idleWithoutTaubin(const Parameters& p) {
   return p.smooth.method == SmoothMethod::Taubin ? "" : "of smooth.method taubin alone";
 }
 
 std::string idleWithoutKeepWall(const Parameters& p) {
-  return p.smooth.method == SmoothMethod::KeepWall ? "" : "of smooth.method keep-wall alone";
+  return p.smooth.method == SmoothMethod::KeepWall ? idleForEvenTriangles(p)
+                                                   : "of smooth.method keep-wall alone";
 }
 
 /// The wanted edge length of the methods that follow it.
@@ -335,11 +346,11 @@ void addSmooth(Table& t) {
            "keep-wall: smooths the triangulation, not the vessel; taubin: as in the thesis")
       .main = true;
   Field& iterations = t.integer("smooth.iterations", MEMBER(smooth.iterations), 0, 1000,
-                                "pairs of a lambda and a mu step");
+                                "pairs of a lambda and a mu step; 0: nothing is smoothed");
   iterations.main = true;
   iterations.idle = idleWithoutSmoothing;
   t.real("smooth.lambda", MEMBER(smooth.lambda), 0.0, 1.0, "", "weight of the shrinking step")
-      .idle = idleWithoutSmoothing;
+      .idle = idleForEvenTriangles;
   t.real("smooth.mu", MEMBER(smooth.mu), -1.0, 0.0, "", "weight of the growing step").idle =
       idleWithoutTaubin;
   t.real("smooth.wallBoundVoxels", MEMBER(smooth.wallBoundVoxels), 0.0, 1.0, "voxels",

@@ -161,6 +161,14 @@ class TestParameters : public QObject {
     p.smooth.method = SmoothMethod::KeepWall;
     QVERIFY(!idle("smooth.mu").empty());
     QVERIFY(idle("smooth.wallBoundVoxels").empty());
+    p.surface.method = SurfaceMethod::AdvancingFront;
+    QVERIFY(idle("surface.rho").empty());
+    QVERIFY(!idle("surface.cellVoxels").empty());
+    QVERIFY(!idle("smooth.wallBoundVoxels").empty());
+    QVERIFY(!idle("smooth.lambda").empty());
+    p.smooth.method = SmoothMethod::Taubin;
+    for (const char* key : {"smooth.iterations", "smooth.lambda", "smooth.mu"})
+      QVERIFY2(idle(key).empty(), key);
     p.smooth.method = SmoothMethod::None;
     QVERIFY(!idle("smooth.iterations").empty());
   }

@@ -150,6 +150,8 @@ class TestMainWindow : public QObject {
     WindowCase c;
     auto* mu = c.find<QWidget>("field:smooth.mu");
     auto* bound = c.find<QWidget>("field:smooth.wallBoundVoxels");
+    QVERIFY(!mu->isEnabled() && !bound->isEnabled());
+    c.controller().setField("surface.method", std::string("marching-cubes"));
     QVERIFY(!mu->isEnabled() && bound->isEnabled());
     QVERIFY2(mu->toolTip().contains("taubin"), qPrintable(mu->toolTip()));
     c.choose(c.find<QComboBox>("combo", "field:smooth.method"), 1);
