@@ -16,7 +16,10 @@ constexpr double good = 0.97;  ///< nothing to be gained below this badness
 
 bool RemeshWorker::Merit::betterThan(const Merit& other) const {
   constexpr double leastEdge = 0.6, greatestEdge = 1.6;  // in wanted lengths
+  constexpr double thirtyDegrees = 1.14;                 // badness
   if (worst > other.worst + 1e-9) return false;
+  // No fold is worth a bad angle.
+  if (worstShape > thirtyDegrees && worstShape > other.worstShape + 1e-9) return false;
   if (shortest < leastEdge && shortest < other.shortest - 1e-9) return false;
   if (longest > greatestEdge && longest > other.longest + 1e-9) return false;
   return sum < 0.98 * other.sum;
@@ -68,6 +71,7 @@ RemeshWorker::Merit RemeshWorker::merit(const std::vector<std::uint32_t>& vertic
   for (const std::uint32_t t : faces_) {
     const double bad = faceBadness(t);
     m.worst = std::max(m.worst, bad);
+    if (bad > m.worstShape) m.worstShape = std::max(m.worstShape, shapeBadness(t));
     if (bad > good) m.sum += (bad - good) * (bad - good);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const double s = stretch(3 * t + k);

@@ -303,11 +303,14 @@ void RemeshWorker::finish() {
       }
     }
   });
-  // The rest only where no triangle turns over; one by one, as they depend on each other.
+  // The rest only where no triangle turns over or loses its shape; one by one, as they depend on
+  // each other.
   for (std::uint32_t v = 0; v < mesh_.vertexSlots(); ++v) {
     if (far[v] == 0) continue;
     Vector3d point = mesh_.point(v), normal = mesh_.normal(v);
-    if (ground_.land(mesh_.place(v), point, normal, 50) && ringAgrees(v, mesh_.ring(v), point, 0.4))
+    const Ring ring = mesh_.ring(v);
+    if (ground_.land(mesh_.place(v), point, normal, 50) && ringAgrees(v, ring, point, 0.4) &&
+        ringBadness(ring, point) < std::max(1.1, ringBadness(ring, mesh_.point(v))))
       mesh_.set(v, point, normal, ground_.sizeAt(point));
   }
 }

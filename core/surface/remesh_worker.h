@@ -34,7 +34,7 @@ class RemeshWorker {
 
   // What a trial is judged by: the squares of what is bad, the worst of it, and the edges' lengths.
   struct Merit {
-    double sum = 0.0, worst = 0.0, shortest = 1e9, longest = 0.0;
+    double sum = 0.0, worst = 0.0, worstShape = 0.0, shortest = 1e9, longest = 0.0;
     [[nodiscard]] bool betterThan(const Merit& other) const;
   };
   struct Job {
