@@ -163,6 +163,9 @@ void countRims(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, Surfac
         (mesh.place[sides[i].low] & mesh.place[sides[i].high] & PatchMesh::planeBits) != 0;
     if (border == SurfaceBorder::Cap || !inPlane) doubtIt(component, "it is not closed");
   }
+  // A loop's representative, its lowest vertex, is the lower end of two of its edges.
+  std::sort(onRim.begin(), onRim.end());
+  onRim.erase(std::unique(onRim.begin(), onRim.end()), onRim.end());
   for (const auto& [v, label] : onRim)
     if (rims.find(v) == v) ++check.components[label].boundaryLoops;
 }

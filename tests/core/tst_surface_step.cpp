@@ -82,6 +82,29 @@ class TestSurfaceStep : public QObject {
     QVERIFY2(ratio > 0.85 && ratio < 1.15, qPrintable(QString::number(ratio)));
   }
 
+  void theComponentsAreThoseOfTheMesh() {
+    const Volume<float> phi = analytic::sampled(analytic::cube(24), [](const Eigen::Vector3d& x) {
+      return std::min(analytic::tube(x, {7.0, 11.5, 11.5}, {0, 0, 1}, 3.0),
+                      analytic::ball(x, {17.5, 11.5, 11.5}, 3.5));
+    });
+    for (const SurfaceBorder border : {SurfaceBorder::Open, SurfaceBorder::Cap}) {
+      SurfaceParams params;
+      params.border = border;
+      const SplineField field(phi, params.spline);
+      const MadeSurface made = makeSurface(phi, field, params);
+      const MeshQuality quality = measureQuality(made.mesh);
+      int euler = 0, loops = 0;
+      for (const SurfaceComponent& part : made.origin.components) {
+        euler += part.euler;
+        loops += part.boundaryLoops;
+      }
+      QCOMPARE(made.origin.components.size(), std::size_t{2});
+      QCOMPARE(euler, quality.euler);
+      QCOMPARE(loops, static_cast<int>(quality.boundaryLoops));
+      QCOMPARE(loops, border == SurfaceBorder::Open ? 2 : 0);
+    }
+  }
+
   void smallComponentsAreLeftOutAndNamed() {
     const Volume<float> phi = twoBalls();
     for (const SurfaceMethod method :
