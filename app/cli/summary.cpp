@@ -148,6 +148,9 @@ void printSummary(const RunResult& result, const std::optional<OverlapMeasures>&
     std::printf("%-13s ", "surface");
     printSurface(result.surface->mesh->triangles.size(), result.surface->origin);
   }
+  for (const StageReport& stage : result.stages)
+    for (const std::string& warning : stage.warnings)
+      std::printf("%-13s %s: %s\n", "warning", stepId(stage.step), warning.c_str());
   std::printf("%-13s", "seconds");
   for (const StageReport& stage : result.stages)
     std::printf(" %s %.2f,", stepId(stage.step), stage.seconds);

@@ -24,7 +24,8 @@ void printSurface(std::size_t triangles, const SurfaceOrigin& origin);
 /// One line of overlap measures on stdout.
 void printOverlap(const OverlapMeasures& measures);
 
-/// What a run did, on stdout: sizes, segmentation, seconds per stage, mesh beside marching cubes.
+/// What a run did, on stdout: sizes, segmentation, warnings, seconds per stage, mesh beside
+/// marching cubes.
 void printSummary(const RunResult& result, const std::optional<OverlapMeasures>& truth);
 
 }  // namespace angiomesh::cli
