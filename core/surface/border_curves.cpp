@@ -162,7 +162,7 @@ class Tracer {
     const double slope = within(jet.gradient, plane).norm();
     const double bend = std::fabs(tangent.dot(jet.hessian * tangent));
     if (chordAngle_ > 0.0 && bend * length > chordAngle_ * slope)
-      length = std::max(chordAngle_ * slope / bend, 0.1 * length);
+      length = std::max(chordAngle_ * slope / bend, 0.7 * length);
     return length;
   }
 

@@ -80,7 +80,7 @@ class Mesher {
     }
     SurfaceCheck check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
     progress_.report(0.9);
-    if (method == SurfaceMethod::AdvancingFront && replaceFaulty(mesh, check))
+    if (method == SurfaceMethod::AdvancingFront && replaceMissing(mesh, check))
       check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
     progress_.report(1.0);
     return result(std::move(mesh), check);
@@ -102,30 +102,24 @@ class Mesher {
         mesh, [&](std::uint32_t t) { return check.components[check.parts.label[t]].why.empty(); });
   }
 
-  // Whether a part of the front's mesh has the topology of the reference's component that it
-  // reaches.
-  bool replaceFaulty(PatchMesh& mesh, const SurfaceCheck& check) {
+  // Remeshes marching cubes' components that no part of the front's mesh reaches, and takes out
+  // fragments that reach none. A part whose topology differs from marching cubes' stays, in doubt:
+  // on a noisy field either may be right.
+  bool replaceMissing(PatchMesh& mesh, SurfaceCheck& check) const {
     const MeshComponents parts = meshComponents(reference_.mesh);
     std::vector<std::uint32_t> partOfPoint(reference_.mesh.points.size(), none);
     for (std::size_t t = 0; t < parts.label.size(); ++t)
       for (const std::uint32_t v : reference_.mesh.triangles[t]) partOfPoint[v] = parts.label[t];
-    const std::vector<int> euler = eulerOf(reference_, parts);
     std::vector<char> keep(check.components.size(), 1), again(parts.count, 0);
     std::vector<char> claimed(check.components.size(), 0);
     for (const SurfaceCheck::Reached& r : check.reached) {
-      const std::uint32_t part = partOfPoint[r.component];
-      const bool faulty = r.part != none && !check.components[r.part].verified &&
-                          check.components[r.part].euler != euler[part];
-      if (r.part == none || faulty) again[part] = 1;
-      if (faulty) keep[r.part] = 0;
-      if (r.part != none) claimed[r.part] = 1;
+      if (r.part == none)
+        again[partOfPoint[r.component]] = 1;
+      else
+        claimed[r.part] = 1;
     }
-    // A part that reaches no component of the zero set in full is not one of its own.
     for (std::size_t i = 0; i < keep.size(); ++i)
       if (claimed[i] == 0 && !check.components[i].verified) keep[i] = 0;
-    // Components that share a part of the mesh with a faulty one are made again with it.
-    for (const SurfaceCheck::Reached& r : check.reached)
-      if (r.part != none && keep[r.part] == 0) again[partOfPoint[r.component]] = 1;
     const bool any = std::find(again.begin(), again.end(), 1) != again.end() ||
                      std::find(keep.begin(), keep.end(), 0) != keep.end();
     if (!any) return false;
@@ -134,22 +128,6 @@ class Mesher {
         selected(reference_, [&](std::uint32_t t) { return again[parts.label[t]] != 0; });
     append(mesh, remesh(start, field_, size_, progress_.sub(0.9, 0.98)));
     return true;
-  }
-
-  static std::vector<int> eulerOf(const PatchMesh& mesh, const MeshComponents& parts) {
-    std::vector<int> euler(parts.count, 0);
-    std::vector<char> seen(mesh.mesh.points.size(), 0);
-    for (std::size_t t = 0; t < parts.label.size(); ++t) {
-      ++euler[parts.label[t]];
-      for (const std::uint32_t v : mesh.mesh.triangles[t]) {
-        if (seen[v] == 0) ++euler[parts.label[t]];
-        seen[v] = 1;
-      }
-    }
-    const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
-    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i))
-      --euler[parts.label[sides[i].triangle]];
-    return euler;
   }
 
   ZeroSetMesh result(PatchMesh mesh, const SurfaceCheck& check) const {

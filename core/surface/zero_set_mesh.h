@@ -43,7 +43,8 @@ struct ZeroSetMesh {
 /// Each component is checked: it is an oriented manifold, closed but for rims; it turns nowhere
 /// away from the field's gradient by 90 degrees or more, bounded from the spline's second
 /// derivatives around each triangle; it covers the crossings of the zero set with the edges of the
-/// grid. Where the front's component fails, marching cubes' component there is remeshed instead.
+/// grid. Where no part of the front's mesh reaches a component of marching cubes, that is remeshed
+/// instead.
 /// @throws InputError for `MarchingCubes`, Cancelled
 ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
                         SurfaceBorder border, const Progress& progress = {});
