@@ -217,10 +217,10 @@ class TestZeroSetMesh : public QObject {
     const Volume<float> phi = analytic::sampled(analytic::cube(20), [](const Vector3d& p) {
       return analytic::ball(p, {9.5, 9.4, 9.6}, 10.6);
     });
-    const ZeroSetMesh surface = meshed(phi, literal(0.15));
-    checkBars(surface, phi);
-    const MeshQuality q = measureQuality(surface.mesh);
-    QVERIFY(q.closed);
+    const MeshQuality q = measureQuality(meshed(phi, literal(0.15)).mesh);
+    QVERIFY(q.closed && q.oriented);
+    QCOMPARE(q.selfIntersections, 0U);
+    QVERIFY(q.minAngleMin >= 30.0 && q.maxAngleMax <= 110.0);
     QCOMPARE(q.euler, 2);
   }
 
