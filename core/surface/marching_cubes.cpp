@@ -33,6 +33,15 @@ class ContouredField {
     return {n[0] + 2 * pad_, n[1] + 2 * pad_, n[2] + 2 * pad_};
   }
 
+  // +1 outside, -1 inside, for a row of the padded grid.
+  void signsOf(int j, int k, signed char* row, std::size_t count) const {
+    const Index3& n = phi_.geometry.size;
+    std::fill(row, row + count, static_cast<signed char>(1));
+    if (j < pad_ || k < pad_ || j - pad_ >= n[1] || k - pad_ >= n[2]) return;
+    const float* values = &phi_.at(0, j - pad_, k - pad_);
+    for (int i = 0; i < n[0]; ++i) row[i + pad_] = values[i] < 0.0F ? -1 : 1;
+  }
+
   // Value at a voxel of the padded grid. The outside layer mirrors the border voxel, so that the
   // crossing lies exactly half way between the two.
   [[nodiscard]] double at(const Index3& voxel) const {
@@ -73,11 +82,7 @@ vtkSmartPointer<vtkImageData> signImage(const ContouredField& field, const Progr
     for (std::size_t k = first; k < last; ++k) {
       for (std::size_t j = 0; j < ny; ++j) {
         signed char* row = signs + nx * (j + ny * k);
-        for (std::size_t i = 0; i < nx; ++i) {
-          const bool inside =
-              field.at({static_cast<int>(i), static_cast<int>(j), static_cast<int>(k)}) < 0.0;
-          row[i] = inside ? -1 : 1;
-        }
+        field.signsOf(static_cast<int>(j), static_cast<int>(k), row, nx);
       }
     }
   });

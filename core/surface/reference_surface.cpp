@@ -91,12 +91,14 @@ Volume<float> sampleField(const SplineField& field, const GridPart& part,
     progress.check();
     const int k = static_cast<int>(slice);
     for (int j = 0; j < g.size[1]; ++j) {
-      for (int i = 0; i < g.size[0]; ++i) {
-        const double value =
-            part.finer == 1 ? field.atVoxel(part.first[0] + i, part.first[1] + j, part.first[2] + k)
-                            : field.atIndex(first + Vector3d(i, j, k) / part.finer).value;
-        out.at(i, j, k) = static_cast<float>(value);
+      if (part.finer == 1) {
+        field.atVoxels(part.first[0], part.last[0], part.first[1] + j, part.first[2] + k,
+                       &out.at(0, j, k));
+        continue;
       }
+      for (int i = 0; i < g.size[0]; ++i)
+        out.at(i, j, k) =
+            static_cast<float>(field.atIndex(first + Vector3d(i, j, k) / part.finer).value);
     }
   });
   return out;

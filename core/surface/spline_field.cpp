@@ -352,6 +352,36 @@ void SplineField::cellSamples(const Index3& cell, std::array<double, 64>& sample
         samples[n++] = static_cast<double>(corner[i + j * rowStride_ + k * layerStride_]);
 }
 
+void SplineField::atVoxels(int first, int last, int j, int k, float* values) const {
+  const float* at = coefficients_.data() + static_cast<std::size_t>(first) +
+                    static_cast<std::size_t>(j) * rowStride_ +
+                    static_cast<std::size_t>(k) * layerStride_;
+  const auto count = static_cast<std::size_t>(last - first + 1);
+  std::size_t done = 0;
+  if (kind_ != SplineKind::CatmullRom) {
+    constexpr double outer = 1.0 / 6.0;
+    constexpr double middle = 2.0 / 3.0;
+    // Four columns at a time give two values: each needs a column on either side.
+    for (; done + 2 <= count; done += 2) {
+      Row layers[3];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float* layer = at + done + c * layerStride_;
+        const Row before = load(layer);
+        const Row here = load(layer + rowStride_);
+        const Row after = load(layer + 2 * rowStride_);
+        layers[c].low = outer * (before.low + after.low) + middle * here.low;
+        layers[c].high = outer * (before.high + after.high) + middle * here.high;
+      }
+      const Pair low = outer * (layers[0].low + layers[2].low) + middle * layers[1].low;
+      const Pair high = outer * (layers[0].high + layers[2].high) + middle * layers[1].high;
+      values[done] = static_cast<float>(outer * (low[0] + high[0]) + middle * low[1]);
+      values[done + 1] = static_cast<float>(outer * (low[1] + high[1]) + middle * high[0]);
+    }
+  }
+  for (; done < count; ++done)
+    values[done] = static_cast<float>(atVoxel(first + static_cast<int>(done), j, k));
+}
+
 double SplineField::atVoxel(int i, int j, int k) const {
   const float* at = coefficients_.data() + static_cast<std::size_t>(i) +
                     static_cast<std::size_t>(j) * rowStride_ +

@@ -50,6 +50,9 @@ class SplineField {
   /// The value at the centre of a voxel.
   [[nodiscard]] double atVoxel(int i, int j, int k) const;
 
+  /// The values at the centres of the voxels (first..last, j, k), as atVoxel() has them.
+  void atVoxels(int first, int last, int j, int k, float* values) const;
+
   /// Bounds of all values in the block of cells from voxel `first` to voxel `last` (each `last` at
   /// least one more than `first`): the hull of the coefficients that play a part, widened for
   /// Catmull-Rom by what its negative weights can add.
