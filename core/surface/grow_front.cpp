@@ -22,7 +22,11 @@ constexpr std::uint32_t none = SurfaceCover::none;
 class Wall {
  public:
   Wall(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size)
-      : landmarks_(landmarks), surface_(field, size), front_(surface_), cover_(size.slope()) {}
+      : landmarks_(landmarks),
+        size_(size),
+        surface_(field, size),
+        front_(surface_),
+        cover_(size.slope()) {}
 
   void addRims(const BorderCurves& curves) {
     for (const FrontPoint& p : curves.points) front_.addVertex(p, surface_.lengthAt(p.point));
@@ -54,12 +58,34 @@ class Wall {
       front_.run(progress);
       noteReached();
     }
+    startFromSamples(progress);
     front_.close();
   }
 
   [[nodiscard]] const AdvancingFront& front() const { return front_; }
 
  private:
+  // Components that no voxel lies in are known from the samples of the guidance field alone.
+  void startFromSamples(const Progress& progress) {
+    const auto& samples = size_.samples();
+    std::vector<char> open(samples.size(), 0);
+    const auto placeOf = [this](const GuidanceField::Sample& sample, FrontPoint& place) {
+      return surface_.settle(sample.point, place);
+    };
+    parallelFor(0, samples.size(), 2048, [&](std::size_t first, std::size_t last) {
+      FrontPoint place;
+      for (std::size_t i = first; i < last; ++i)
+        open[i] = static_cast<char>(placeOf(samples[i], place) && cover_.reach(place) == none);
+    });
+    FrontPoint place;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (open[i] == 0 || !placeOf(samples[i], place) || cover_.reach(place) != none) continue;
+      if (!startFrom(place)) continue;
+      front_.run(progress);
+      noteReached();
+    }
+  }
+
   void noteReached() {
     while (cover_.size() < front_.vertices().size()) cover_.add(front_.vertices()[cover_.size()]);
   }
@@ -105,6 +131,7 @@ class Wall {
   }
 
   const Landmarks& landmarks_;
+  const GuidanceField& size_;
   WallSurface surface_;
   AdvancingFront front_;
   SurfaceCover cover_;

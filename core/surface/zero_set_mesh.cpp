@@ -80,7 +80,7 @@ class Mesher {
     }
     SurfaceCheck check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
     progress_.report(0.9);
-    if (method == SurfaceMethod::AdvancingFront && replaceMissing(mesh, check))
+    if (method == SurfaceMethod::AdvancingFront && addMissing(mesh, check))
       check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
     progress_.report(1.0);
     return result(std::move(mesh), check);
@@ -102,30 +102,19 @@ class Mesher {
         mesh, [&](std::uint32_t t) { return check.components[check.parts.label[t]].why.empty(); });
   }
 
-  // Remeshes marching cubes' components that no part of the front's mesh reaches, and takes out
-  // fragments that reach none. A part whose topology differs from marching cubes' stays, in doubt:
-  // on a noisy field either may be right.
-  bool replaceMissing(PatchMesh& mesh, SurfaceCheck& check) const {
+  // Remeshes marching cubes' components that no part of the front's mesh reaches. A part whose
+  // topology differs from marching cubes' stays, in doubt: on a noisy field either may be right.
+  bool addMissing(PatchMesh& mesh, const SurfaceCheck& check) const {
     const MeshComponents parts = meshComponents(reference_.mesh);
     std::vector<std::uint32_t> partOfPoint(reference_.mesh.points.size(), none);
     for (std::size_t t = 0; t < parts.label.size(); ++t)
       for (const std::uint32_t v : reference_.mesh.triangles[t]) partOfPoint[v] = parts.label[t];
-    std::vector<char> keep(check.components.size(), 1), again(parts.count, 0);
-    std::vector<char> claimed(check.components.size(), 0);
-    for (const SurfaceCheck::Reached& r : check.reached) {
-      if (r.part == none)
-        again[partOfPoint[r.component]] = 1;
-      else
-        claimed[r.part] = 1;
-    }
-    for (std::size_t i = 0; i < keep.size(); ++i)
-      if (claimed[i] == 0 && !check.components[i].verified) keep[i] = 0;
-    const bool any = std::find(again.begin(), again.end(), 1) != again.end() ||
-                     std::find(keep.begin(), keep.end(), 0) != keep.end();
-    if (!any) return false;
-    mesh = selected(mesh, [&](std::uint32_t t) { return keep[check.parts.label[t]] != 0; });
+    std::vector<char> missing(parts.count, 0);
+    for (const SurfaceCheck::Reached& r : check.reached)
+      if (r.part == none) missing[partOfPoint[r.component]] = 1;
+    if (std::find(missing.begin(), missing.end(), 1) == missing.end()) return false;
     const PatchMesh start =
-        selected(reference_, [&](std::uint32_t t) { return again[parts.label[t]] != 0; });
+        selected(reference_, [&](std::uint32_t t) { return missing[parts.label[t]] != 0; });
     append(mesh, remesh(start, field_, size_, progress_.sub(0.9, 0.98)));
     return true;
   }

@@ -273,6 +273,20 @@ class TestZeroSetMesh : public QObject {
     QCOMPARE(q.degenerateTriangles, 0U);
   }
 
+  // A ball between the voxels: no voxel lies in it, but the spline dips below 0.
+  void findsWhatNoVoxelLiesIn() {
+    const Vector3d c{9.5, 9.5, 9.5};
+    Volume<float> phi = analytic::sampled(analytic::cube(20), [&](const Vector3d& p) {
+      return 0.35 * ((p - c).squaredNorm() - 0.6 * 0.6);
+    });
+    const ZeroSetMesh surface = meshed(phi);
+    const MeshQuality q = measureQuality(surface.mesh);
+    QVERIFY(q.closed);
+    QCOMPARE(q.components, 1);
+    QCOMPARE(q.euler, 2);
+    QVERIFY(std::abs(q.volumeMm3 / (4.0 / 3.0 * M_PI * 0.216) - 1.0) < 0.05);
+  }
+
   void meshesNothing() {
     const Volume<float> phi(analytic::cube(8), 1.0F);
     const ZeroSetMesh surface = meshed(phi);
