@@ -5,31 +5,39 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <map>
 
-#include "core/surface/mesh_edges.h"
+#include "core/base/parallel.h"
+#include "core/surface/border_trace.h"
+#include "core/surface/point_grid.h"
 
 namespace angiomesh {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::uint32_t none = 0xffffffffU;
-constexpr int kFine = 4;  // pieces of a rim's segment in `reference` that a curve is measured by
+constexpr std::uint32_t none = BorderTrace::none;
+constexpr int kFine = 4;              // lattice steps per voxel that a curve is measured by
+constexpr double kReach = 2.0;        // voxels; curves farther apart do not see one another
+constexpr double kEdgePerRoom = 1.5;  // of the distance to the curve's next part
+constexpr double kLeastRoom = 0.04;   // voxels
+constexpr double kDetour =
+    2.5;  // parts of a curve are apart if it takes so many times the distance
 
 class Tracer {
  public:
   Tracer(const SplineField& field, const GuidanceField& size, double chordAngle)
       : field_(field), grid_(field.geometry()), size_(size), chordAngle_(chordAngle) {}
 
-  BorderCurves run(const TriMesh& reference, bool caps) {
-    const std::vector<std::uint32_t> next = rimOf(reference);
-    std::vector<char> done(reference.points.size(), 0);
+  BorderCurves run(bool caps) {
+    trace_ = traceBorder(field_, kFine);
+    measureRoom();
+    std::vector<char> done(trace_.points.size(), 0);
     // Loops with corners first start at a corner, so that each piece lies in one plane.
     for (const bool corners : {true, false})
-      for (std::uint32_t v = 0; v < next.size(); ++v)
-        if (next[v] != none && done[v] == 0 && (!corners || isCorner(reference.points[v])))
-          traceLoop(reference, next, v, done);
+      for (std::uint32_t v = 0; v < trace_.next.size(); ++v)
+        if (done[v] == 0 && (!corners || isCorner(trace_.points[v]))) traceLoop(v, done);
     if (caps) {
       for (int first = 0; first < 6; ++first)
         for (int second = first + 1; second < 6; ++second)
@@ -40,15 +48,44 @@ class Tracer {
   }
 
  private:
-  static std::vector<std::uint32_t> rimOf(const TriMesh& mesh) {
-    std::vector<std::uint32_t> next(mesh.points.size(), none);
-    const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
-    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-      if (edgeRunEnd(sides, i) != i + 1) continue;
-      const EdgeSide& s = sides[i];
-      next[s.forward ? s.low : s.high] = s.forward ? s.high : s.low;
+  // Per point of the trace, the distance to the next part of the curves in its plane, as far as
+  // kReach: edges longer than that would cross it.
+  void measureRoom() {
+    const std::size_t n = trace_.points.size();
+    std::vector<std::uint32_t> loop(n, none);
+    std::vector<double> along(n, 0.0), length;
+    for (std::uint32_t v = 0; v < n; ++v) {
+      if (loop[v] != none) continue;
+      double sum = 0.0;
+      for (std::uint32_t w = v; w != none && loop[w] == none; w = trace_.next[w]) {
+        loop[w] = static_cast<std::uint32_t>(length.size());
+        along[w] = sum;
+        if (trace_.next[w] != none)
+          sum += (trace_.points[trace_.next[w]] - trace_.points[w]).norm();
+      }
+      length.push_back(sum);
     }
-    return next;
+    PointGrid near;
+    const double step = grid_.voxelMm() / kFine;
+    for (std::uint32_t v = 0; v < n; ++v) near.insert(v, trace_.points[v], step);
+    room_.assign(n, std::numeric_limits<double>::infinity());
+    parallelFor(0, n, 256, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Vector3d& p = trace_.points[i];
+        const std::uint8_t planes = borderPlanes(grid_, p);
+        near.forEachNear(p, kReach * grid_.voxelMm(), 0.0, [&](std::uint32_t w) {
+          if ((borderPlanes(grid_, trace_.points[w]) & planes) == 0) return;
+          const double d = (trace_.points[w] - p).norm();
+          if (d >= room_[i]) return;
+          if (loop[w] == loop[i]) {
+            const double way = std::fabs(along[w] - along[i]);
+            if (std::min(way, length[loop[i]] - way) <= kDetour * d + 2.0 * step) return;
+          }
+          room_[i] = d;
+        });
+        room_[i] = std::max(room_[i], kLeastRoom * grid_.voxelMm());
+      }
+    });
   }
 
   [[nodiscard]] bool isCorner(const Vector3d& p) const {
@@ -66,7 +103,7 @@ class Tracer {
       const double step = jet.value / slope;
       if (std::fabs(step) < 1e-9 * grid_.voxelMm()) break;
       p -= std::clamp(step, -0.3 * grid_.voxelMm(), 0.3 * grid_.voxelMm()) / slope * g;
-      if ((p - start).norm() > 0.7 * grid_.voxelMm()) return start;
+      if ((p - start).norm() > 0.7 / kFine * grid_.voxelMm()) return start;
     }
     return kept(p, planes);
   }
@@ -107,26 +144,25 @@ class Tracer {
     return static_cast<std::uint32_t>(curves_.points.size() - 1);
   }
 
-  void traceLoop(const TriMesh& reference, const std::vector<std::uint32_t>& next,
-                 std::uint32_t start, std::vector<char>& done) {
+  void traceLoop(std::uint32_t start, std::vector<char>& done) {
     BorderCurves::Loop loop;
     std::uint32_t v = start;
-    const bool corners = isCorner(reference.points[start]);
-    const std::uint32_t firstCorner = corners ? cornerVertex(reference.points[start]) : none;
+    const bool corners = isCorner(trace_.points[start]);
+    const std::uint32_t firstCorner = corners ? cornerVertex(trace_.points[start]) : none;
     std::uint32_t from = firstCorner;
     do {
-      std::vector<Vector3d> piece{reference.points[v]};
+      std::vector<std::uint32_t> piece{v};
       do {
         done[v] = 1;
-        v = next[v];
+        v = trace_.next[v];
         if (v == none) return;  // not a closed rim: nothing to start from
-        piece.push_back(reference.points[v]);
-      } while (v != start && !(corners && isCorner(reference.points[v])));
+        piece.push_back(v);
+      } while (v != start && !(corners && isCorner(trace_.points[v])));
       const auto plane = commonPlane(piece);
       if (!corners) {
         loop = divide(piece, plane, none, none);
       } else {
-        const std::uint32_t to = v == start ? firstCorner : cornerVertex(reference.points[v]);
+        const std::uint32_t to = v == start ? firstCorner : cornerVertex(trace_.points[v]);
         loop.push_back(from);
         const BorderCurves::Loop inner = divide(piece, plane, from, to);
         loop.insert(loop.end(), inner.begin(), inner.end());
@@ -146,9 +182,9 @@ class Tracer {
     return id;
   }
 
-  [[nodiscard]] std::uint8_t commonPlane(const std::vector<Vector3d>& piece) const {
+  [[nodiscard]] std::uint8_t commonPlane(const std::vector<std::uint32_t>& piece) const {
     unsigned planes = PatchMesh::planeBits;
-    for (std::size_t i = 0; i < piece.size(); ++i) planes &= borderPlanes(grid_, piece[i]);
+    for (const std::uint32_t v : piece) planes &= borderPlanes(grid_, trace_.points[v]);
     if (planes == 0 || std::popcount(planes) == 1) return static_cast<std::uint8_t>(planes);
     // A single segment along an edge of the volume: either plane will do.
     return static_cast<std::uint8_t>(planes & (~planes + 1));
@@ -166,24 +202,25 @@ class Tracer {
     return length;
   }
 
-  // Divides a polyline of the reference's rim evenly by the wanted length. Returns the new inner
-  // vertices; of a closed one (no ends) all of them.
-  BorderCurves::Loop divide(const std::vector<Vector3d>& piece, std::uint8_t plane,
+  // Divides a polyline of the trace evenly by the wanted length. Returns the new inner vertices; of
+  // a closed one (no ends) all of them.
+  BorderCurves::Loop divide(const std::vector<std::uint32_t>& piece, std::uint8_t plane,
                             std::uint32_t from, std::uint32_t to) {
     const bool closed = from == none;
     std::vector<Vector3d> fine;
-    for (std::size_t i = 0; i + 1 < piece.size(); ++i)
-      for (int k = 0; k < kFine; ++k)
-        fine.push_back(settled(piece[i] + (piece[i + 1] - piece[i]) * (1.0 * k / kFine), plane));
-    fine.push_back(closed ? fine.front() : curves_.points[to].point);
-    if (!closed) fine.front() = curves_.points[from].point;
+    for (const std::uint32_t v : piece) fine.push_back(trace_.points[v]);
+    if (!closed) {
+      fine.front() = curves_.points[from].point;
+      fine.back() = curves_.points[to].point;
+    }
     std::vector<double> wanted(fine.size(), 0.0);
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const std::size_t last = fine.size() - 1;
       const Vector3d& before = fine[i > 0 ? i - 1 : (closed ? last - 1 : 0)];
       const Vector3d& after = fine[i < last ? i + 1 : (closed ? 1 : last)];
       const Vector3d t = after - before;
-      wanted[i] = lengthOn(fine[i], t.norm() > 0.0 ? t.normalized() : t, plane);
+      wanted[i] = std::min(lengthOn(fine[i], t.norm() > 0.0 ? t.normalized() : t, plane),
+                           kEdgePerRoom * room_[piece[i]]);
     }
     grade(fine, wanted, closed);
     std::vector<double> along(fine.size(), 0.0);
@@ -314,6 +351,8 @@ class Tracer {
   const Geometry& grid_;
   const GuidanceField& size_;
   double chordAngle_;
+  BorderTrace trace_;
+  std::vector<double> room_;  // per point of the trace, mm
   BorderCurves curves_;
   std::vector<std::uint32_t> corners_;
   std::map<std::uint8_t, std::uint32_t> volumeCorners_;
@@ -338,9 +377,9 @@ std::uint8_t borderPlanes(const Geometry& grid, const Vector3d& pointLps) {
   return static_cast<std::uint8_t>(planes);
 }
 
-BorderCurves borderCurves(const TriMesh& reference, const SplineField& field,
-                          const GuidanceField& size, double chordAngle, bool caps) {
-  return Tracer(field, size, chordAngle).run(reference, caps);
+BorderCurves borderCurves(const SplineField& field, const GuidanceField& size, double chordAngle,
+                          bool caps) {
+  return Tracer(field, size, chordAngle).run(caps);
 }
 
 }  // namespace angiomesh

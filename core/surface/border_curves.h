@@ -25,12 +25,11 @@ struct BorderCurves {
   std::array<std::vector<Loop>, 6> caps;  ///< per border plane: closed, the cap to the left
 };
 
-/// Rims: where phi = 0 meets the border planes, taken from the open rims of `reference` (marching
-/// cubes of the same field, SurfaceBorder::Open), moved onto phi = 0 within their planes and
-/// divided evenly by the wanted edge length, which also follows the curve's own curvature:
-/// chordAngle = edge length times curvature. With `caps` also the edges of the volume inside phi,
-/// and the loops around each cap.
-BorderCurves borderCurves(const TriMesh& reference, const SplineField& field,
-                          const GuidanceField& size, double chordAngle, bool caps);
+/// Rims: where phi = 0 meets the border planes (traceBorder()), divided evenly by the wanted edge
+/// length, which also follows the curve's own curvature (chordAngle = edge length times curvature)
+/// and the distance to the curves' other parts in the same plane. With `caps` also the edges of the
+/// volume inside phi, and the loops around each cap.
+BorderCurves borderCurves(const SplineField& field, const GuidanceField& size, double chordAngle,
+                          bool caps);
 
 }  // namespace angiomesh

@@ -201,11 +201,10 @@ Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const Guida
   return marks;
 }
 
-PatchMesh growFront(const TriMesh& wall, const Landmarks& landmarks, const SplineField& field,
-                    const GuidanceField& size, double chordAngle, SurfaceBorder border,
-                    const Progress& progress) {
+PatchMesh growFront(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size,
+                    double chordAngle, SurfaceBorder border, const Progress& progress) {
   const bool caps = border == SurfaceBorder::Cap;
-  const BorderCurves curves = borderCurves(wall, field, size, chordAngle, caps);
+  const BorderCurves curves = borderCurves(field, size, chordAngle, caps);
   Wall grown(landmarks, field, size);
   grown.addRims(curves);
   grown.run(progress);

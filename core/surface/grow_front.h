@@ -22,12 +22,10 @@ struct Landmarks {
 };
 Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const GuidanceField& size);
 
-/// The zero set of `field`, and its caps, meshed by advancing fronts: one from each rim of `wall`
-/// (marching cubes of the field, open where it leaves the grid), and one from a seed on each
-/// component of its landmarks that the fronts before have not reached. `chordAngle` as for
-/// borderCurves(). @throws Cancelled
-PatchMesh growFront(const TriMesh& wall, const Landmarks& landmarks, const SplineField& field,
-                    const GuidanceField& size, double chordAngle, SurfaceBorder border,
-                    const Progress& progress);
+/// The zero set of `field`, and its caps, meshed by advancing fronts: one from each of its rims in
+/// the border planes, and one from a seed on each component of its landmarks that the fronts before
+/// have not reached. `chordAngle` as for borderCurves(). @throws Cancelled
+PatchMesh growFront(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size,
+                    double chordAngle, SurfaceBorder border, const Progress& progress);
 
 }  // namespace angiomesh

@@ -73,7 +73,7 @@ class Mesher {
     if (method == SurfaceMethod::Remesh) {
       mesh = remesh(reference_, field_, size_, progress_.sub(0.25, 0.9));
     } else {
-      mesh = growFront(wall_, landmarks_, field_, size_, chordAngle(), border_, progress_);
+      mesh = growFront(landmarks_, field_, size_, chordAngle(), border_, progress_);
       progress_.report(0.5);
       dropBroken(mesh);
       improveTriangles(mesh, field_, size_, progress_.sub(0.5, 0.8));

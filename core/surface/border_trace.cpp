@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/border_trace.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace angiomesh {
+namespace {
+
+using Eigen::Vector3d;
+
+class PlaneTracer {
+ public:
+  PlaneTracer(const SplineField& field, int finer)
+      : field_(field), grid_(field.geometry()), finer_(finer) {
+    for (std::size_t a = 0; a < 3; ++a) fineSize_[a] = (grid_.size[a] - 1) * finer + 1;
+  }
+
+  BorderTrace run() {
+    for (int a = 0; a < 3; ++a)
+      if (grid_.size[static_cast<std::size_t>(a)] < 2) return {};
+    for (int plane = 0; plane < 6; ++plane) tracePlane(plane);
+    return std::move(trace_);
+  }
+
+ private:
+  using Fine = std::array<int, 3>;  // a point of the fine lattice
+
+  [[nodiscard]] double valueAt(const Fine& p) const {
+    return field_.atIndex(Vector3d(p[0], p[1], p[2]) / finer_).value;
+  }
+
+  void tracePlane(int plane) {
+    const auto axis = static_cast<std::size_t>(plane / 2);
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const int layer = plane % 2 == 0 ? 0 : grid_.size[axis] - 1;
+    // Whether u x v points outwards, in patient space: directions may be left-handed.
+    const bool outwards = (plane % 2 == 1) == (grid_.direction.determinant() > 0.0);
+    Index3 first{}, last{};
+    first[axis] = std::max(layer - 1, 0);
+    last[axis] = first[axis] + 1;
+    const auto side = static_cast<std::size_t>(finer_) + 1;
+    std::vector<double> values(side * side);
+    for (int j = 0; j + 1 < grid_.size[v]; ++j)
+      for (int i = 0; i + 1 < grid_.size[u]; ++i) {
+        first[u] = i;
+        first[v] = j;
+        last[u] = i + 1;
+        last[v] = j + 1;
+        const std::array<double, 2> bounds = field_.bounds(first, last);
+        if (bounds[0] > 0.0 || bounds[1] < 0.0) continue;
+        Fine corner{};
+        corner[axis] = layer * finer_;
+        for (std::size_t b = 0; b < side; ++b)
+          for (std::size_t a = 0; a < side; ++a) {
+            corner[u] = i * finer_ + static_cast<int>(a);
+            corner[v] = j * finer_ + static_cast<int>(b);
+            values[a + side * b] = valueAt(corner);
+          }
+        for (std::size_t b = 0; b + 1 < side; ++b)
+          for (std::size_t a = 0; a + 1 < side; ++a) {
+            corner[u] = i * finer_ + static_cast<int>(a);
+            corner[v] = j * finer_ + static_cast<int>(b);
+            square(corner, u, v,
+                   {values[a + side * b], values[a + 1 + side * b], values[a + 1 + side * (b + 1)],
+                    values[a + side * (b + 1)]},
+                   outwards);
+          }
+      }
+  }
+
+  // The curve's pieces in one square; `value` counter-clockwise from the corner at `low`. A piece
+  // goes from a side that is crossed inwards, counter-clockwise, to one that is crossed outwards.
+  void square(const Fine& low, std::size_t u, std::size_t v, const std::array<double, 4>& value,
+              bool outwards) {
+    std::array<std::size_t, 2> enters{}, exits{};
+    std::size_t entering = 0, exiting = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool here = value[k] < 0.0, there = value[(k + 1) % 4] < 0.0;
+      if (here && !there) exits[exiting++] = k;
+      if (!here && there) enters[entering++] = k;
+    }
+    if (entering == 0) return;
+    const auto join = [&](std::size_t from, std::size_t to) {
+      const std::uint32_t a = onSide(low, u, v, from, value), b = onSide(low, u, v, to, value);
+      trace_.next[outwards ? a : b] = outwards ? b : a;
+    };
+    if (entering == 1) {
+      join(enters[0], exits[0]);
+      return;
+    }
+    Vector3d centre(low[0], low[1], low[2]);
+    centre[static_cast<Eigen::Index>(u)] += 0.5;
+    centre[static_cast<Eigen::Index>(v)] += 0.5;
+    const bool joined = field_.atIndex(centre / finer_).value < 0.0;
+    for (const std::size_t from : enters) join(from, (from + (joined ? 3 : 1)) % 4);
+  }
+
+  // The vertex on side k of a square.
+  std::uint32_t onSide(const Fine& low, std::size_t u, std::size_t v, std::size_t k,
+                       const std::array<double, 4>& value) {
+    Fine p = low;
+    if (k == 1) ++p[u];
+    if (k == 2) ++p[v];
+    const std::size_t axis = k % 2 == 0 ? u : v;
+    const std::uint64_t at =
+        static_cast<std::uint64_t>(p[0]) +
+        static_cast<std::uint64_t>(fineSize_[0]) *
+            (static_cast<std::uint64_t>(p[1]) +
+             static_cast<std::uint64_t>(fineSize_[1]) * static_cast<std::uint64_t>(p[2]));
+    const auto [found, fresh] =
+        vertices_.try_emplace(3 * at + axis, static_cast<std::uint32_t>(trace_.points.size()));
+    if (!fresh) return found->second;
+    // Sides 2 and 3 run against their axis.
+    const bool against = k > 1;
+    const double f0 = value[against ? (k + 1) % 4 : k], f1 = value[against ? k : (k + 1) % 4];
+    trace_.points.push_back(rootOn(p, axis, f0, f1));
+    trace_.next.push_back(BorderTrace::none);
+    return found->second;
+  }
+
+  // False position (Illinois) between two neighbouring lattice points of different sign.
+  [[nodiscard]] Vector3d rootOn(const Fine& p, std::size_t axis, double f0, double f1) const {
+    const Vector3d start(p[0], p[1], p[2]);
+    const auto at = [&](double t) {
+      Vector3d x = start;
+      x[static_cast<Eigen::Index>(axis)] += t;
+      return Vector3d(x / finer_);
+    };
+    double t0 = 0.0, t1 = 1.0, t = 0.5;
+    int kept = 0;  // which end stayed last: -1 the lower, 1 the upper
+    for (int n = 0; n < 60 && t1 - t0 > 1e-12; ++n) {
+      t = (t0 * f1 - t1 * f0) / (f1 - f0);
+      const double f = field_.atIndex(at(t)).value;
+      if (std::fabs(f) < 1e-13) break;
+      if ((f < 0.0) == (f0 < 0.0)) {
+        t0 = t;
+        f0 = f;
+        if (kept == 1) f1 *= 0.5;
+        kept = 1;
+      } else {
+        t1 = t;
+        f1 = f;
+        if (kept == -1) f0 *= 0.5;
+        kept = -1;
+      }
+    }
+    // A vertex at the end of its lattice edge could be taken for one of another border plane.
+    return grid_.toPhysical(at(std::clamp(t, 1e-5, 1.0 - 1e-5)));
+  }
+
+  const SplineField& field_;
+  const Geometry& grid_;
+  int finer_;
+  std::array<int, 3> fineSize_{};
+  std::unordered_map<std::uint64_t, std::uint32_t> vertices_;
+  BorderTrace trace_;
+};
+
+}  // namespace
+
+BorderTrace traceBorder(const SplineField& field, int finer) {
+  return PlaneTracer(field, finer).run();
+}
+
+}  // namespace angiomesh
