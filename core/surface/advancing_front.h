@@ -112,7 +112,6 @@ class AdvancingFront {
   void push(std::uint32_t id, Class kind, double shape);
   void refresh(std::uint32_t id);
   std::uint32_t addTriangle(const Triangle& t, FaceOrigin origin);
-  bool fill(const std::vector<std::uint32_t>& loop);
 
   const FrontSurface& surface_;
   std::vector<FrontPoint> vertices_;

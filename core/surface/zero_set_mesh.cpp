@@ -8,7 +8,9 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/quality/self_intersection.h"
 #include "core/surface/grow_front.h"
+#include "core/surface/mend_mesh.h"
 #include "core/surface/reference_surface.h"
 #include "core/surface/remesh.h"
 #include "core/surface/surface_check.h"
@@ -75,12 +77,15 @@ class Mesher {
     } else {
       mesh = growFront(landmarks_, field_, size_, chordAngle(), border_, progress_);
       progress_.report(0.5);
+      mendBroken(mesh);
       dropBroken(mesh);
       improveTriangles(mesh, field_, size_, progress_.sub(0.5, 0.8));
     }
     SurfaceCheck check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
     progress_.report(0.9);
     if (method == SurfaceMethod::AdvancingFront && addMissing(mesh, check))
+      check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
+    if (!allVerified(check) && untangle(mesh))
       check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
     progress_.report(1.0);
     return result(std::move(mesh), check);
@@ -90,6 +95,49 @@ class Mesher {
   [[nodiscard]] double chordAngle() const {
     const double angle = 2.0 * std::sin(0.5 * sizing_.rho) * sizing_.curvatureRelax;
     return sizing_.etaCompensated ? angle : angle * sizing_.etaInverse;
+  }
+
+  static bool allVerified(const SurfaceCheck& check) {
+    return std::all_of(check.components.begin(), check.components.end(),
+                       [](const SurfaceComponent& c) { return c.verified; });
+  }
+
+  // Where fronts met in a way that leaves no manifold, which takes a zero set that all but touches
+  // itself, the place is filled anew.
+  void mendBroken(PatchMesh& mesh) const {
+    for (int rings = 0; rings < 5; ++rings) {
+      const std::vector<std::uint32_t> broken =
+          brokenTriangles(mesh, border_ == SurfaceBorder::Open);
+      if (broken.empty()) return;
+      mendMesh(mesh, broken, rings, field_);
+    }
+  }
+
+  // Fills anew where triangles meet; a verified component has no such place. True when something
+  // was changed.
+  bool untangle(PatchMesh& mesh) const {
+    constexpr int attempts = 6, improved = 3;
+    bool changed = false;
+    for (int n = 0; n < attempts; ++n) {
+      const std::vector<std::uint32_t> meeting = intersecting(mesh);
+      if (meeting.empty()) break;
+      if (!mendMesh(mesh, meeting, n, field_)) continue;
+      changed = true;
+      // What improving ties up again stays as it was filled.
+      if (n < improved) improveTriangles(mesh, field_, size_, progress_);
+    }
+    return changed;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> intersecting(const PatchMesh& mesh) const {
+    std::vector<std::uint32_t> found;
+    for (const auto& [a, b] : selfIntersections(mesh.mesh, progress_)) {
+      found.push_back(a);
+      found.push_back(b);
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
 
   // Takes out components that are no manifolds, or not closed: improving them makes no sense.

@@ -43,8 +43,9 @@ struct ZeroSetMesh {
 /// Each component is checked: it is an oriented manifold, closed but for rims; it turns nowhere
 /// away from the field's gradient by 90 degrees or more, bounded from the spline's second
 /// derivatives around each triangle; it covers the crossings of the zero set with the edges of the
-/// grid. Where no part of the front's mesh reaches a component of marching cubes, that is remeshed
-/// instead.
+/// grid. Where fronts leave no manifold, or triangles of a component that did not pass the checks
+/// intersect, the place is taken out and filled anew. Where no part of the front's mesh reaches a
+/// component of marching cubes, that is remeshed instead.
 /// @throws InputError for `MarchingCubes`, Cancelled
 ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
                         SurfaceBorder border, const Progress& progress = {});

@@ -273,6 +273,36 @@ class TestZeroSetMesh : public QObject {
     QCOMPARE(q.degenerateTriangles, 0U);
   }
 
+  // Tubes so close that the interpolant's curves in the border plane all but touch, and turn about
+  // the gap in another way than marching cubes'.
+  void keepsCloseRimsApart() {
+    const Volume<float> phi = analytic::sampled(analytic::cube(48), [](const Vector3d& p) {
+      const double slant = 0.1 * (p.z() - 24.0);
+      return std::min(std::hypot(p.x() - 20.0, p.y() - 24.0) - 3.0,
+                      std::hypot(p.x() - 26.6, p.y() - 24.0 + slant) - 3.0);
+    });
+    const ZeroSetMesh surface = meshed(phi);
+    checkBars(surface, phi);
+    const MeshQuality q = measureQuality(surface.mesh);
+    QVERIFY(q.closed);
+    QVERIFY2(surface.fromFrontPercent >= 95.0,
+             qPrintable(QString::number(surface.fromFrontPercent)));
+  }
+
+  // Plateaus of exact zeros, about which an interpolant rings: sheets that touch in many places.
+  void meetsNowhereOnPlateaus() {
+    const Vector3d axis = Vector3d(0.35, 0.5, 1.0).normalized();
+    const Volume<float> phi = analytic::sampled(analytic::cube(26), [&](const Vector3d& p) {
+      return std::round(analytic::tube(p, {12.1, 12.4, 12.7}, axis, 3.4));
+    });
+    const ZeroSetMesh surface = meshed(phi);
+    const MeshQuality q = measureQuality(surface.mesh);
+    QVERIFY(q.closed && q.oriented);
+    QCOMPARE(q.nonManifoldEdges, 0U);
+    QCOMPARE(q.nonManifoldVertices, 0U);
+    QCOMPARE(q.selfIntersections, 0U);
+  }
+
   // A ball between the voxels: no voxel lies in it, but the spline dips below 0.
   void findsWhatNoVoxelLiesIn() {
     const Vector3d c{9.5, 9.5, 9.5};
