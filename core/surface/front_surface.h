@@ -50,9 +50,7 @@ class WallSurface : public FrontSurface {
   WallSurface(const SplineField& field, const GuidanceField& size) : field_(field), size_(size) {}
   [[nodiscard]] bool turn(const FrontPoint& a, const FrontPoint& b, const ApexWish& wish,
                           FrontPoint& apex) const override;
-  [[nodiscard]] double lengthAt(const Eigen::Vector3d& point) const override {
-    return size_.at(point);
-  }
+  [[nodiscard]] double lengthAt(const Eigen::Vector3d& point) const override;
   [[nodiscard]] double slope() const override { return size_.slope(); }
   /// The nearest point of phi = 0 to a point close to it; false when there is none.
   [[nodiscard]] bool settle(const Eigen::Vector3d& near, FrontPoint& point) const;
