@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/levelset/local_levels.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+
+#include "core/base/parallel.h"
+#include "core/vesselness/gauss_kernel.h"
+
+namespace angiomesh {
+namespace {
+
+constexpr int kBlock = 4;  // voxels
+constexpr double kSigmaBlocks = 2.0;
+constexpr double kPriorWeight = 0.02;  // voxels per block, of the mean over all
+
+using Pair = Eigen::Vector2d;  // sum of weight * value, sum of weight
+
+void blur(Volume<Pair>& blocks) {
+  const Geometry& g = blocks.geometry;
+  const std::vector<float> kernel = discreteGaussian(kSigmaBlocks * kSigmaBlocks);
+  const std::array<std::size_t, 3> stride{1, g.offset(0, 1, 0), g.offset(0, 0, 1)};
+  for (std::size_t a = 0; a < 3; ++a) {
+    Volume<Pair> out(g, Pair::Zero());
+    for (std::size_t at = 0; at < blocks.voxels.size(); ++at) {
+      const int here = g.indexOf(at)[a];
+      for (int m = 1 - static_cast<int>(kernel.size()); m < static_cast<int>(kernel.size()); ++m) {
+        if (here + m < 0 || here + m >= g.size[a]) continue;
+        const auto next =
+            static_cast<std::ptrdiff_t>(at) + m * static_cast<std::ptrdiff_t>(stride[a]);
+        out.voxels[at] += static_cast<double>(kernel[static_cast<std::size_t>(std::abs(m))]) *
+                          blocks.voxels[static_cast<std::size_t>(next)];
+      }
+    }
+    blocks = std::move(out);
+  }
+}
+
+Pair interpolated(const Volume<Pair>& blocks, const Index3& voxel) {
+  const Geometry& g = blocks.geometry;
+  Index3 low{};
+  std::array<double, 3> t{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double x = std::clamp((voxel[a] + 0.5) / kBlock - 0.5, 0.0, g.size[a] - 1.0);
+    low[a] = std::min(static_cast<int>(x), std::max(g.size[a] - 2, 0));
+    t[a] = x - low[a];
+  }
+  Pair sum = Pair::Zero();
+  for (int c = 0; c < 8; ++c) {
+    double w = 1.0;
+    Index3 p{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const int high = c >> a & 1;
+      w *= high != 0 ? t[a] : 1.0 - t[a];
+      p[a] = std::min(low[a] + high, g.size[a] - 1);
+    }
+    sum += w * blocks.at(p[0], p[1], p[2]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<float> localMean(const CellBand& band, const std::vector<float>& value,
+                             const std::vector<float>& weight) {
+  Geometry g;
+  for (std::size_t a = 0; a < 3; ++a) g.size[a] = (band.geometry.size[a] + kBlock - 1) / kBlock;
+  Volume<Pair> blocks(g, Pair::Zero());
+  Pair all = Pair::Zero();
+  for (std::size_t c = 0; c < band.size(); ++c) {
+    if (weight[c] == 0.0F) continue;
+    const Index3 p = band.geometry.indexOf(band.voxel[c]);
+    const auto w = static_cast<double>(weight[c]);
+    const Pair add(w * static_cast<double>(value[c]), w);
+    blocks.at(p[0] / kBlock, p[1] / kBlock, p[2] / kBlock) += add;
+    all += add;
+  }
+  std::vector<float> mean(band.size(), 0.0F);
+  if (!(all[1] > 0.0)) return mean;
+  blur(blocks);
+  const Pair prior(kPriorWeight * all[0] / all[1], kPriorWeight);
+  parallelFor(0, band.size(), 8192, [&](std::size_t first, std::size_t last) {
+    for (std::size_t c = first; c < last; ++c) {
+      const Pair sum = interpolated(blocks, band.geometry.indexOf(band.voxel[c])) + prior;
+      mean[c] = static_cast<float>(sum[0] / sum[1]);
+    }
+  });
+  return mean;
+}
+
+}  // namespace angiomesh

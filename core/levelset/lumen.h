@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/progress.h"
+#include "core/image/volume.h"
+#include "core/vesselness/vesselness.h"
+
+namespace angiomesh {
+
+/// How the wall is placed between the lumen and its surroundings.
+struct LumenParams {
+  bool enabled = true;
+  /// Of the way from the surroundings' brightness to the lumen's, where the wall is: a voxel that
+  /// is half full, counted in eighths, belongs to the vessel.
+  double level = 0.41;
+  /// Weights of smoothing along and across the vessels, times the squared ratio of noise to
+  /// contrast.
+  double along = 14.0, across = 0.4;
+  double reachVoxels = 3.0;  ///< from what was found to where the wall is looked for
+};
+
+/// Where vessels have been found (1; 2 at their cores, which tell vessels apart), the wall anew:
+/// between the local brightness of the lumen and that of the surroundings, in the image smoothed
+/// along the vessels as much as its noise asks for. Cores that meet end to end, or in full
+/// brightness, are joined; those that lie side by side stay apart.
+/// @return negative inside, about the distance to the wall in working voxels near it
+Volume<float> refineLumen(const Volume<float>& image, const Volume<std::uint8_t>& found,
+                          const LumenParams& params, Polarity polarity,
+                          const Progress& progress = {});
+
+/// The voxels where v >= b, in 26-connected parts of at least `leastVoxels`, or that hold a voxel
+/// where `start` < 0, and the voxels where `start` < 0: 1, or 2 where v >= 3 b.
+Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b,
+                                  const Volume<float>& start, std::size_t leastVoxels);
+
+/// The start of an evolution from what floodVessels() found: its surface at v = b where that is at
+/// hand, else half-way between voxels, within +-0.5 working voxel.
+Volume<float> floodStart(const Volume<float>& vesselness, double b,
+                         const Volume<std::uint8_t>& found);
+
+}  // namespace angiomesh

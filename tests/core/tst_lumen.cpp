@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/levelset/axis_smoothing.h"
+#include "core/levelset/local_levels.h"
+#include "core/levelset/lumen.h"
+#include "tests/core/analytic.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+// Brightness of a voxel whose centre lies at a signed distance from a wall.
+double brightness(double distance) { return 100.0 * std::clamp(0.5 - distance, 0.0, 1.0); }
+
+void addNoise(Volume<float>& image, double sigma) {
+  for (std::size_t i = 0; i < image.voxels.size(); ++i)
+    image.voxels[i] += static_cast<float>(sigma * randomNormal(7, i));
+}
+
+// What an evolution might find of a shape: a voxel too much, or too little.
+Volume<std::uint8_t> roughly(const Volume<float>& distance, double wall) {
+  Volume<std::uint8_t> found(distance.geometry);
+  for (std::size_t i = 0; i < found.voxels.size(); ++i)
+    found.voxels[i] = static_cast<double>(distance.voxels[i]) < wall ? 1 : 0;
+  return found;
+}
+
+Volume<float> imageOf(const Volume<float>& distance, double noise) {
+  Volume<float> image(distance.geometry);
+  for (std::size_t i = 0; i < image.voxels.size(); ++i)
+    image.voxels[i] = static_cast<float>(brightness(static_cast<double>(distance.voxels[i])));
+  addNoise(image, noise);
+  return image;
+}
+
+const Vector3d kAxis = Vector3d(0.3, 0.5, 1.0).normalized();
+const Vector3d kCentre{15.6, 15.2, 15.7};
+
+Volume<float> tubeDistance(double radius) {
+  return analytic::sampled(analytic::cube(32), [radius](const Vector3d& p) {
+    return analytic::tube(p, kCentre, kAxis, radius);
+  });
+}
+
+// The share of the wrong voxels in those that are inside by either.
+double disagreement(const Volume<float>& phi, const Volume<float>& distance) {
+  std::size_t wrong = 0, all = 0;
+  for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+    const bool a = phi.voxels[i] < 0.0F, b = distance.voxels[i] < 0.0F;
+    wrong += a != b ? 1 : 0;
+    all += a || b ? 1 : 0;
+  }
+  return static_cast<double>(wrong) / static_cast<double>(all);
+}
+
+}  // namespace
+
+class TestLumen : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void measuresTheNoise() {
+    Volume<float> image = tubeDistance(3.0);
+    for (float& v : image.voxels) v = 0.0F;
+    QCOMPARE(noiseLevel(image), 0.0);
+    addNoise(image, 12.0);
+    QVERIFY(std::abs(noiseLevel(image) / 12.0 - 1.0) < 0.03);
+    // A background that was set to 0 does not count.
+    for (std::size_t i = 0; i < image.voxels.size() / 2; ++i) image.voxels[i] = 0.0F;
+    QVERIFY(std::abs(noiseLevel(image) / 12.0 - 1.0) < 0.05);
+  }
+
+  void findsTheAxis() {
+    const Volume<float> distance = tubeDistance(2.5);
+    const CellBand band = bandAround(roughly(distance, 0.0), 2);
+    const auto axes = vesselAxes(imageOf(distance, 5.0), band);
+    double least = 1.0, sum = 0.0;
+    for (std::size_t c = 0; c < band.size(); ++c) {
+      const Index3 p = band.geometry.indexOf(band.voxel[c]);
+      if (*std::min_element(p.begin(), p.end()) < 6 || *std::max_element(p.begin(), p.end()) > 25)
+        continue;
+      const double cosine = std::abs(axes[c].cast<double>().dot(kAxis));
+      least = std::min(least, cosine);
+      sum += cosine;
+    }
+    QVERIFY2(least > 0.9, qPrintable(QString::number(least)));
+  }
+
+  // A linear profile along the axis has no second derivative along it: it stays, and noise goes.
+  void smoothsAlongTheAxisAlone() {
+    const Volume<float> distance = tubeDistance(2.5);
+    const CellBand band = bandAround(roughly(distance, 0.0), 3);
+    const std::vector<Eigen::Vector3f> axes(band.size(), kAxis.cast<float>());
+    const std::vector<float> along(band.size(), 3.0F), across(band.size(), 0.0F);
+    const Volume<float> clean = imageOf(distance, 0.0), noisy = imageOf(distance, 20.0);
+    const auto keptClean = smoothAlongAxes(clean, band, axes, along, across);
+    const auto smoothed = smoothAlongAxes(noisy, band, axes, along, across);
+    double moved = 0.0, before = 0.0, after = 0.0;
+    for (std::size_t c = 0; c < band.size(); ++c) {
+      const auto truth = static_cast<double>(clean.voxels[band.voxel[c]]);
+      moved += std::pow(static_cast<double>(keptClean[c]) - truth, 2);
+      before += std::pow(static_cast<double>(noisy.voxels[band.voxel[c]]) - truth, 2);
+      after += std::pow(static_cast<double>(smoothed[c]) - truth, 2);
+    }
+    QVERIFY(after < 0.3 * before);
+    QVERIFY(moved < 0.1 * before);
+  }
+
+  void isTheSameForAnyNumberOfThreads() {
+    const Volume<float> distance = tubeDistance(2.5), image = imageOf(distance, 20.0);
+    setThreads(1);
+    const Volume<float> one = refineLumen(image, roughly(distance, 0.7), {}, Polarity::Bright);
+    setThreads(2);
+    const Volume<float> two = refineLumen(image, roughly(distance, 0.7), {}, Polarity::Bright);
+    QVERIFY(one.voxels == two.voxels);
+  }
+
+  void placesTheWall_data() {
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<double>("found");
+    for (const double radius : {1.5, 3.0, 5.0})
+      for (const double found : {-0.8, 1.2})
+        QTest::addRow("radius %.1f, found %+.1f", radius, found) << radius << found;
+  }
+  void placesTheWall() {
+    QFETCH(double, radius);
+    QFETCH(double, found);
+    const Volume<float> distance = tubeDistance(radius);
+    LumenParams params;
+    params.level = 0.5;
+    // Dark vessels are bright ones upside down.
+    for (const bool dark : {false, true}) {
+      Volume<float> image = imageOf(distance, 8.0);
+      // The brightness drifts by +-40 % from one side of the volume to the other.
+      for (std::size_t i = 0; i < image.voxels.size(); ++i) {
+        const double x = image.geometry.indexOf(i)[0] / 31.0;
+        image.voxels[i] *= static_cast<float>((0.6 + 0.8 * x) * (dark ? -1.0 : 1.0));
+      }
+      const Volume<float> phi = refineLumen(image, roughly(distance, found), params,
+                                            dark ? Polarity::Dark : Polarity::Bright);
+      const double wrong = disagreement(phi, distance);
+      QVERIFY2(wrong < 0.16 / radius, qPrintable(QString::number(wrong)));
+    }
+  }
+
+  // Two tubes whose cores were found apart, with a gap of one voxel that is never quite dark.
+  void keepsNeighboursApart() {
+    const Volume<float> distance = analytic::sampled(analytic::cube(32), [](const Vector3d& p) {
+      return std::min(analytic::tube(p, {12.6, 15.5, 15.5}, Vector3d::UnitZ(), 2.0),
+                      analytic::tube(p, {17.6, 15.5, 15.5}, Vector3d::UnitZ(), 2.0));
+    });
+    Volume<std::uint8_t> found = roughly(distance, 0.6);
+    for (std::size_t i = 0; i < found.voxels.size(); ++i)
+      if (distance.voxels[i] < -1.0F) found.voxels[i] = 2;
+    QCOMPARE(connectedComponents(found).sizes.size(), 1U);
+    const Volume<float> phi =
+        refineLumen(imageOf(distance, 6.0), found, LumenParams{}, Polarity::Bright);
+    QCOMPARE(connectedComponents(insideMask(phi)).sizes.size(), 2U);
+  }
+
+  // A thin vessel that fades for a stretch stays one.
+  void bridgesAFadingStretch() {
+    const Volume<float> distance = tubeDistance(1.5);
+    Volume<float> image = imageOf(distance, 4.0);
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+      if (std::abs(image.geometry.indexOf(i)[2] - 16) < 3) image.voxels[i] *= 0.3F;
+    const Volume<float> phi =
+        refineLumen(image, roughly(distance, 0.5), LumenParams{}, Polarity::Bright);
+    QCOMPARE(connectedComponents(insideMask(phi)).sizes.size(), 1U);
+  }
+
+  void averagesLocally() {
+    Volume<std::uint8_t> set(analytic::cube(40), 1);
+    const CellBand band = bandAround(set, 1);
+    std::vector<float> value(band.size()), weight(band.size(), 0.0F);
+    for (std::size_t c = 0; c < band.size(); ++c) {
+      const Index3 p = band.geometry.indexOf(band.voxel[c]);
+      value[c] = static_cast<float>(p[0]);
+      weight[c] = p[1] % 3 == 0 ? 1.0F : 0.0F;
+    }
+    const std::vector<float> mean = localMean(band, value, weight);
+    const std::size_t middle = band.geometry.offset(20, 20, 20);
+    QVERIFY(std::abs(mean[middle] - 20.0F) < 1.0F);
+    QVERIFY(mean[band.geometry.offset(36, 20, 20)] > mean[band.geometry.offset(4, 20, 20)] + 10.0F);
+    QCOMPARE(localMean(band, value, std::vector<float>(band.size(), 0.0F))[0], 0.0F);
+  }
+
+  void floodsFromSeedsAndLargeParts() {
+    Volume<float> v(analytic::cube(20), 0.0F), start(analytic::cube(20), 1.0F);
+    for (int i = 2; i < 17; ++i) v.at(i, 4, 4) = 0.2F;   // long
+    for (int i = 2; i < 6; ++i) v.at(i, 10, 10) = 0.2F;  // short
+    for (int i = 2; i < 6; ++i) v.at(i, 16, 16) = 0.5F;  // short, with a seed
+    start.at(3, 16, 16) = -1.0F;
+    const Volume<std::uint8_t> found = floodVessels(v, 0.15, start, 10);
+    QCOMPARE(int(found.at(16, 4, 4)), 1);
+    QCOMPARE(int(found.at(3, 10, 10)), 0);
+    QCOMPARE(int(found.at(5, 16, 16)), 2);
+    const Volume<float> phi = floodStart(v, 0.15, found);
+    QVERIFY(phi.at(9, 4, 4) < 0.0F && phi.at(9, 5, 4) > 0.0F && phi.at(3, 10, 10) > 0.0F);
+  }
+
+  void findsNothingInNothing() {
+    const Volume<float> image(analytic::cube(8), 1.0F);
+    const Volume<float> phi =
+        refineLumen(image, Volume<std::uint8_t>(image.geometry), LumenParams{}, Polarity::Bright);
+    for (const float f : phi.voxels) QVERIFY(f > 0.0F);
+  }
+
+  void canBeCancelled() {
+    const Volume<float> distance = tubeDistance(2.5);
+    const Progress progress;
+    progress.cancel();
+    QVERIFY_EXCEPTION_THROWN(refineLumen(imageOf(distance, 8.0), roughly(distance, 0.5),
+                                         LumenParams{}, Polarity::Bright, progress),
+                             Cancelled);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestLumen)
+#include "tst_lumen.moc"
