@@ -10,13 +10,20 @@
 
 namespace angiomesh {
 
+enum class StartRule {
+  Flood,  ///< floodVessels(): from the seeds at once over all that the front would reach
+  Seeds   ///< the spheres around the seeds
+};
+
 struct LevelSetParams {
+  StartRule start = StartRule::Flood;
+  int floodLeastVoxels = 30;  ///< parts of this size need no seed
   double gamma = 0.7, d = 0.2, xi = 20.0;
   std::optional<double> b;  ///< empty: by bRule
   ThresholdRule bRule = ThresholdRule::Contrast;
   double bMin = 0.05, bMax = 0.15;
-  int maxIterations = 5000;
-  int checkEvery = 100;
+  int maxIterations = 500;
+  int checkEvery = 20;
   double tolerance = 0.05;
   double toleranceDelta = 0.005;
 };

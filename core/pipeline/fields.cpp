@@ -223,6 +223,15 @@ void addLevelSet(Table& t) {
          "radius of the starting spheres, working voxels");
   t.points("seeds.points", MEMBER(seeds.points),
            "seeds by hand, x,y,z,... in mm LPS, added to the automatic ones");
+  t.choice(
+      "levelset.start", MEMBER(levelset.start), {"flood", "seeds"},
+      "flood: all that is connected to a seed at v >= b, at once; seeds: the front goes all the "
+      "way");
+  t.integer("levelset.floodLeastVoxels", MEMBER(levelset.floodLeastVoxels), 1, 1000000,
+            "parts with v >= b of this size are vessels without a seed")
+      .idle = [](const Parameters& p) {
+    return p.levelset.start == StartRule::Flood ? "" : "of levelset.start flood alone";
+  };
   t.real("levelset.gamma", MEMBER(levelset.gamma), 0.0, 1.0, "",
          "weight of the vesselness term against the curvature term")
       .main = true;
@@ -245,6 +254,25 @@ void addLevelSet(Table& t) {
          "converged below this change per inside voxel between checks");
   t.real("levelset.toleranceDelta", MEMBER(levelset.toleranceDelta), 0.0, 10.0, "voxels",
          "and below this difference from the previous change");
+  t.boolean("levelset.refine", MEMBER(lumen.enabled),
+            "place the wall between the brightness of lumen and surroundings, after the evolution");
+  const auto idle = [](const Parameters& p) {
+    return p.lumen.enabled ? "" : "of levelset.refine alone";
+  };
+  Field& level =
+      t.real("levelset.refineLevel", MEMBER(lumen.level), 0.1, 0.9, "",
+             "where the wall is, from the surroundings' brightness (0) to the lumen's (1)");
+  level.main = true;
+  level.idle = idle;
+  t.real("levelset.refineAlong", MEMBER(lumen.along), 0.0, 1000.0, "",
+         "smoothing along the vessels, times the squared ratio of noise to contrast")
+      .idle = idle;
+  t.real("levelset.refineAcross", MEMBER(lumen.across), 0.0, 1000.0, "",
+         "smoothing across the vessels, times the squared ratio of noise to contrast")
+      .idle = idle;
+  t.real("levelset.refineReachVoxels", MEMBER(lumen.reachVoxels), 1.0, 10.0, "voxels",
+         "from what the evolution found to where the wall is looked for")
+      .idle = idle;
 }
 
 std::string idleForMarchingCubes(const Parameters& p) {

@@ -285,7 +285,11 @@ Parameters preset(std::string_view name) {
                      "use one of " + joined(presetNames()));
   params.vesselness.scaleRule = ScaleRule::Difference;
   params.vesselness.contrast = ContrastRule::Range;
+  params.levelset.start = StartRule::Seeds;
+  params.levelset.maxIterations = 5000;
+  params.levelset.checkEvery = 100;
   params.levelset.bRule = ThresholdRule::Average;
+  params.lumen.enabled = false;
   params.surface.spline = SplineKind::Bspline;
   params.surface.sizing.etaCompensated = false;
   params.surface.sizing.edgesAround = 0;

@@ -9,6 +9,7 @@
 
 #include "core/image/preprocess.h"
 #include "core/levelset/evolution.h"
+#include "core/levelset/lumen.h"
 #include "core/levelset/seeds.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/sizing.h"
@@ -42,6 +43,7 @@ struct Parameters {
   VesselnessParams vesselness;
   SeedParams seeds;
   LevelSetParams levelset;
+  LumenParams lumen;
   SegmentationParams segmentation;
   SurfaceParams surface;
   SmoothParams smooth;

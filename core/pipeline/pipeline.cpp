@@ -23,7 +23,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 1, 2, 2, 2};
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 2, 2, 2, 2};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -114,31 +114,50 @@ StopReason evolveWatched(LevelSetEvolution& evolution, const RunOptions& options
   return evolution.stopReason();
 }
 
-EvolveResult evolve(const VesselnessResult& vessels, const SeedsResult& seeds,
-                    const Parameters& params, const RunOptions& options, const Progress& progress,
-                    std::vector<std::string>& warnings) {
+EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
+                    const SeedsResult& seeds, const Parameters& params, const RunOptions& options,
+                    const Progress& progress, std::vector<std::string>& warnings) {
   const LevelSetParams& p = params.levelset;
   EvolveResult result;
   result.thresholds = thresholdsFor(vessels, p);
   if (result.thresholds.clamped)
     warnings.push_back("b was clamped to " + std::to_string(result.thresholds.b) +
                        ": eq. 3.20 lies outside levelset.bMin to levelset.bMax on this image");
-  LevelSetEvolution evolution(
-      vessels.multiScale, result.thresholds,
-      fastMarchingStart(vessels.multiScale->geometry, seeds.pointsLps, params.seeds.radiusVoxels),
-      p);
-  result.stopReason = evolveWatched(evolution, options, progress);
+  const Volume<float>& v = *vessels.multiScale;
+  Volume<float> start = fastMarchingStart(v.geometry, seeds.pointsLps, params.seeds.radiusVoxels);
+  Volume<std::uint8_t> found;
+  if (p.start == StartRule::Flood) {
+    found =
+        floodVessels(v, result.thresholds.b, start, static_cast<std::size_t>(p.floodLeastVoxels));
+    start = floodStart(v, result.thresholds.b, found);
+  }
+  LevelSetEvolution evolution(vessels.multiScale, result.thresholds, start, p);
+  start = {};
+  result.stopReason = evolveWatched(evolution, options, progress.sub(0.0, 0.6));
   result.iterations = evolution.iterations();
   result.converged = result.stopReason == StopReason::Converged;
-  if (result.stopReason == StopReason::Limit)
+  // Where the wall is placed anew, a front that flickers about it to the end does no harm.
+  if (result.stopReason == StopReason::Limit && !params.lumen.enabled)
     warnings.push_back("the evolution ended at levelset.maxIterations before it converged");
   if (evolution.insideVoxels() == 0)
     throw NumericError("the level set shrank to nothing", "evolve",
                        "lower levelset.b or levelset.xi, or check the range of vessel sizes "
                        "(vesselness.sigmaMinMm, vesselness.sigmaMaxMm) and the seeds");
   if (options.snapshots) postSnapshot(evolution, options, progress);
-  result.phi = std::make_shared<const Volume<float>>(
-      redistance(evolution.phi(), 5.0, progress.sub(0.8, 1.0)));
+  const Progress rest = progress.sub(0.8, 1.0);
+  if (!params.lumen.enabled) {
+    result.phi = std::make_shared<const Volume<float>>(redistance(evolution.phi(), 5.0, rest));
+    return result;
+  }
+  // What the evolution lost of a thin vessel was one all the same, unless somebody stopped it.
+  if (found.voxels.empty() || result.stopReason == StopReason::Stopped)
+    found = insideMask(evolution.phi());
+  else
+    for (std::size_t i = 0; i < found.voxels.size(); ++i)
+      if (evolution.phi().voxels[i] < 0.0F && found.voxels[i] == 0) found.voxels[i] = 1;
+  const Volume<float> wall =
+      refineLumen(image, found, params.lumen, params.vesselness.polarity, rest.sub(0.0, 0.5));
+  result.phi = std::make_shared<const Volume<float>>(redistance(wall, 5.0, rest.sub(0.5, 1.0)));
   return result;
 }
 
@@ -316,8 +335,9 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   });
   if (!wanted(Step::Evolve)) return finished();
   const auto evolveStep = [&](Warnings& warnings) {
-    return std::make_shared<const EvolveResult>(
-        evolve(*run.vesselness, *run.seeds, params, options, progress.sub(0.35, 0.8), warnings));
+    return std::make_shared<const EvolveResult>(evolve(*run.preprocessed, *run.vesselness,
+                                                       *run.seeds, params, options,
+                                                       progress.sub(0.35, 0.8), warnings));
   };
   run.evolve = state_->obtain<EvolveResult>(Step::Evolve, run.key, run, evolveStep);
   if (run.evolve->stopReason == StopReason::Stopped) state_->forget(Step::Evolve, run.key);

@@ -92,7 +92,9 @@ class TestParameters : public QObject {
     for (const Field& field : parameterFields())
       if (field.get(own) != field.get(thesis)) different.insert(field.key);
     const std::set<std::string> expected{"vesselness.scaleRule",   "vesselness.contrast",
-                                         "levelset.bRule",         "surface.spline",
+                                         "levelset.bRule",         "levelset.start",
+                                         "levelset.maxIterations", "levelset.checkEvery",
+                                         "levelset.refine",        "surface.spline",
                                          "surface.border",         "smooth.method",
                                          "surface.etaCompensated", "surface.edgesAround"};
     QVERIFY(different == expected);
