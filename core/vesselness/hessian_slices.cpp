@@ -2,160 +2,183 @@
 #include "core/vesselness/hessian_slices.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/vesselness/gauss_kernel.h"
+#include "core/vesselness/row_kernels.h"
 
 namespace angiomesh {
 namespace {
 
-/// Linear interpolation at i - step and i + step on a line of n samples, clamped to its ends.
-struct Stencil {
-  struct Place {
-    int low, high;
-    float t;
-  };
-  std::vector<Place> below, above;
+constexpr int kMostTaps = 32;  // of half a kernel: discreteGaussian() has at most 30
 
-  Stencil(int n, double step) {
-    const auto place = [n](double x) {
-      x = std::clamp(x, 0.0, static_cast<double>(n - 1));
-      const int low = static_cast<int>(x);
-      return Place{low, std::min(low + 1, n - 1), static_cast<float>(x - low)};
-    };
-    for (int i = 0; i < n; ++i) {
-      below.push_back(place(i - step));
-      above.push_back(place(i + step));
-    }
-  }
-};
-
-struct AxisFilter {
-  std::vector<float> kernel;
-  Stencil stencil;
-
-  AxisFilter(int n, double sigmaSamples)
-      : kernel(discreteGaussian(sigmaSamples * sigmaSamples)), stencil(n, sigmaSamples) {}
-};
-
-/// Rows of `width` samples at a distance of `pitch`; a filter across rows works on whole rows.
-struct Rows {
-  const float* data;
-  std::size_t pitch;
-  [[nodiscard]] const float* row(int i) const { return data + static_cast<std::size_t>(i) * pitch; }
-};
-
-void smoothAcrossRows(const Rows& in, int n, int width, const std::vector<float>& kernel,
-                      float* out) {
-  const int radius = static_cast<int>(kernel.size()) - 1;
-  for (int i = 0; i < n; ++i) {
-    float* to = out + static_cast<std::size_t>(i) * static_cast<std::size_t>(width);
-    const float* centre = in.row(i);
-    for (int x = 0; x < width; ++x) to[x] = kernel[0] * centre[x];
-    for (int m = 1; m <= radius; ++m) {
-      const float* low = in.row(std::max(i - m, 0));
-      const float* high = in.row(std::min(i + m, n - 1));
-      const float w = kernel[static_cast<std::size_t>(m)];
-      for (int x = 0; x < width; ++x) to[x] += w * (low[x] + high[x]);
-    }
-  }
-}
-
-enum class Order { First, Second };
-
-/// Row i of the derivative across rows, times step (First) or step^2 (Second).
-void differenceRow(const Rows& in, int i, int width, const Stencil& stencil, Order order,
-                   float* out) {
-  const auto& b = stencil.below[static_cast<std::size_t>(i)];
-  const auto& a = stencil.above[static_cast<std::size_t>(i)];
-  const float* b0 = in.row(b.low);
-  const float* b1 = in.row(b.high);
-  const float* a0 = in.row(a.low);
-  const float* a1 = in.row(a.high);
-  const float* centre = in.row(i);
-  if (order == Order::First) {
-    for (int x = 0; x < width; ++x)
-      out[x] = 0.5F * ((a0[x] + a.t * (a1[x] - a0[x])) - (b0[x] + b.t * (b1[x] - b0[x])));
-  } else {
-    for (int x = 0; x < width; ++x)
-      out[x] = (a0[x] + a.t * (a1[x] - a0[x])) + (b0[x] + b.t * (b1[x] - b0[x])) - 2.0F * centre[x];
-  }
-}
-
-/// The filters along x of one row, through a copy padded by its end values.
-class RowFilter {
+/// The filters along one axis of `size` samples. Samples beyond the border are those at it.
+class AxisFilter {
  public:
-  RowFilter(const AxisFilter& axis, int n)
-      : axis_(axis),
-        radius_(static_cast<int>(axis.kernel.size()) - 1),
-        n_(n),
-        padded_(static_cast<std::size_t>(n + 2 * radius_)),
-        smooth_(static_cast<std::size_t>(n)) {}
+  AxisFilter(int size, double sigmaSamples)
+      : size_(size),
+        kernel_(discreteGaussian(sigmaSamples * sigmaSamples)),
+        whole_(static_cast<int>(std::floor(sigmaSamples))),
+        part_(static_cast<float>(sigmaSamples - std::floor(sigmaSamples))) {}
 
-  const float* smooth(const float* in) {
-    std::fill_n(padded_.begin(), radius_, in[0]);
-    std::copy_n(in, n_, padded_.begin() + radius_);
-    std::fill_n(padded_.begin() + radius_ + n_, radius_, in[n_ - 1]);
-    const float* centre = padded_.data() + radius_;
-    for (int x = 0; x < n_; ++x) smooth_[static_cast<std::size_t>(x)] = axis_.kernel[0] * centre[x];
-    for (int m = 1; m <= radius_; ++m) {
-      const float w = axis_.kernel[static_cast<std::size_t>(m)];
-      for (int x = 0; x < n_; ++x)
-        smooth_[static_cast<std::size_t>(x)] += w * (centre[x - m] + centre[x + m]);
-    }
-    return smooth_.data();
+  [[nodiscard]] int radius() const { return static_cast<int>(kernel_.size()) - 1; }
+  /// Samples that a filter reaches to either side.
+  [[nodiscard]] int reach() const { return std::max(radius(), whole_ + 1); }
+
+  /// How far differences reach.
+  [[nodiscard]] int differenceReach() const { return whole_ + 1; }
+
+  /// Smooths across `size` rows of `width` samples, `pitch` apart, into rows `width` apart.
+  void smooth(const float* in, std::size_t pitch, int width, float* out) const {
+    for (int i = 0; i < size_; ++i)
+      smoothRow(in, pitch, i, width,
+                out + static_cast<std::size_t>(i) * static_cast<std::size_t>(width));
   }
 
-  void difference(const float* in, Order order, float* out) {
-    const float* s = smooth(in);
-    for (int x = 0; x < n_; ++x) {
-      const auto& b = axis_.stencil.below[static_cast<std::size_t>(x)];
-      const auto& a = axis_.stencil.above[static_cast<std::size_t>(x)];
-      const float below = s[b.low] + b.t * (s[b.high] - s[b.low]);
-      const float above = s[a.low] + a.t * (s[a.high] - s[a.low]);
-      out[x] = order == Order::First ? 0.5F * (above - below) : above + below - 2.0F * s[x];
+  /// Row i of that.
+  void smoothRow(const float* in, std::size_t pitch, int i, int width, float* out) const {
+    std::array<const float*, kMostTaps> low, high;
+    for (int m = 1; m <= radius(); ++m) {
+      low[static_cast<std::size_t>(m - 1)] = row(in, pitch, i - m);
+      high[static_cast<std::size_t>(m - 1)] = row(in, pitch, i + m);
     }
+    sumRows(row(in, pitch, i), low.data(), high.data(), kernel_.data(), radius(), width, out);
+  }
+
+  /// The rows at a distance of sigma from row i.
+  [[nodiscard]] ShiftedRows shifted(const float* in, std::size_t pitch, int i) const {
+    return shifted([&](int k) { return row(in, pitch, k); }, i);
+  }
+  template <class Row>
+  [[nodiscard]] ShiftedRows shifted(const Row& rowAt, int i) const {
+    return {rowAt(i - whole_),
+            rowAt(i - whole_ - 1),
+            rowAt(i + whole_),
+            rowAt(i + whole_ + 1),
+            part_,
+            part_};
+  }
+
+  /// Along a row: `padded` points to its first sample and has reach() more on either side.
+  void smoothAlong(const float* padded, float* out) const {
+    std::array<const float*, kMostTaps> low, high;
+    for (int m = 1; m <= radius(); ++m) {
+      low[static_cast<std::size_t>(m - 1)] = padded - m;
+      high[static_cast<std::size_t>(m - 1)] = padded + m;
+    }
+    sumRows(padded, low.data(), high.data(), kernel_.data(), radius(), size_, out);
+  }
+  [[nodiscard]] ShiftedRows shiftedAlong(const float* padded) const {
+    return {
+        padded - whole_, padded - whole_ - 1, padded + whole_, padded + whole_ + 1, part_, part_};
   }
 
  private:
-  const AxisFilter& axis_;
-  int radius_;
-  int n_;
-  std::vector<float> padded_;
-  std::vector<float> smooth_;
+  [[nodiscard]] const float* row(const float* in, std::size_t pitch, int i) const {
+    return in + static_cast<std::size_t>(std::clamp(i, 0, size_ - 1)) * pitch;
+  }
+
+  int size_;
+  std::vector<float> kernel_;
+  int whole_;
+  float part_;
 };
 
-/// Smoothed, first and second difference along z of the whole image.
-struct AlongZ {
-  std::vector<float> smooth, first, second;
-};
+enum class Order { First, Second };
 
-AlongZ filterAlongZ(const Volume<float>& image, const AxisFilter& filter,
-                    const Progress& progress) {
-  const Geometry& g = image.geometry;
-  const int nx = g.size[0];
-  const int nz = g.size[2];
-  AlongZ out{std::vector<float>(image.voxels.size()), std::vector<float>(image.voxels.size()),
-             std::vector<float>(image.voxels.size())};
-  const std::size_t slice = g.offset(0, 0, 1);
-  parallelFor(0, static_cast<std::size_t>(g.size[1]), 4, [&](std::size_t begin, std::size_t end) {
-    progress.check();
-    std::vector<float> column(static_cast<std::size_t>(nx) * static_cast<std::size_t>(nz));
-    for (std::size_t j = begin; j < end; ++j) {
-      const std::size_t start = g.offset(0, static_cast<int>(j), 0);
-      smoothAcrossRows({image.voxels.data() + start, slice}, nz, nx, filter.kernel, column.data());
-      const Rows rows{column.data(), static_cast<std::size_t>(nx)};
-      for (int k = 0; k < nz; ++k) {
-        const std::size_t at = start + static_cast<std::size_t>(k) * slice;
-        std::copy_n(rows.row(k), nx, out.smooth.data() + at);
-        differenceRow(rows, k, nx, filter.stencil, Order::First, out.first.data() + at);
-        differenceRow(rows, k, nx, filter.stencil, Order::Second, out.second.data() + at);
-      }
-    }
-  });
-  return out;
+void difference(const ShiftedRows& rows, const float* centre, int width, Order order, float* out) {
+  if (order == Order::First)
+    firstDifference(rows, width, out);
+  else
+    secondDifference(rows, centre, width, out);
 }
+
+/// The filters along x of one row, through copies padded by the end values.
+class RowFilter {
+ public:
+  RowFilter(const AxisFilter& axis, int n)
+      : axis_(axis), n_(n), pad_(axis.reach()), in_(length()), smooth_(length()) {}
+
+  const float* smooth(const float* in) {
+    std::copy_n(in, n_, in_.begin() + pad_);
+    fillEnds(in_);
+    axis_.smoothAlong(in_.data() + pad_, smooth_.data() + pad_);
+    return smooth_.data() + pad_;
+  }
+
+  void differenceInto(const float* in, Order order, float* out) {
+    smooth(in);
+    fillEnds(smooth_);
+    const float* centre = smooth_.data() + pad_;
+    difference(axis_.shiftedAlong(centre), centre, n_, order, out);
+  }
+
+ private:
+  [[nodiscard]] std::size_t length() const { return static_cast<std::size_t>(n_ + 2 * pad_); }
+  void fillEnds(std::vector<float>& row) const {
+    std::fill_n(row.begin(), pad_, row[static_cast<std::size_t>(pad_)]);
+    std::fill_n(row.begin() + pad_ + n_, pad_, row[static_cast<std::size_t>(pad_ + n_ - 1)]);
+  }
+
+  const AxisFilter& axis_;
+  int n_, pad_;
+  std::vector<float> in_, smooth_;
+};
+
+/// The planes that one thread works on, kept from slab to slab: giving such blocks back to the
+/// system each time takes longer than the filters.
+struct Scratch {
+  std::vector<float> smoothed;  ///< along z: a slab and what its differences reach
+  std::vector<float> along;     ///< one slice, filtered along z
+  std::vector<float> across;    ///< and along y
+  std::vector<float> row;
+  std::array<std::vector<float>, 6> out;
+};
+
+Scratch& scratch() {
+  thread_local Scratch mine;
+  return mine;
+}
+
+/// The filters along y and x of one slice that is filtered along z in one way.
+class SliceFilter {
+ public:
+  SliceFilter(const AxisFilter& fx, const AxisFilter& fy, int nx, int ny, Scratch& s)
+      : fy_(fy), alongX_(fx, nx), nx_(nx), rows_(static_cast<std::size_t>(ny)), s_(s) {}
+
+  void smoothY(const float* slice) {
+    fy_.smooth(slice, static_cast<std::size_t>(nx_), nx_, s_.across.data());
+  }
+  const float* row(std::size_t j) const {
+    return s_.across.data() + j * static_cast<std::size_t>(nx_);
+  }
+  const float* differenceY(std::size_t j, Order order) {
+    const auto width = static_cast<std::size_t>(nx_);
+    difference(fy_.shifted(s_.across.data(), width, static_cast<int>(j)), row(j), nx_, order,
+               s_.row.data());
+    return s_.row.data();
+  }
+  void differenceX(const float* in, std::size_t component, std::size_t j, Order order) {
+    alongX_.differenceInto(in, order, to(component, j));
+  }
+  void smoothX(const float* in, std::size_t component, std::size_t j) {
+    std::copy_n(alongX_.smooth(in), nx_, to(component, j));
+  }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+
+ private:
+  float* to(std::size_t component, std::size_t j) {
+    return s_.out[component].data() + j * static_cast<std::size_t>(nx_);
+  }
+
+  const AxisFilter& fy_;
+  RowFilter alongX_;
+  int nx_;
+  std::size_t rows_;
+  Scratch& s_;
+};
 
 }  // namespace
 
@@ -163,52 +186,57 @@ void forEachHessianSlice(const Volume<float>& image, double sigmaMm,
                          const std::function<void(int, const HessianSlice&)>& consume,
                          const Progress& progress) {
   const Geometry& g = image.geometry;
-  const int nx = g.size[0];
-  const int ny = g.size[1];
-  const AxisFilter fx(nx, sigmaMm / g.spacing[0]);
-  const AxisFilter fy(ny, sigmaMm / g.spacing[1]);
-  const AxisFilter fz(g.size[2], sigmaMm / g.spacing[2]);
-  const AlongZ z = filterAlongZ(image, fz, progress);
+  const int nz = g.size[2];
+  const AxisFilter fx(g.size[0], sigmaMm / g.spacing[0]);
+  const AxisFilter fy(g.size[1], sigmaMm / g.spacing[1]);
+  const AxisFilter fz(nz, sigmaMm / g.spacing[2]);
   const std::size_t slice = g.offset(0, 0, 1);
-  const auto width = static_cast<std::size_t>(nx);
+  // Large slabs smooth few slices twice, small ones share the work among threads.
+  const auto slab = static_cast<std::size_t>(std::clamp(nz / 8, 4, 16));
 
-  parallelFor(0, static_cast<std::size_t>(g.size[2]), 1, [&](std::size_t k, std::size_t) {
+  parallelFor(0, static_cast<std::size_t>(nz), slab, [&](std::size_t begin, std::size_t end) {
     progress.check();
-    std::vector<float> smooth(slice);
-    std::vector<float> row(width);
-    std::array<std::vector<float>, 6> out;
-    for (auto& plane : out) plane.resize(slice);
-    RowFilter alongX(fx, nx);
-    const auto differenceX = [&](const float* in, std::size_t component, std::size_t j,
-                                 Order order) {
-      alongX.difference(in, order, out[component].data() + j * width);
-    };
-    const auto smoothX = [&](const float* in, std::size_t component, std::size_t j) {
-      std::copy_n(alongX.smooth(in), nx, out[component].data() + j * width);
-    };
-    const Rows rows{smooth.data(), width};
-    const auto smoothY = [&](const std::vector<float>& in) {
-      smoothAcrossRows({in.data() + k * slice, width}, ny, nx, fy.kernel, smooth.data());
-    };
-    smoothY(z.smooth);
-    for (int j = 0; j < ny; ++j) {
-      const auto r = static_cast<std::size_t>(j);
-      differenceX(rows.row(j), 0, r, Order::Second);
-      differenceRow(rows, j, nx, fy.stencil, Order::Second, row.data());
-      smoothX(row.data(), 1, r);
-      differenceRow(rows, j, nx, fy.stencil, Order::First, row.data());
-      differenceX(row.data(), 3, r, Order::First);
+    Scratch& s = scratch();
+    const int low = std::max(static_cast<int>(begin) - fz.differenceReach(), 0);
+    const int high = std::min(static_cast<int>(end) - 1 + fz.differenceReach(), nz - 1);
+    s.smoothed.resize(static_cast<std::size_t>(high - low + 1) * slice);
+    s.along.resize(slice);
+    s.across.resize(slice);
+    s.row.resize(static_cast<std::size_t>(g.size[0]));
+    for (auto& plane : s.out) plane.resize(slice);
+    for (int k = low; k <= high; ++k) {
+      progress.check();
+      fz.smoothRow(image.voxels.data(), slice, k, static_cast<int>(slice),
+                   s.smoothed.data() + static_cast<std::size_t>(k - low) * slice);
     }
-    smoothY(z.second);
-    for (int j = 0; j < ny; ++j) smoothX(rows.row(j), 2, static_cast<std::size_t>(j));
-    smoothY(z.first);
-    for (int j = 0; j < ny; ++j) {
-      differenceX(rows.row(j), 4, static_cast<std::size_t>(j), Order::First);
-      differenceRow(rows, j, nx, fy.stencil, Order::First, row.data());
-      smoothX(row.data(), 5, static_cast<std::size_t>(j));
+    // As if the smoothed volume began at its slice 0; only those of the slab are asked for.
+    const auto plane = [&](int k) {
+      return s.smoothed.data() + static_cast<std::size_t>(std::clamp(k, 0, nz - 1) - low) * slice;
+    };
+    SliceFilter f(fx, fy, g.size[0], g.size[1], s);
+    const auto width = static_cast<int>(slice);
+    for (std::size_t at = begin; at < end; ++at) {
+      progress.check();
+      const int k = static_cast<int>(at);
+      f.smoothY(plane(k));
+      for (std::size_t j = 0; j < f.rows(); ++j) {
+        f.differenceX(f.row(j), 0, j, Order::Second);
+        f.smoothX(f.differenceY(j, Order::Second), 1, j);
+        f.differenceX(f.differenceY(j, Order::First), 3, j, Order::First);
+      }
+      const ShiftedRows shifted = fz.shifted(plane, k);
+      secondDifference(shifted, plane(k), width, s.along.data());
+      f.smoothY(s.along.data());
+      for (std::size_t j = 0; j < f.rows(); ++j) f.smoothX(f.row(j), 2, j);
+      firstDifference(shifted, width, s.along.data());
+      f.smoothY(s.along.data());
+      for (std::size_t j = 0; j < f.rows(); ++j) {
+        f.differenceX(f.row(j), 4, j, Order::First);
+        f.smoothX(f.differenceY(j, Order::First), 5, j);
+      }
+      consume(k, {s.out[0].data(), s.out[1].data(), s.out[2].data(), s.out[3].data(),
+                  s.out[4].data(), s.out[5].data()});
     }
-    consume(static_cast<int>(k), {out[0].data(), out[1].data(), out[2].data(), out[3].data(),
-                                  out[4].data(), out[5].data()});
   });
 }
 

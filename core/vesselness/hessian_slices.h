@@ -13,7 +13,8 @@ namespace angiomesh {
 using HessianSlice = std::array<const float*, 6>;
 
 /// Computes the derivatives that scaledHessian() documents slice by slice and hands each slice to
-/// `consume(k, slice)`, in parallel and in no particular order. Needs memory for three volumes.
+/// `consume(k, slice)`, in parallel and in no particular order. Works in slabs: no
+/// volume is kept.
 void forEachHessianSlice(const Volume<float>& image, double sigmaMm,
                          const std::function<void(int k, const HessianSlice& slice)>& consume,
                          const Progress& progress);

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
 #include "core/vesselness/hessian_slices.h"
+#include "core/vesselness/row_kernels.h"
 
 namespace angiomesh {
 namespace {
@@ -21,47 +22,19 @@ double cosineOfThird(double r) {
 }
 
 /// Eq. 3.15 and 3.22 at one scale.
-class Measure {
- public:
-  Measure(const VesselnessParams& params, double c, bool negativeBranch)
-      : sign_(params.polarity == Polarity::Bright ? 1.0 : -1.0),
-        modified_(params.measure == VesselMeasure::Modified),
-        negativeBranch_(negativeBranch),
-        a_(1.0 / (2.0 * params.alpha * params.alpha)),
-        b_(1.0 / (2.0 * params.beta * params.beta)),
-        s_(1.0 / (2.0 * c * c)),
-        n_(1.0 / (0.5 * c * c)) {}
-
-  [[nodiscard]] double operator()(const std::array<double, 6>& h) const {
-    const std::array<double, 3> l = symmetricEigenvalues(
-        {sign_ * h[0], sign_ * h[1], sign_ * h[2], sign_ * h[3], sign_ * h[4], sign_ * h[5]});
-    if (l[2] > 0.0) {
-      if (!modified_ || !negativeBranch_) return 0.0;
-      return -(1.0 - portableExp(-l[2] * l[2] * n_));
-    }
-    if (l[1] >= 0.0 || l[2] == 0.0) return 0.0;
-    const double ra = l[1] / l[2];
-    const double rb2 = l[0] * l[0] / (l[1] * l[2]);
-    const double s2 = l[0] * l[0] + l[1] * l[1] + l[2] * l[2];
-    return (1.0 - portableExp(-ra * ra * a_)) * portableExp(-rb2 * b_) *
-           (1.0 - portableExp(-s2 * s_));
-  }
-
- private:
-  double sign_;
-  bool modified_;
-  bool negativeBranch_;
-  double a_, b_, s_, n_;
-};
-
-Measure measureAt(const VesselnessParams& params, double sigmaMm, double sigmaMinMm, double c) {
+MeasureRow measureAt(const VesselnessParams& params, double sigmaMm, double sigmaMinMm, double c) {
+  MeasureRow row;
+  row.scale = static_cast<float>((params.polarity == Polarity::Bright ? 1.0 : -1.0) / c);
   // Log-spaced scales put one exactly on k.
   const double k = params.kMm.value_or(2.0 * sigmaMinMm) * (1.0 + 1e-6);
-  return {params, c, sigmaMm <= k};
+  row.negative = params.measure == VesselMeasure::Modified && sigmaMm <= k;
+  row.plate = static_cast<float>(1.0 / (2.0 * params.alpha * params.alpha));
+  row.blob = static_cast<float>(1.0 / (2.0 * params.beta * params.beta));
+  return row;
 }
 
 /// Writes v at sigma over `out` where its magnitude is larger.
-void mergeScale(const Volume<float>& image, double sigmaMm, const Measure& measure,
+void mergeScale(const Volume<float>& image, double sigmaMm, const MeasureRow& measure,
                 Volume<float>& out, const Progress& progress) {
   const Geometry& g = image.geometry;
   const std::size_t slice = g.offset(0, 0, 1);
@@ -70,10 +43,7 @@ void mergeScale(const Volume<float>& image, double sigmaMm, const Measure& measu
       image, sigmaMm,
       [&](int k, const HessianSlice& h) {
         float* to = out.voxels.data() + static_cast<std::size_t>(k) * slice;
-        for (std::size_t i = 0; i < slice; ++i) {
-          const double v = measure({h[0][i], h[1][i], h[2][i], h[3][i], h[4][i], h[5][i]});
-          if (std::fabs(v) > std::fabs(static_cast<double>(to[i]))) to[i] = static_cast<float>(v);
-        }
+        mergeMeasure(h, measure, static_cast<int>(slice), to);
         progress.report(static_cast<double>(++done) / g.size[2]);
       },
       progress);

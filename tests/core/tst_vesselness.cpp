@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/vesselness/gauss_kernel.h"
+#include "core/vesselness/row_kernels.h"
 #include "core/vesselness/speed.h"
 #include "core/vesselness/vesselness.h"
 #include "tests/core/analytic.h"
@@ -242,6 +243,47 @@ class TestVesselness : public QObject {
     const Progress progress;
     progress.cancel();
     QVERIFY_EXCEPTION_THROWN(vesselness(noisyCube(), {}, progress), Cancelled);
+  }
+
+  // The fast form of the measure against eq. 3.22 by its letter, on Hessians of all kinds.
+  void measuresRowsAsTheEquationSays() {
+    constexpr int width = 1000;  // no multiple of a block
+    const double c = 40.0;
+    std::array<std::vector<float>, 6> h;
+    std::array<const float*, 6> rows{};
+    for (std::size_t k = 0; k < 6; ++k) {
+      for (std::uint64_t i = 0; i < width; ++i)
+        h[k].push_back(
+            static_cast<float>((k < 3 ? 60.0 : 20.0) * randomNormal(k, i) - (k < 2 ? 80.0 : 0.0)));
+      rows[k] = h[k].data();
+    }
+    MeasureRow measure;
+    measure.scale = static_cast<float>(1.0 / c);
+    std::vector<float> v(width, 0.0F);
+    mergeMeasure(rows, measure, width, v.data());
+    std::size_t kinds[3] = {0, 0, 0};
+    for (std::size_t i = 0; i < width; ++i) {
+      const auto l = symmetricEigenvalues({h[0][i], h[1][i], h[2][i], h[3][i], h[4][i], h[5][i]});
+      double expected = 0.0;
+      if (l[2] > 0.0) {
+        expected = std::exp(-l[2] * l[2] / (0.5 * c * c)) - 1.0;
+      } else if (l[1] < 0.0) {
+        const double ra = l[1] / l[2], rb = l[0] / std::sqrt(l[1] * l[2]);
+        const double s2 = l[0] * l[0] + l[1] * l[1] + l[2] * l[2];
+        expected = (1.0 - std::exp(-2.0 * ra * ra)) * std::exp(-2.0 * rb * rb) *
+                   (1.0 - std::exp(-0.5 * s2 / (c * c)));
+      }
+      ++kinds[expected > 0.0 ? 0 : expected < 0.0 ? 1 : 2];
+      // Where two eigenvalues are all but of one size, either order may be taken.
+      if (std::abs(std::abs(l[1]) - std::abs(l[2])) < 1e-3 * std::abs(l[2])) continue;
+      QVERIFY2(std::abs(static_cast<double>(v[i]) - expected) < 1e-4,
+               qPrintable(QString("%1: %2, not %3").arg(i).arg(v[i]).arg(expected)));
+    }
+    QVERIFY(kinds[0] > 100 && kinds[1] > 50 && kinds[2] > 50);
+    // Only what is larger is written over.
+    std::vector<float> other(width, 2.0F);
+    mergeMeasure(rows, measure, width, other.data());
+    QVERIFY(other == std::vector<float>(width, 2.0F));
   }
 };
 
