@@ -13,8 +13,6 @@
 namespace angiomesh {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
-
 class Mender {
  public:
   Mender(const PatchMesh& mesh, const SplineField& field)
@@ -73,7 +71,7 @@ class Mender {
     const auto taken = [&used](std::uint32_t a, std::uint32_t b) {
       return used.has(a, b) || used.has(b, a);
     };
-    std::vector<std::array<std::uint32_t, 3>> filled;
+    out = mesh_;
     for (const std::vector<std::uint32_t>& loop : loops_) {
       for (const std::uint32_t v : loop) {
         vertices[v].point = mesh_.mesh.points[v];
@@ -84,29 +82,13 @@ class Mender {
       if (filling.empty()) return false;
       for (const auto& t : filling) {
         for (std::size_t k = 0; k < 3; ++k) used.set(t[k], t[(k + 1) % 3], 0);
-        filled.push_back(t);
+        out.mesh.triangles.push_back(t);
+        out.patch.push_back(0);
+        out.origin.push_back(FaceOrigin::Closing);
       }
     }
-    out = PatchMesh{};
-    std::vector<std::uint32_t> number(mesh_.mesh.points.size(), none);
-    const auto add = [&](const std::array<std::uint32_t, 3>& t, std::uint8_t patch,
-                         FaceOrigin origin) {
-      std::array<std::uint32_t, 3> corners{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (number[t[k]] == none) {
-          number[t[k]] = static_cast<std::uint32_t>(out.mesh.points.size());
-          out.mesh.points.push_back(mesh_.mesh.points[t[k]]);
-          out.place.push_back(mesh_.place[t[k]]);
-        }
-        corners[k] = number[t[k]];
-      }
-      out.mesh.triangles.push_back(corners);
-      out.patch.push_back(patch);
-      out.origin.push_back(origin);
-    };
-    for (std::uint32_t t = 0; t < gone_.size(); ++t)
-      if (gone_[t] == 0) add(mesh_.mesh.triangles[t], mesh_.patch[t], mesh_.origin[t]);
-    for (const auto& t : filled) add(t, 0, FaceOrigin::Closing);
+    out = selectTriangles(out,
+                          [this](std::uint32_t t) { return t >= gone_.size() || gone_[t] == 0; });
     return true;
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,5 +32,30 @@ struct PatchMesh {
   std::vector<std::uint8_t> patch;  ///< per triangle: 0 wall, 1 + a the cap in border plane a
   std::vector<FaceOrigin> origin;   ///< per triangle
 };
+
+/// The triangles that `keep(number)` names, in their order, with the points they use.
+template <class Keep>
+PatchMesh selectTriangles(const PatchMesh& from, Keep keep) {
+  constexpr std::uint32_t none = 0xffffffffU;
+  PatchMesh out;
+  std::vector<std::uint32_t> number(from.mesh.points.size(), none);
+  for (std::uint32_t t = 0; t < from.mesh.triangles.size(); ++t) {
+    if (!keep(t)) continue;
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = from.mesh.triangles[t][k];
+      if (number[v] == none) {
+        number[v] = static_cast<std::uint32_t>(out.mesh.points.size());
+        out.mesh.points.push_back(from.mesh.points[v]);
+        out.place.push_back(from.place[v]);
+      }
+      corners[k] = number[v];
+    }
+    out.mesh.triangles.push_back(corners);
+    out.patch.push_back(from.patch[t]);
+    out.origin.push_back(from.origin[t]);
+  }
+  return out;
+}
 
 }  // namespace angiomesh

@@ -20,30 +20,6 @@ namespace {
 
 constexpr std::uint32_t none = SurfaceCheck::none;
 
-// The triangles that `keep` names, with the points they use.
-template <class Keep>
-PatchMesh selected(const PatchMesh& from, Keep keep) {
-  PatchMesh out;
-  std::vector<std::uint32_t> number(from.mesh.points.size(), none);
-  for (std::uint32_t t = 0; t < from.mesh.triangles.size(); ++t) {
-    if (!keep(t)) continue;
-    std::array<std::uint32_t, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = from.mesh.triangles[t][k];
-      if (number[v] == none) {
-        number[v] = static_cast<std::uint32_t>(out.mesh.points.size());
-        out.mesh.points.push_back(from.mesh.points[v]);
-        out.place.push_back(from.place[v]);
-      }
-      corners[k] = number[v];
-    }
-    out.mesh.triangles.push_back(corners);
-    out.patch.push_back(from.patch[t]);
-    out.origin.push_back(from.origin[t]);
-  }
-  return out;
-}
-
 void append(PatchMesh& to, const PatchMesh& from) {
   const auto offset = static_cast<std::uint32_t>(to.mesh.points.size());
   to.mesh.points.insert(to.mesh.points.end(), from.mesh.points.begin(), from.mesh.points.end());
@@ -65,8 +41,7 @@ class Mesher {
         size_(field, sizing, progress.sub(0.0, 0.15)) {
     reference_ = referenceSurface(sampleField(field, wholeGrid(field.geometry()), progress),
                                   field.geometry(), border, progress.sub(0.15, 0.2));
-    wall_ = wallOf(reference_);
-    landmarks_ = landmarksOf(wall_, field, size_);
+    landmarks_ = landmarksOf(wallOf(reference_), field, size_);
     progress_.report(0.25);
   }
 
@@ -118,13 +93,13 @@ class Mesher {
   bool untangle(PatchMesh& mesh) const {
     constexpr int attempts = 6, improved = 3;
     bool changed = false;
-    for (int n = 0; n < attempts; ++n) {
-      const std::vector<std::uint32_t> meeting = intersecting(mesh);
-      if (meeting.empty()) break;
+    std::vector<std::uint32_t> meeting = intersecting(mesh);
+    for (int n = 0; n < attempts && !meeting.empty(); ++n) {
       if (!mendMesh(mesh, meeting, n, field_)) continue;
       changed = true;
       // What improving ties up again stays as it was filled.
       if (n < improved) improveTriangles(mesh, field_, size_, progress_);
+      meeting = intersecting(mesh);
     }
     return changed;
   }
@@ -146,7 +121,7 @@ class Mesher {
     if (std::all_of(check.components.begin(), check.components.end(),
                     [](const SurfaceComponent& c) { return c.why.empty(); }))
       return;
-    mesh = selected(
+    mesh = selectTriangles(
         mesh, [&](std::uint32_t t) { return check.components[check.parts.label[t]].why.empty(); });
   }
 
@@ -162,7 +137,7 @@ class Mesher {
       if (r.part == none) missing[partOfPoint[r.component]] = 1;
     if (std::find(missing.begin(), missing.end(), 1) == missing.end()) return false;
     const PatchMesh start =
-        selected(reference_, [&](std::uint32_t t) { return missing[parts.label[t]] != 0; });
+        selectTriangles(reference_, [&](std::uint32_t t) { return missing[parts.label[t]] != 0; });
     append(mesh, remesh(start, field_, size_, progress_.sub(0.9, 0.98)));
     return true;
   }
@@ -200,7 +175,6 @@ class Mesher {
   const Progress& progress_;
   GuidanceField size_;
   PatchMesh reference_;
-  TriMesh wall_;
   Landmarks landmarks_;
 };
 
