@@ -46,6 +46,15 @@ std::vector<std::uint32_t> partsOf(const CellBand& band, const std::vector<char>
   return label;
 }
 
+/// Cells by brightness; of equal ones the first in memory comes first.
+using Ranked = std::pair<float, std::uint32_t>;
+struct ComesLater {
+  bool operator()(const Ranked& a, const Ranked& b) const {
+    return a.first != b.first ? a.first < b.first : a.second > b.second;
+  }
+};
+using BrightestFirst = std::priority_queue<Ranked, std::vector<Ranked>, ComesLater>;
+
 class Refiner {
  public:
   Refiner(const Volume<float>& image, const Volume<std::uint8_t>& found, const LumenParams& params,
@@ -147,11 +156,7 @@ class Refiner {
     for (std::uint32_t i = 0; i < joined_.size(); ++i) joined_[i] = i;
     inside_.assign(band_.size(), 0);
     between_.assign(band_.size(), 0);
-    using Item = std::pair<float, std::uint32_t>;
-    const auto later = [](const Item& a, const Item& b) {
-      return a.first != b.first ? a.first < b.first : a.second > b.second;
-    };
-    std::priority_queue<Item, std::vector<Item>, decltype(later)> open(later);
+    BrightestFirst open;
     std::vector<char> queued(band_.size(), 0);
     const auto push = [&](std::uint32_t c) {
       if (queued[c] != 0 || !(excess(c) > 0.0F)) return;
@@ -236,11 +241,7 @@ class Refiner {
   /// Joins the parts of what was found as one and fell apart because a thin vessel fades below the
   /// wall's level for a stretch: over the brightest voxels between them, along the vessel.
   void bridge() {
-    using Item = std::pair<float, std::uint32_t>;
-    const auto later = [](const Item& a, const Item& b) {
-      return a.first != b.first ? a.first < b.first : a.second > b.second;
-    };
-    std::priority_queue<Item, std::vector<Item>, decltype(later)> open(later);
+    BrightestFirst open;
     std::vector<std::uint32_t> from(band_.size(), CellBand::none);
     const std::vector<std::uint32_t> grownAs = separate();
     const auto spread = [&](std::uint32_t c) {
