@@ -70,15 +70,15 @@ std::string pixelTypeName(Io::IOComponentEnum type, std::size_t bytes) {
   }
 }
 
-template <class From, class To>
-void copyAs(const std::vector<char>& bytes, std::vector<To>& values) {
+template <class From, class Values>
+void copyAs(const std::vector<char>& bytes, Values& values) {
   const auto* from = reinterpret_cast<const From*>(bytes.data());
   std::transform(from, from + values.size(), values.begin(),
-                 [](From value) { return static_cast<To>(value); });
+                 [](From value) { return static_cast<typename Values::value_type>(value); });
 }
 
 /// False when the type is none that has a plain number per voxel.
-bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, std::vector<float>& values) {
+bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, BigVector<float>& values) {
   switch (type) {
     case Io::IOComponentEnum::UCHAR:
       return copyAs<unsigned char>(bytes, values), true;
@@ -178,7 +178,7 @@ auto guarded(const fs::path& path, const Function& function) {
   }
 }
 
-std::vector<float> readVoxels(Io& io, const fs::path& path) {
+BigVector<float> readVoxels(Io& io, const fs::path& path) {
   const unsigned dimensions = io.GetNumberOfDimensions();
   itk::ImageIORegion region(dimensions);
   std::size_t count = 1;
@@ -190,7 +190,7 @@ std::vector<float> readVoxels(Io& io, const fs::path& path) {
   io.SetIORegion(region);
   std::vector<char> bytes(static_cast<std::size_t>(io.GetImageSizeInBytes()));
   io.Read(bytes.data());
-  std::vector<float> values(count);
+  BigVector<float> values(count);
   if (!convert(io.GetComponentType(), bytes, values))
     throw InputError("the pixel type is not known", path.string(),
                      "convert the image to 16 bit integers or 32 bit floats");
@@ -276,7 +276,7 @@ std::vector<float> itkReadDicomPixels(const fs::path& path, std::size_t count) {
     io->ReadImageInformation();
     if (io->GetNumberOfComponents() != 1)
       throw InputError("a colour image", path.string(), "give a series with one value per pixel");
-    std::vector<float> values = readVoxels(*io, path);
+    BigVector<float> values = readVoxels(*io, path);
     if (values.size() != count)
       throw IoError("the number of decoded pixels is wrong", path.string(), "copy it again");
     // GDCM rescales in some objects and not in others: back to the stored integers.
@@ -285,7 +285,7 @@ std::vector<float> itkReadDicomPixels(const fs::path& path, std::size_t count) {
     if (slope != 0.0 && (slope != 1.0 || intercept != 0.0))
       for (float& value : values)
         value = static_cast<float>(std::round((static_cast<double>(value) - intercept) / slope));
-    return values;
+    return std::vector<float>(values.begin(), values.end());
   });
 }
 

@@ -31,7 +31,7 @@ std::array<float, 2> valueRange(const Volume<float>& image) {
 }
 
 std::vector<double> percentiles(const Volume<float>& image, const std::vector<double>& fractions) {
-  std::vector<float> values = image.voxels;
+  BigVector<float> values = image.voxels;
   std::vector<double> result;
   const auto last = static_cast<double>(values.size() - 1);
   for (const double fraction : fractions) {
@@ -109,7 +109,7 @@ Volume<std::uint8_t> insideMask(const Volume<float>& phi) {
 Components connectedComponents(const Volume<std::uint8_t>& mask, bool fullyConnected) {
   const Geometry& g = mask.geometry;
   Components result{Volume<std::int32_t>(g), {}};
-  std::vector<std::int32_t>& labels = result.labels.voxels;
+  BigVector<std::int32_t>& labels = result.labels.voxels;
   std::vector<std::size_t> stack;
   std::vector<std::size_t> sizes;
   for (std::size_t seed = 0; seed < labels.size(); ++seed) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/large_pages.h"
+
 namespace angiomesh {
 
 using Index3 = std::array<int, 3>;
@@ -59,7 +61,7 @@ struct Geometry {
 template <class T>
 struct Volume {
   Geometry geometry;
-  std::vector<T> voxels;
+  BigVector<T> voxels;
 
   Volume() = default;
   explicit Volume(const Geometry& g, T value = T()) : geometry(g), voxels(g.voxelCount(), value) {}

@@ -39,7 +39,7 @@ std::vector<bool> labelsAt(const Volume<std::int32_t>& labels, std::size_t count
 
 /// For each label, its voxel of smallest phi (deepest inside).
 std::vector<std::size_t> deepestVoxels(const Volume<float>& phi, const Components& found) {
-  const std::vector<std::int32_t>& labels = found.labels.voxels;
+  const BigVector<std::int32_t>& labels = found.labels.voxels;
   std::vector<std::size_t> deepest(found.sizes.size(), labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] == 0) continue;

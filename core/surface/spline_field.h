@@ -74,7 +74,7 @@ class SplineField {
   SplineKind kind_;
   /// With one layer more before and one or more behind on each axis, extrapolated linearly, so that
   /// the four samples of any cell stand in a row.
-  std::vector<float> coefficients_;
+  BigVector<float> coefficients_;
   std::size_t rowStride_ = 0;
   std::size_t layerStride_ = 0;
 

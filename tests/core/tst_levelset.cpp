@@ -172,7 +172,7 @@ class TestLevelSet : public QObject {
     QCOMPARE(inChunks.iterations(), atOnce.iterations());
     QVERIFY(inChunks.phi().voxels == atOnce.phi().voxels);
     QCOMPARE(inChunks.change(), atOnce.change());
-    const std::vector<float> end = atOnce.phi().voxels;
+    const BigVector<float> end = atOnce.phi().voxels;
     atOnce.restart();
     QCOMPARE(atOnce.iterations(), 0);
     atOnce.step(47);
