@@ -16,41 +16,58 @@ namespace angiomesh {
 namespace {
 
 constexpr std::size_t kGrain = 1024;
+constexpr double kBeyond = 0.9;      // voxels of the band beyond the clamp, for their neighbours
+constexpr double kLastStep = 3e-3;   // Newton's method squares it
+constexpr double kTolerance = 1e-4;  // of a foot's offset, squared, over the distance
+constexpr double kNearer = 1e-3;     // a neighbour's foot has to be, to be taken up
 
-/// The voxels near the zero set and, for each, the closest point found so far (continuous index).
+/// A point of the zero set.
+struct Foot {
+  Eigen::Vector3d point;   ///< continuous index
+  Eigen::Vector3f normal;  ///< unit, outwards, in working-voxel space
+  float bend = 0.0F;       ///< curvature in the direction last walked, per working voxel
+};
+
+/// The voxels near the zero set and, for each, the closest point found so far.
 class ClosestPoints {
  public:
   ClosestPoints(const Volume<float>& phi, double bandVoxels)
       : phi_(phi),
         geometry_(phi.geometry),
         field_(phi, SplineKind::InterpolatingBspline),
-        reach_(bandVoxels + 0.9),
-        slot_(phi.geometry, -1) {
+        reach_(bandVoxels + kBeyond),
+        slot_(phi.geometry, kNone) {
     for (int a = 0; a < 3; ++a) step_[a] = geometry_.spacing[a] / geometry_.voxelMm();
   }
 
   void findCrossings();
-  void refine(std::size_t begin, const Progress& progress);
-  bool grow();
-  void relax();
+  bool grow(const Progress& progress);
+  void relax(const Progress& progress);
 
   [[nodiscard]] std::size_t count() const { return voxels_.size(); }
   [[nodiscard]] std::uint32_t voxel(std::size_t n) const { return voxels_[n]; }
-  [[nodiscard]] double distance(std::size_t n) const { return distance(voxels_[n], points_[n]); }
+  [[nodiscard]] double distance(std::size_t n) const {
+    return distance(position(voxels_[n]), feet_[n].point);
+  }
 
  private:
+  static constexpr std::int32_t kNone = -1;
+  static constexpr std::int32_t kFresh = std::numeric_limits<std::int32_t>::max();
+
   [[nodiscard]] Eigen::Vector3d position(std::size_t voxel) const {
     const Index3 p = geometry_.indexOf(voxel);
     return {1.0 * p[0], 1.0 * p[1], 1.0 * p[2]};
   }
-  [[nodiscard]] double distance(std::size_t voxel, const Eigen::Vector3d& point) const {
-    return step_.cwiseProduct(position(voxel) - point).norm();
+  [[nodiscard]] double distance(const Eigen::Vector3d& x, const Eigen::Vector3d& point) const {
+    return step_.cwiseProduct(x - point).norm();
   }
   template <class F>
   void forBox(std::size_t voxel, F visit) const;
-  [[nodiscard]] Eigen::Vector3d bestOfNeighbours(std::size_t voxel, Eigen::Vector3d best) const;
-  [[nodiscard]] bool toZero(Eigen::Vector3d& point) const;
-  [[nodiscard]] Eigen::Vector3d closest(std::size_t voxel, const Eigen::Vector3d& start) const;
+  template <class F>
+  void crossingsOfSlice(int k, F found) const;
+  [[nodiscard]] std::uint32_t bestOfNeighbours(std::size_t voxel, double within) const;
+  [[nodiscard]] bool toZero(Foot& foot) const;
+  void approach(const Eigen::Vector3d& x, Foot& foot) const;
 
   const Volume<float>& phi_;
   const Geometry& geometry_;
@@ -58,8 +75,8 @@ class ClosestPoints {
   double reach_;
   Eigen::Vector3d step_;  ///< working voxels per voxel along each axis
   Volume<std::int32_t> slot_;
-  std::vector<std::uint32_t> voxels_;
-  std::vector<Eigen::Vector3d> points_;
+  BigVector<std::uint32_t> voxels_;
+  BigVector<Foot> feet_;
   std::size_t frontier_ = 0;  ///< voxels_ before it have had their neighbours added
 };
 
@@ -72,171 +89,218 @@ void ClosestPoints::forBox(std::size_t voxel, F visit) const {
         visit(geometry_.offset(i, j, k));
 }
 
-/// Voxels with a neighbour of the other sign start from the nearest linear crossing on their grid
-/// edges.
-void ClosestPoints::findCrossings() {
-  for (std::size_t voxel = 0; voxel < phi_.voxels.size(); ++voxel) {
-    const double value = phi_.voxels[voxel];
-    const Index3 p = geometry_.indexOf(voxel);
-    double best = std::numeric_limits<double>::max();
-    Eigen::Vector3d crossing;
-    for (int a = 0; a < 3; ++a)
-      for (int side = -1; side <= 1; side += 2) {
-        Index3 q = p;
-        q[a] += side;
-        if (q[a] < 0 || q[a] >= geometry_.size[a]) continue;
-        const double other = phi_.at(q[0], q[1], q[2]);
-        if ((value < 0.0) == (other < 0.0)) continue;
-        const double t = value / (value - other);
-        if (t * step_[a] >= best) continue;
-        best = t * step_[a];
-        crossing = position(voxel);
-        crossing[a] += side * t;
-      }
-    if (best == std::numeric_limits<double>::max()) continue;
-    slot_.voxels[voxel] = static_cast<std::int32_t>(voxels_.size());
-    voxels_.push_back(static_cast<std::uint32_t>(voxel));
-    points_.push_back(crossing);
-  }
+/// Calls found(voxel, foot) for the voxels of a slice with a neighbour of the other sign, with the
+/// nearest linear crossing on their grid edges.
+template <class F>
+void ClosestPoints::crossingsOfSlice(int k, F found) const {
+  const Index3& size = geometry_.size;
+  const std::array<std::size_t, 3> stride{1, geometry_.offset(0, 1, 0), geometry_.offset(0, 0, 1)};
+  for (int j = 0; j < size[1]; ++j)
+    for (int i = 0; i < size[0]; ++i) {
+      const std::size_t voxel = geometry_.offset(i, j, k);
+      const Index3 p{i, j, k};
+      const float value = phi_.voxels[voxel];
+      double best = std::numeric_limits<double>::max();
+      Foot foot;
+      for (std::size_t a = 0; a < 3; ++a)
+        for (int side = -1; side <= 1; side += 2) {
+          if (side < 0 ? p[a] == 0 : p[a] + 1 == size[a]) continue;
+          const float other = phi_.voxels[side < 0 ? voxel - stride[a] : voxel + stride[a]];
+          if ((value < 0.0F) == (other < 0.0F)) continue;
+          const auto axis = static_cast<Eigen::Index>(a);
+          const double t = static_cast<double>(value) /
+                           (static_cast<double>(value) - static_cast<double>(other));
+          if (t * step_[axis] >= best) continue;
+          best = t * step_[axis];
+          foot.point = {1.0 * i, 1.0 * j, 1.0 * k};
+          foot.point[axis] += side * t;
+          foot.normal = Eigen::Vector3f::Zero();
+          foot.normal[axis] = static_cast<float>(value < 0.0F ? side : -side);
+        }
+      if (best < std::numeric_limits<double>::max()) found(voxel, foot);
+    }
 }
 
-Eigen::Vector3d ClosestPoints::bestOfNeighbours(std::size_t voxel, Eigen::Vector3d best) const {
-  double least = best.allFinite() ? distance(voxel, best) : std::numeric_limits<double>::max();
+void ClosestPoints::findCrossings() {
+  const auto slices = static_cast<std::size_t>(geometry_.size[2]);
+  std::vector<std::vector<std::pair<std::uint32_t, Foot>>> found(slices);
+  parallelFor(0, slices, 1, [&](std::size_t k, std::size_t) {
+    crossingsOfSlice(static_cast<int>(k), [&](std::size_t voxel, Foot foot) {
+      const Foot start = foot;
+      const Eigen::Vector3d x = position(voxel);
+      if (toZero(foot) && distance(x, foot.point) <= distance(x, start.point) + 0.5)
+        approach(x, foot);
+      else
+        foot = start;
+      found[k].emplace_back(static_cast<std::uint32_t>(voxel), foot);
+    });
+  });
+  for (const auto& slice : found)
+    for (const auto& [voxel, foot] : slice) {
+      slot_.voxels[voxel] = static_cast<std::int32_t>(voxels_.size());
+      voxels_.push_back(voxel);
+      feet_.push_back(foot);
+    }
+}
+
+/// The slot among a voxel's neighbours and itself whose foot is nearest to it, if it is nearer than
+/// `within`; else the voxel's own or kNone.
+std::uint32_t ClosestPoints::bestOfNeighbours(std::size_t voxel, double within) const {
+  const Eigen::Vector3d x = position(voxel);
+  double least = within * within;
+  std::int32_t best = slot_.voxels[voxel];
   forBox(voxel, [&](std::size_t next) {
     const std::int32_t slot = slot_.voxels[next];
-    if (slot < 0 || static_cast<std::size_t>(slot) >= points_.size()) return;
-    const Eigen::Vector3d& candidate = points_[static_cast<std::size_t>(slot)];
-    if (!candidate.allFinite()) return;
-    const double d = distance(voxel, candidate);
+    if (slot == kNone || slot == kFresh) return;
+    const double d =
+        step_.cwiseProduct(x - feet_[static_cast<std::size_t>(slot)].point).squaredNorm();
     if (d < least) {
       least = d;
-      best = candidate;
+      best = slot;
     }
   });
-  return best;
+  return static_cast<std::uint32_t>(best);
 }
 
 /// Adds the neighbours of the newest voxels, as far as they are within reach. False when none was
 /// added.
-bool ClosestPoints::grow() {
+bool ClosestPoints::grow(const Progress& progress) {
   std::vector<std::uint32_t> fresh;
   for (std::size_t n = frontier_; n < voxels_.size(); ++n)
     forBox(voxels_[n], [&](std::size_t next) {
-      if (slot_.voxels[next] >= 0) return;
-      slot_.voxels[next] = std::numeric_limits<std::int32_t>::max();
+      if (slot_.voxels[next] != kNone) return;
+      slot_.voxels[next] = kFresh;
       fresh.push_back(static_cast<std::uint32_t>(next));
     });
   frontier_ = voxels_.size();
-  std::vector<Eigen::Vector3d> found(fresh.size());
+  std::vector<Foot> found(fresh.size());
+  std::vector<char> reached(fresh.size());
   parallelFor(0, fresh.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n)
-      found[n] = bestOfNeighbours(
-          fresh[n], Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    progress.check();
+    for (std::size_t n = first; n < last; ++n) {
+      const Eigen::Vector3d x = position(fresh[n]);
+      found[n] = feet_[bestOfNeighbours(fresh[n], std::numeric_limits<double>::max())];
+      approach(x, found[n]);
+      reached[n] = static_cast<char>(distance(x, found[n].point) <= reach_);
+    }
   });
   for (std::size_t n = 0; n < fresh.size(); ++n) {
-    if (distance(fresh[n], found[n]) > reach_) {
-      slot_.voxels[fresh[n]] = -1;
+    if (reached[n] == 0) {
+      slot_.voxels[fresh[n]] = kNone;
       continue;
     }
     slot_.voxels[fresh[n]] = static_cast<std::int32_t>(voxels_.size());
     voxels_.push_back(fresh[n]);
-    points_.push_back(found[n]);
+    feet_.push_back(found[n]);
   }
   return voxels_.size() > frontier_;
 }
 
-/// Every voxel takes the best closest point among its neighbours.
-void ClosestPoints::relax() {
-  std::vector<Eigen::Vector3d> better(points_.size());
-  parallelFor(0, points_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n) better[n] = bestOfNeighbours(voxels_[n], points_[n]);
+/// Every voxel one of whose neighbours has a foot that is nearer starts again from there.
+void ClosestPoints::relax(const Progress& progress) {
+  std::vector<std::pair<std::uint32_t, Foot>> better;
+  std::vector<std::vector<std::pair<std::uint32_t, Foot>>> found((count() + kGrain - 1) / kGrain);
+  parallelFor(0, count(), kGrain, [&](std::size_t first, std::size_t last) {
+    progress.check();
+    for (std::size_t n = first; n < last; ++n) {
+      const std::uint32_t best = bestOfNeighbours(voxels_[n], distance(n) - kNearer);
+      if (best == n) continue;
+      Foot foot = feet_[best];
+      approach(position(voxels_[n]), foot);
+      found[first / kGrain].emplace_back(static_cast<std::uint32_t>(n), foot);
+    }
   });
-  points_ = std::move(better);
+  for (const auto& block : found)
+    for (const auto& [n, foot] : block) feet_[n] = foot;
 }
 
 /// Newton steps along the gradient in working-voxel space. False when they leave or stall.
-bool ClosestPoints::toZero(Eigen::Vector3d& point) const {
+bool ClosestPoints::toZero(Foot& foot) const {
   for (int n = 0; n < 20; ++n) {
-    const SplineField::Jet jet = field_.atIndex(point);
+    const SplineField::Jet jet = field_.atIndex(foot.point);
     const Eigen::Vector3d slope = jet.gradient.cwiseQuotient(step_);
     const double square = slope.squaredNorm();
     if (square < 1e-12) return false;
     Eigen::Vector3d move = -jet.value / square * slope;
     const double length = move.norm();
     if (length > 0.5) move *= 0.5 / length;
-    point += move.cwiseQuotient(step_);
-    if (length < 1e-5) return true;
+    foot.point += move.cwiseQuotient(step_);
+    if (length < kLastStep) {
+      foot.normal = (slope / std::sqrt(square)).cast<float>();
+      return true;
+    }
   }
   return false;
 }
 
-/// Closest point of the zero set to a voxel from a starting point near it: steps within the tangent
-/// plane, halved when they do not shorten the way, each followed by a projection.
-Eigen::Vector3d ClosestPoints::closest(std::size_t voxel, const Eigen::Vector3d& start) const {
-  const Eigen::Vector3d x = position(voxel);
-  Eigen::Vector3d point = start;
-  if (!toZero(point) || distance(voxel, point) > distance(voxel, start) + 0.5) return start;
-  double least = distance(voxel, point);
+/// Walks from a point of the zero set to the one that is closest to x: steps within the tangent
+/// plane, as long as the curvature found on the way suggests, halved when they do not shorten the
+/// distance, each followed by a projection.
+void ClosestPoints::approach(const Eigen::Vector3d& x, Foot& foot) const {
+  double least = distance(x, foot.point);
   double part = 1.0;
-  for (int n = 0; n < 12; ++n) {
-    const Eigen::Vector3d normal = field_.atIndex(point).gradient.cwiseQuotient(step_).normalized();
-    const Eigen::Vector3d away = step_.cwiseProduct(x - point);
-    Eigen::Vector3d along = away - away.dot(normal) * normal;
+  for (int n = 0; n < 10; ++n) {
+    const Eigen::Vector3d normal = foot.normal.cast<double>();
+    const Eigen::Vector3d away = step_.cwiseProduct(x - foot.point);
+    const double height = away.dot(normal);
+    Eigen::Vector3d along = away - height * normal;
+    // The foot is off by `along` at most: the distance by about along^2 / 2 distance.
+    const double square = along.squaredNorm();
+    const double bend = static_cast<double>(foot.bend);
+    along *= part / std::max(1.0 + bend * height, 0.25);
     const double length = along.norm();
-    if (length * part < 2e-3) break;
-    along *= part * std::min(1.0, 1.0 / length);
-    Eigen::Vector3d next = point + along.cwiseQuotient(step_);
+    if (square < kTolerance * std::max(least, 0.02) || length < 1e-3) break;
+    if (length > 1.0) along /= length;
+    Foot next = foot;
+    next.point += along.cwiseQuotient(step_);
     const bool found = toZero(next);
-    const double d = distance(voxel, next);
+    const double d = distance(x, next.point);
+    if (found) {
+      const Eigen::Vector3d walked = step_.cwiseProduct(next.point - foot.point);
+      const double turned = (next.normal - foot.normal).cast<double>().dot(walked);
+      next.bend =
+          static_cast<float>(std::clamp(turned / std::max(walked.squaredNorm(), 1e-12), -2.0, 2.0));
+    }
     if (found && d < least) {
-      point = next;
+      foot = next;
       least = d;
     } else {
       part *= 0.4;
+      if (found) foot.bend = next.bend;
     }
   }
-  return point;
-}
-
-void ClosestPoints::refine(std::size_t begin, const Progress& progress) {
-  parallelFor(begin, points_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t n = first; n < last; ++n) points_[n] = closest(voxels_[n], points_[n]);
-  });
 }
 
 }  // namespace
 
-Volume<float> redistance(const Volume<float>& phi, double bandVoxels, const Progress& progress) {
+Volume<float> redistance(Volume<float> phi, double bandVoxels, const Progress& progress) {
   ClosestPoints closest(phi, bandVoxels);
   closest.findCrossings();
   if (closest.count() == 0)
     throw NumericError("the level set has no surface", "redistancing",
                        "nothing, or everything, lies inside: check the seeds and levelset.b");
-  closest.refine(0, progress);
-  for (bool grown = true; grown;) {
-    progress.check();
-    grown = closest.grow();
-  }
-  progress.report(0.4);
-  for (int n = 0; n < 2; ++n) closest.relax();
-  closest.refine(0, progress);
+  progress.report(0.2);
+  for (bool grown = true; grown;) grown = closest.grow(progress);
+  progress.report(0.6);
+  for (int n = 0; n < 2; ++n) closest.relax(progress);
   progress.report(0.9);
 
   const double voxel = phi.geometry.voxelMm();
   const auto far = static_cast<float>(bandVoxels * voxel);
-  Volume<float> out(phi.geometry);
-  for (std::size_t i = 0; i < out.voxels.size(); ++i)
-    out.voxels[i] = phi.voxels[i] < 0.0F ? -far : far;
-  for (std::size_t n = 0; n < closest.count(); ++n) {
-    const std::size_t at = closest.voxel(n);
-    const auto d = static_cast<float>(closest.distance(n) * voxel);
-    // A voxel inside keeps its sign even where the surface runs through it.
-    if (d < far)
-      out.voxels[at] = phi.voxels[at] < 0.0F ? -std::max(d, std::numeric_limits<float>::min()) : d;
-  }
+  parallelFor(0, phi.voxels.size(), kGrain * kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) phi.voxels[i] = phi.voxels[i] < 0.0F ? -far : far;
+  });
+  parallelFor(0, closest.count(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first; n < last; ++n) {
+      float& value = phi.voxels[closest.voxel(n)];
+      const auto d = static_cast<float>(closest.distance(n) * voxel);
+      if (!(d < far)) continue;
+      // A voxel inside keeps its sign even where the surface runs through it.
+      value = value < 0.0F ? -std::max(d, std::numeric_limits<float>::min()) : d;
+    }
+  });
   progress.report(1.0);
-  return out;
+  return phi;
 }
 
 }  // namespace angiomesh

@@ -12,7 +12,6 @@ namespace angiomesh {
 /// zero set moves by less than 0.01 voxel on smooth fields. Signs at the voxels never change. `phi`
 /// in any unit.
 /// @throws NumericError when phi has no zero set
-Volume<float> redistance(const Volume<float>& phi, double bandVoxels = 5.0,
-                         const Progress& progress = {});
+Volume<float> redistance(Volume<float> phi, double bandVoxels = 5.0, const Progress& progress = {});
 
 }  // namespace angiomesh
