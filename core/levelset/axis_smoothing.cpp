@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/vesselness/gauss_kernel.h"
+#include "core/vesselness/hessian_slices.h"
 #include "core/vesselness/vesselness.h"
 
 namespace angiomesh {
@@ -24,35 +24,22 @@ std::array<float, 3> stepsOf(const Geometry& g) {
   return h;
 }
 
-Volume<float> gaussian(const Volume<float>& image, double sigmaVoxels, const Progress& progress) {
+/// The image at the cells, smoothed by a Gaussian of one working voxel.
+std::vector<float> smoothValues(const Volume<float>& image, const CellBand& band,
+                                const Progress& progress) {
   const Geometry& g = image.geometry;
-  const std::array<float, 3> h = stepsOf(g);
-  Volume<float> from = image;
-  Volume<float> to(g);
-  const std::array<std::size_t, 3> stride{1, g.offset(0, 1, 0), g.offset(0, 0, 1)};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double sigma = sigmaVoxels / static_cast<double>(h[a]);
-    const std::vector<float> kernel = discreteGaussian(sigma * sigma);
-    parallelFor(0, static_cast<std::size_t>(g.size[2]), 1, [&](std::size_t k, std::size_t) {
-      progress.check();
-      for (int j = 0; j < g.size[1]; ++j)
-        for (int i = 0; i < g.size[0]; ++i) {
-          const std::size_t at = g.offset(i, j, static_cast<int>(k));
-          const int here = a == 0 ? i : a == 1 ? j : static_cast<int>(k);
-          float sum = kernel[0] * from.voxels[at];
-          for (int m = 1; m < static_cast<int>(kernel.size()); ++m) {
-            const auto low = static_cast<std::size_t>(std::min(m, here)) * stride[a];
-            const auto high =
-                static_cast<std::size_t>(std::min(m, g.size[a] - 1 - here)) * stride[a];
-            sum += kernel[static_cast<std::size_t>(m)] *
-                   (from.voxels[at - low] + from.voxels[at + high]);
-          }
-          to.voxels[at] = sum;
-        }
-    });
-    std::swap(from, to);
-  }
-  return from;
+  const std::size_t slice = g.offset(0, 0, 1);
+  std::vector<float> value(band.size());
+  forEachSmoothSlice(
+      image, g.voxelMm(),
+      [&](int k, const float* smooth) {
+        const std::size_t from = static_cast<std::size_t>(k) * slice;
+        auto at = std::lower_bound(band.voxel.begin(), band.voxel.end(), from);
+        for (; at != band.voxel.end() && *at < from + slice; ++at)
+          value[static_cast<std::size_t>(at - band.voxel.begin())] = smooth[*at - from];
+      },
+      progress);
+  return value;
 }
 
 /// A unit eigenvector of a symmetric matrix that belongs to its least eigenvalue.
@@ -126,14 +113,14 @@ class Smoother {
   static constexpr std::size_t kHere = 26;
 
   [[nodiscard]] float valueAt(const std::vector<float>& v, std::size_t c, std::size_t k) const {
-    const std::uint32_t n = band_.neighbours[c][k];
+    const std::uint32_t n = band_.neighbour(c, k);
     return n == CellBand::none ? 0.0F : v[n];
   }
 
   [[nodiscard]] float imageAt(std::size_t c, std::size_t k) const {
     const std::uint32_t voxel = band_.voxel[c];
     if (k == kHere) return image_.voxels[voxel];
-    const std::uint32_t n = band_.neighbours[c][k];
+    const std::uint32_t n = band_.neighbour(c, k);
     if (n != CellBand::none) return image_.voxels[band_.voxel[n]];
     const Geometry& g = image_.geometry;
     const Index3 at = g.indexOf(voxel);
@@ -183,11 +170,11 @@ class Smoother {
   void spread(std::vector<float>& out) const {
     parallelFor(0, band_.size(), kGrain, [&](std::size_t first, std::size_t last) {
       for (std::size_t c = first; c < last; ++c) {
-        const auto& near = band_.neighbours[c];
         const Six& here = weighted_[c];
         float sum = -2.0F * (here[0] + here[1] + here[2]);
         const auto add = [&](std::size_t k, std::size_t n, float sign) {
-          if (near[k] != CellBand::none) sum += sign * weighted_[near[k]][n];
+          const std::uint32_t near = band_.neighbour(c, k);
+          if (near != CellBand::none) sum += sign * weighted_[near][n];
         };
         for (std::size_t a = 0; a < 3; ++a) {
           add(2 * a, a, 1.0F);
@@ -230,21 +217,18 @@ class Smoother {
 
 std::vector<Eigen::Vector3f> vesselAxes(const Volume<float>& image, const CellBand& band,
                                         const Progress& progress) {
-  const Geometry& g = image.geometry;
-  const Volume<float> smooth = gaussian(image, 1.0, progress);
-  const std::array<float, 3> h = stepsOf(g);
-  const std::array<std::size_t, 3> stride{1, g.offset(0, 1, 0), g.offset(0, 0, 1)};
+  const std::vector<float> smooth = smoothValues(image, band, progress);
+  const std::array<float, 3> h = stepsOf(image.geometry);
   std::vector<Six> tensor(band.size()), next(band.size());
   parallelFor(0, band.size(), kGrain, [&](std::size_t first, std::size_t last) {
     progress.check();
     for (std::size_t c = first; c < last; ++c) {
-      const std::size_t at = band.voxel[c];
-      const Index3 p = g.indexOf(at);
       std::array<float, 3> d{};
       for (std::size_t a = 0; a < 3; ++a) {
-        const std::size_t low = p[a] > 0 ? stride[a] : 0;
-        const std::size_t high = p[a] + 1 < g.size[a] ? stride[a] : 0;
-        d[a] = (smooth.voxels[at + high] - smooth.voxels[at - low]) / (2.0F * h[a]);
+        const std::uint32_t low = band.neighbour(c, 2 * a), high = band.neighbour(c, 2 * a + 1);
+        const float before = smooth[low != CellBand::none ? low : c];
+        const float after = smooth[high != CellBand::none ? high : c];
+        d[a] = (after - before) / (2.0F * h[a]);
       }
       tensor[c] = {d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[0] * d[2], d[1] * d[2]};
     }
@@ -258,7 +242,7 @@ std::vector<Eigen::Vector3f> vesselAxes(const Volume<float>& image, const CellBa
         Six sum = tensor[c];
         float count = 1.0F;
         for (std::size_t k = 0; k < 6; ++k) {
-          const std::uint32_t n = band.neighbours[c][k];
+          const std::uint32_t n = band.neighbour(c, k);
           if (n == CellBand::none) continue;
           for (std::size_t i = 0; i < 6; ++i) sum[i] += tensor[n][i];
           count += 1.0F;

@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kGrain = 2048;
 constexpr float kFar = 3.0F;  ///< |phi| beyond the layers
 constexpr std::int8_t kFarStatus = 3;
+constexpr float kCheckScale = 8192.0F;
+constexpr std::size_t kVoxelGrain = 1 << 16;
 
 }  // namespace
 
@@ -25,12 +27,13 @@ struct LevelSetEvolution::State {
   std::shared_ptr<const Volume<float>> vesselness;
   LevelSetParams params;
   FrontSpeed speed;
-  Volume<float> start;
+  Volume<std::int8_t> startSide;  ///< 0 active, else the sign of phi
+  std::vector<std::pair<std::uint32_t, float>> startActive;
   Volume<float> phi;
   Volume<std::int8_t> status;                        ///< 0 active, +-1, +-2, +-3 far
   std::array<std::vector<std::uint32_t>, 5> layers;  ///< [status + 2]
-  std::vector<float> checkpoint;
-  std::vector<float> changes;  ///< of the active voxels
+  BigVector<std::int16_t> checkpoint;                ///< phi * kCheckScale at the last check
+  std::vector<float> changes;                        ///< of the active voxels
   std::vector<std::uint8_t> held;
   int iterations = 0;
   double change = -1.0;
@@ -42,7 +45,10 @@ struct LevelSetEvolution::State {
       : vesselness(std::move(v)),
         params(p),
         speed(*vesselness, thresholds, p.gamma, p.d),
-        start(phi0) {
+        startSide(phi0.geometry),
+        phi(phi0.geometry),
+        status(phi0.geometry) {
+    findActive(phi0);
     build();
   }
 
@@ -62,7 +68,9 @@ struct LevelSetEvolution::State {
     if (p[2] + 1 < g.size[2]) visit(voxel + slice);
   }
 
+  void findActive(const Volume<float>& phi0);
   void build();
+  void remember();
   void buildLayer(int s);
   double computeChanges(const Progress& progress);
   void moveActive(double timeStep);
@@ -72,36 +80,64 @@ struct LevelSetEvolution::State {
   void check();
 };
 
+/// Of two neighbours on either side of the surface, the nearer one is active (both at a tie).
+void LevelSetEvolution::State::findActive(const Volume<float>& phi0) {
+  const Index3& size = phi0.geometry.size;
+  const std::array<std::size_t, 3> stride{1, phi0.geometry.offset(0, 1, 0),
+                                          phi0.geometry.offset(0, 0, 1)};
+  std::vector<std::vector<std::pair<std::uint32_t, float>>> found(
+      static_cast<std::size_t>(size[2]));
+  parallelFor(0, found.size(), 1, [&](std::size_t k, std::size_t) {
+    std::size_t voxel = k * stride[2];
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i, ++voxel) {
+        const float value = phi0.voxels[voxel];
+        startSide.voxels[voxel] = static_cast<std::int8_t>(value < 0.0F ? -1 : 1);
+        if (std::fabs(value) >= kFar) continue;
+        const Index3 p{i, j, static_cast<int>(k)};
+        bool active = false;
+        const auto look = [&](std::size_t next) {
+          const float other = phi0.voxels[next];
+          active |= (value < 0.0F) != (other < 0.0F) && std::fabs(value) <= std::fabs(other);
+        };
+        for (std::size_t a = 0; a < 3; ++a) {
+          if (p[a] > 0) look(voxel - stride[a]);
+          if (p[a] + 1 < size[a]) look(voxel + stride[a]);
+        }
+        if (!active) continue;
+        startSide.voxels[voxel] = 0;
+        found[k].emplace_back(static_cast<std::uint32_t>(voxel), std::clamp(value, -0.5F, 0.5F));
+      }
+  });
+  for (const auto& slice : found) startActive.insert(startActive.end(), slice.begin(), slice.end());
+}
+
 void LevelSetEvolution::State::build() {
-  phi = start;
-  status = Volume<std::int8_t>(phi.geometry);
   for (auto& list : layers) list.clear();
-  for (std::size_t i = 0; i < phi.voxels.size(); ++i)
-    status.voxels[i] = static_cast<std::int8_t>(phi.voxels[i] < 0.0F ? -kFarStatus : kFarStatus);
-  // Of two neighbours on either side of the surface, the nearer one is active (both at a tie).
-  for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
-    const auto voxel = static_cast<std::uint32_t>(i);
-    const float value = phi.voxels[i];
-    if (std::fabs(value) >= kFar) continue;
-    bool active = false;
-    forNeighbours(voxel, [&](std::uint32_t next) {
-      const float other = phi.voxels[next];
-      active |= (value < 0.0F) != (other < 0.0F) && std::fabs(value) <= std::fabs(other);
-    });
-    if (active) layer(0).push_back(voxel);
-  }
-  for (std::size_t i = 0; i < phi.voxels.size(); ++i)
-    phi.voxels[i] = status.voxels[i] < 0 ? -kFar : kFar;
-  for (const std::uint32_t voxel : layer(0)) {
-    status.voxels[voxel] = 0;
-    phi.voxels[voxel] = std::clamp(start.voxels[voxel], -0.5F, 0.5F);
+  parallelFor(0, phi.voxels.size(), kVoxelGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      status.voxels[i] = static_cast<std::int8_t>(kFarStatus * startSide.voxels[i]);
+      phi.voxels[i] = static_cast<float>(startSide.voxels[i]) * kFar;
+    }
+  });
+  for (const auto& [voxel, value] : startActive) {
+    layer(0).push_back(voxel);
+    phi.voxels[voxel] = value;
   }
   for (const int s : {-1, 1, -2, 2}) buildLayer(s);
-  checkpoint = phi.voxels;
+  remember();
   iterations = 0;
   change = -1.0;
   steadyChecks = 0;
   stop = layer(0).empty() ? StopReason::Converged : StopReason::Running;
+}
+
+void LevelSetEvolution::State::remember() {
+  checkpoint.resize(phi.voxels.size());
+  parallelFor(0, phi.voxels.size(), kVoxelGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      checkpoint[i] = static_cast<std::int16_t>(phi.voxels[i] * kCheckScale);
+  });
 }
 
 void LevelSetEvolution::State::buildLayer(int s) {
@@ -266,18 +302,17 @@ void LevelSetEvolution::State::iterate(const Progress& progress) {
 
 void LevelSetEvolution::State::check() {
   const std::size_t count = phi.voxels.size();
-  constexpr std::size_t grain = 1 << 16;
-  std::vector<double> sums((count + grain - 1) / grain, 0.0);
+  std::vector<double> sums((count + kVoxelGrain - 1) / kVoxelGrain, 0.0);
   std::vector<std::size_t> inside(sums.size(), 0);
-  parallelFor(0, count, grain, [&](std::size_t first, std::size_t last) {
-    double sum = 0.0;
+  parallelFor(0, count, kVoxelGrain, [&](std::size_t first, std::size_t last) {
+    std::int64_t sum = 0;
     std::size_t negative = 0;
     for (std::size_t i = first; i < last; ++i) {
-      sum += std::fabs(static_cast<double>(phi.voxels[i]) - static_cast<double>(checkpoint[i]));
+      sum += std::abs(static_cast<int>(phi.voxels[i] * kCheckScale) - checkpoint[i]);
       negative += phi.voxels[i] < 0.0F ? 1 : 0;
     }
-    sums[first / grain] = sum;
-    inside[first / grain] = negative;
+    sums[first / kVoxelGrain] = static_cast<double>(sum) / static_cast<double>(kCheckScale);
+    inside[first / kVoxelGrain] = negative;
   });
   double sum = 0.0;
   std::size_t negative = 0;
@@ -287,7 +322,7 @@ void LevelSetEvolution::State::check() {
   }
   const double previous = change;
   change = sum / static_cast<double>(std::max<std::size_t>(negative, 1));
-  checkpoint = phi.voxels;
+  remember();
   if (previous >= 0.0) {
     const double delta = std::fabs(change - previous);
     steadyChecks = delta < params.toleranceDelta ? steadyChecks + 1 : 0;
@@ -331,6 +366,7 @@ int LevelSetEvolution::iterations() const { return state_->iterations; }
 double LevelSetEvolution::change() const { return state_->change; }
 std::size_t LevelSetEvolution::activeVoxels() const { return state_->layers[2].size(); }
 const Volume<float>& LevelSetEvolution::phi() const { return state_->phi; }
+Volume<float> LevelSetEvolution::takePhi() { return std::move(state_->phi); }
 
 std::size_t LevelSetEvolution::insideVoxels() const {
   const auto& voxels = state_->phi.voxels;

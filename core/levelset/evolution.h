@@ -60,6 +60,8 @@ class LevelSetEvolution {
 
   /// phi as it stands, working voxels, clamped beyond the layers.
   [[nodiscard]] const Volume<float>& phi() const;
+  /// phi without a copy; the evolution is of no use afterwards.
+  [[nodiscard]] Volume<float> takePhi();
 
  private:
   struct State;

@@ -23,16 +23,19 @@ void blur(Volume<Pair>& blocks) {
   const std::array<std::size_t, 3> stride{1, g.offset(0, 1, 0), g.offset(0, 0, 1)};
   for (std::size_t a = 0; a < 3; ++a) {
     Volume<Pair> out(g, Pair::Zero());
-    for (std::size_t at = 0; at < blocks.voxels.size(); ++at) {
-      const int here = g.indexOf(at)[a];
-      for (int m = 1 - static_cast<int>(kernel.size()); m < static_cast<int>(kernel.size()); ++m) {
-        if (here + m < 0 || here + m >= g.size[a]) continue;
-        const auto next =
-            static_cast<std::ptrdiff_t>(at) + m * static_cast<std::ptrdiff_t>(stride[a]);
-        out.voxels[at] += static_cast<double>(kernel[static_cast<std::size_t>(std::abs(m))]) *
-                          blocks.voxels[static_cast<std::size_t>(next)];
+    parallelFor(0, blocks.voxels.size(), 4096, [&](std::size_t first, std::size_t last) {
+      for (std::size_t at = first; at < last; ++at) {
+        const int here = g.indexOf(at)[a];
+        for (int m = 1 - static_cast<int>(kernel.size()); m < static_cast<int>(kernel.size());
+             ++m) {
+          if (here + m < 0 || here + m >= g.size[a]) continue;
+          const auto next =
+              static_cast<std::ptrdiff_t>(at) + m * static_cast<std::ptrdiff_t>(stride[a]);
+          out.voxels[at] += static_cast<double>(kernel[static_cast<std::size_t>(std::abs(m))]) *
+                            blocks.voxels[static_cast<std::size_t>(next)];
+        }
       }
-    }
+    });
     blocks = std::move(out);
   }
 }

@@ -11,6 +11,7 @@
 #include "core/levelset/axis_smoothing.h"
 #include "core/levelset/cell_band.h"
 #include "core/levelset/local_levels.h"
+#include "core/levelset/seeds.h"
 
 namespace angiomesh {
 namespace {
@@ -36,8 +37,9 @@ std::vector<std::uint32_t> partsOf(const CellBand& band, const std::vector<char>
     while (!open.empty()) {
       const std::uint32_t at = open.back();
       open.pop_back();
-      for (const std::uint32_t n : band.neighbours[at])
-        if (n != CellBand::none && set[n] != 0 && label[n] == 0) {
+      for (std::size_t k = 0; k < 26; ++k)
+        if (const std::uint32_t n = band.neighbour(at, k);
+            n != CellBand::none && set[n] != 0 && label[n] == 0) {
           label[n] = count;
           open.push_back(n);
         }
@@ -79,7 +81,11 @@ class Refiner {
     progress.report(0.4);
     smooth(progress);
     progress.report(0.8);
-    for (int round = 0; round < 2; ++round) levelsAgain();
+    std::vector<float> outer(band_.size());
+    for (std::size_t c = 0; c < band_.size(); ++c)
+      outer[c] = band_.layer[c] == outermost_ ? 1.0F : 0.0F;
+    around_ = localMean(band_, value_, outer);
+    for (int round = 0; round < 2; ++round) lumenAgain();
     grow();
     bridge();
     fillCavities();
@@ -105,7 +111,7 @@ class Refiner {
       if (band_.layer[c] != 0) continue;
       inner[c] = 1.0F;
       for (std::size_t k = 0; k < 6; ++k) {
-        const std::uint32_t n = band_.neighbours[c][k];
+        const std::uint32_t n = band_.neighbour(c, k);
         if (n != CellBand::none && band_.layer[n] != 0) inner[c] = kWallShare;
       }
     }
@@ -114,23 +120,20 @@ class Refiner {
   }
 
   /// From the smoothed image: the more a voxel looks full, the more it tells about the lumen.
-  void levelsAgain() {
-    std::vector<float> inner(band_.size(), 0.0F), outer(band_.size(), 0.0F);
+  void lumenAgain() {
+    std::vector<float> inner(band_.size(), 0.0F);
     for (std::size_t c = 0; c < band_.size(); ++c) {
-      if (band_.layer[c] == outermost_) outer[c] = 1.0F;
       if (band_.layer[c] > 1 || !(excess(c) > 0.0F)) continue;
       const float s = std::min(share(c), 1.5F);
       inner[c] = s * s * s * s;
       for (std::size_t k = 0; k < 6; ++k) {
-        const std::uint32_t n = band_.neighbours[c][k];
+        const std::uint32_t n = band_.neighbour(c, k);
         if (n == CellBand::none || excess(n) > 0.0F) continue;
         inner[c] *= kWallShare;
         break;
       }
     }
-    std::vector<float> lumen = localMean(band_, value_, inner);
-    around_ = localMean(band_, value_, outer);
-    lumen_ = std::move(lumen);
+    lumen_ = localMean(band_, value_, inner);
   }
 
   void smooth(const Progress& progress) {
@@ -174,8 +177,8 @@ class Refiner {
           continue;
         }
         inside_[c] = 1;
-        for (const std::uint32_t n : band_.neighbours[c])
-          if (n != CellBand::none) push(n);
+        for (std::size_t k = 0; k < 26; ++k)
+          if (const std::uint32_t n = band_.neighbour(c, k); n != CellBand::none) push(n);
       }
     };
     growAll();
@@ -212,7 +215,7 @@ class Refiner {
     std::uint32_t part = 0;
     Eigen::Vector3f towards = Eigen::Vector3f::Zero();
     for (std::size_t k = 0; k < 26; ++k) {
-      const std::uint32_t n = band_.neighbours[c][k];
+      const std::uint32_t n = band_.neighbour(c, k);
       if (n == CellBand::none || part_[n] == 0 || !(inside_[n] != 0 || excess(n) > 0.0F)) continue;
       const std::uint32_t other = root(part_[n]);
       const Index3& d = CellBand::kOffsets[k];
@@ -245,7 +248,8 @@ class Refiner {
     std::vector<std::uint32_t> from(band_.size(), CellBand::none);
     const std::vector<std::uint32_t> grownAs = separate();
     const auto spread = [&](std::uint32_t c) {
-      for (const std::uint32_t n : band_.neighbours[c]) {
+      for (std::size_t k = 0; k < 26; ++k) {
+        const std::uint32_t n = band_.neighbour(c, k);
         if (n == CellBand::none || inside_[n] != 0 || from[n] != CellBand::none) continue;
         if (band_.layer[n] != 0 || !(excess(n) > kFaintest)) continue;
         from[n] = c;
@@ -260,7 +264,7 @@ class Refiner {
       open.pop();
       if (inside_[c] != 0) continue;
       for (std::size_t k = 0; k < 26; ++k) {
-        const std::uint32_t n = band_.neighbours[c][k];
+        const std::uint32_t n = band_.neighbour(c, k);
         if (n == CellBand::none || (inside_[n] == 0 && from[n] == CellBand::none)) continue;
         const std::uint32_t mine = root(part_[c]), other = root(part_[n]);
         if (mine == other) continue;
@@ -319,14 +323,14 @@ class Refiner {
     for (std::uint32_t c = 0; c < band_.size(); ++c) {
       bool border = band_.layer[c] == outermost_;
       for (std::size_t k = 0; k < 6; ++k)
-        border = border || band_.neighbours[c][k] == CellBand::none;
+        border = border || band_.neighbour(c, k) == CellBand::none;
       if (border) reach(c);
     }
     while (!open.empty()) {
       const std::uint32_t c = open.back();
       open.pop_back();
       for (std::size_t k = 0; k < 6; ++k)
-        if (band_.neighbours[c][k] != CellBand::none) reach(band_.neighbours[c][k]);
+        if (band_.neighbour(c, k) != CellBand::none) reach(band_.neighbour(c, k));
     }
     for (std::size_t c = 0; c < band_.size(); ++c)
       if (outside[c] == 0) inside_[c] = 1;
@@ -369,30 +373,41 @@ Volume<float> floodStart(const Volume<float>& vesselness, double b,
                          const Volume<std::uint8_t>& found) {
   Volume<float> phi(vesselness.geometry);
   const auto scale = static_cast<float>(b);
-  for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
-    const float below = (scale - vesselness.voxels[i]) / scale;
-    phi.voxels[i] =
-        found.voxels[i] != 0 ? std::clamp(below, -0.5F, -0.01F) : std::clamp(below, 0.01F, 0.5F);
-  }
+  parallelFor(0, phi.voxels.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const float below = (scale - vesselness.voxels[i]) / scale;
+      phi.voxels[i] =
+          found.voxels[i] != 0 ? std::clamp(below, -0.5F, -0.01F) : std::clamp(below, 0.01F, 0.5F);
+    }
+  });
   return phi;
 }
 
 Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b,
-                                  const Volume<float>& start, std::size_t leastVoxels) {
-  Volume<std::uint8_t> mask(vesselness.geometry);
+                                  const std::vector<Eigen::Vector3d>& seedsLps, double radiusVoxels,
+                                  std::size_t leastVoxels) {
   const auto least = static_cast<float>(b);
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-    mask.voxels[i] = vesselness.voxels[i] >= least || start.voxels[i] < 0.0F ? 1 : 0;
+  constexpr std::size_t grain = 1 << 16;
+  Volume<std::uint8_t> mask(vesselness.geometry);
+  parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      mask.voxels[i] = static_cast<std::uint8_t>(vesselness.voxels[i] >= least);
+  });
+  const std::vector<std::size_t> seeded =
+      voxelsAroundSeeds(vesselness.geometry, seedsLps, radiusVoxels);
+  for (const std::size_t voxel : seeded) mask.voxels[voxel] = 1;
   const Components parts = connectedComponents(mask);
   std::vector<std::uint8_t> kept(parts.sizes.size() + 1, 0);
   for (std::size_t l = 0; l < parts.sizes.size(); ++l)
     kept[l + 1] = parts.sizes[l] >= leastVoxels ? 1 : 0;
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-    if (start.voxels[i] < 0.0F) kept[static_cast<std::size_t>(parts.labels.voxels[i])] = 1;
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
-    mask.voxels[i] = kept[static_cast<std::size_t>(parts.labels.voxels[i])];
-    if (mask.voxels[i] != 0 && vesselness.voxels[i] >= kCoreRatio * least) mask.voxels[i] = 2;
-  }
+  for (const std::size_t voxel : seeded)
+    kept[static_cast<std::size_t>(parts.labels.voxels[voxel])] = 1;
+  parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      mask.voxels[i] = kept[static_cast<std::size_t>(parts.labels.voxels[i])];
+      if (mask.voxels[i] != 0 && vesselness.voxels[i] >= kCoreRatio * least) mask.voxels[i] = 2;
+    }
+  });
   return mask;
 }
 

@@ -116,6 +116,28 @@ class FastMarching {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
 };
 
+/// Calls visit(voxel, distance) for the voxels of a box around the ball, at least one voxel to
+/// either side. Lengths in working voxels.
+template <class Visit>
+void forBall(const Geometry& geometry, const Eigen::Vector3d& centreLps, double radius,
+             Visit visit) {
+  const Eigen::Vector3d index = geometry.toIndex(centreLps);
+  Index3 low;
+  Index3 high;
+  for (int a = 0; a < 3; ++a) {
+    const double reach = std::max(radius * geometry.voxelMm() / geometry.spacing[a], 1.0);
+    low[a] = std::max(static_cast<int>(std::ceil(index[a] - reach)), 0);
+    high[a] = std::min(static_cast<int>(std::floor(index[a] + reach)), geometry.size[a] - 1);
+  }
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (int i = low[0]; i <= high[0]; ++i) {
+        const Eigen::Vector3d away =
+            geometry.spacing.cwiseProduct(Eigen::Vector3d(i, j, k) - index);
+        visit(geometry.offset(i, j, k), away.norm() / geometry.voxelMm());
+      }
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3d> findSeeds(const Volume<float>& single, const SeedParams& params) {
@@ -148,30 +170,28 @@ Volume<float> fastMarchingStart(const Geometry& geometry,
                                 const std::vector<Eigen::Vector3d>& seedsLps, double radiusVoxels) {
   constexpr double band = 4.0;
   FastMarching marching(geometry, radiusVoxels + band);
-  for (const Eigen::Vector3d& seed : seedsLps) {
-    const Eigen::Vector3d index = geometry.toIndex(seed);
-    // Exact distances as far as one voxel from the sphere: a march from a single point would be
-    // coarse there.
-    const double exact = radiusVoxels + 1.0;
-    Index3 low;
-    Index3 high;
-    for (int a = 0; a < 3; ++a) {
-      const double reach = std::max(exact * geometry.voxelMm() / geometry.spacing[a], 1.0);
-      low[a] = std::max(static_cast<int>(std::ceil(index[a] - reach)), 0);
-      high[a] = std::min(static_cast<int>(std::floor(index[a] + reach)), geometry.size[a] - 1);
-    }
-    for (int k = low[2]; k <= high[2]; ++k)
-      for (int j = low[1]; j <= high[1]; ++j)
-        for (int i = low[0]; i <= high[0]; ++i) {
-          const Eigen::Vector3d away =
-              geometry.spacing.cwiseProduct(Eigen::Vector3d(i, j, k) - index);
-          marching.start(geometry.offset(i, j, k), away.norm() / geometry.voxelMm());
-        }
-  }
+  // Exact distances as far as one voxel from the sphere: a march from a single point would be
+  // coarse there.
+  for (const Eigen::Vector3d& seed : seedsLps)
+    forBall(geometry, seed, radiusVoxels + 1.0,
+            [&](std::size_t voxel, double distance) { marching.start(voxel, distance); });
   Volume<float> phi = marching.march();
   for (float& value : phi.voxels)
     value = static_cast<float>(std::min(static_cast<double>(value) - radiusVoxels, band));
   return phi;
+}
+
+std::vector<std::size_t> voxelsAroundSeeds(const Geometry& geometry,
+                                           const std::vector<Eigen::Vector3d>& seedsLps,
+                                           double radiusVoxels) {
+  std::vector<std::size_t> voxels;
+  for (const Eigen::Vector3d& seed : seedsLps)
+    forBall(geometry, seed, radiusVoxels, [&](std::size_t voxel, double distance) {
+      if (distance < radiusVoxels) voxels.push_back(voxel);
+    });
+  std::sort(voxels.begin(), voxels.end());
+  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  return voxels;
 }
 
 }  // namespace angiomesh

@@ -27,4 +27,10 @@ std::vector<Eigen::Vector3d> findSeeds(const Volume<float>& single, const SeedPa
 Volume<float> fastMarchingStart(const Geometry& geometry,
                                 const std::vector<Eigen::Vector3d>& seedsLps, double radiusVoxels);
 
+/// Offsets of the voxels whose centres lie within a sphere around any of the seeds (mm LPS), in
+/// ascending order. @param radiusVoxels in working voxels
+std::vector<std::size_t> voxelsAroundSeeds(const Geometry& geometry,
+                                           const std::vector<Eigen::Vector3d>& seedsLps,
+                                           double radiusVoxels);
+
 }  // namespace angiomesh

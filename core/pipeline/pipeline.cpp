@@ -124,40 +124,49 @@ EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
     warnings.push_back("b was clamped to " + std::to_string(result.thresholds.b) +
                        ": eq. 3.20 lies outside levelset.bMin to levelset.bMax on this image");
   const Volume<float>& v = *vessels.multiScale;
-  Volume<float> start = fastMarchingStart(v.geometry, seeds.pointsLps, params.seeds.radiusVoxels);
   Volume<std::uint8_t> found;
-  if (p.start == StartRule::Flood) {
-    found =
-        floodVessels(v, result.thresholds.b, start, static_cast<std::size_t>(p.floodLeastVoxels));
-    start = floodStart(v, result.thresholds.b, found);
+  Volume<float> phi;
+  {
+    Volume<float> start;
+    if (p.start == StartRule::Flood) {
+      found = floodVessels(v, result.thresholds.b, seeds.pointsLps, params.seeds.radiusVoxels,
+                           static_cast<std::size_t>(p.floodLeastVoxels));
+      start = floodStart(v, result.thresholds.b, found);
+    } else {
+      start = fastMarchingStart(v.geometry, seeds.pointsLps, params.seeds.radiusVoxels);
+    }
+    LevelSetEvolution evolution(vessels.multiScale, result.thresholds, start, p);
+    start = {};
+    result.stopReason = evolveWatched(evolution, options, progress.sub(0.0, 0.6));
+    result.iterations = evolution.iterations();
+    if (options.snapshots) postSnapshot(evolution, options, progress);
+    phi = evolution.takePhi();
   }
-  LevelSetEvolution evolution(vessels.multiScale, result.thresholds, start, p);
-  start = {};
-  result.stopReason = evolveWatched(evolution, options, progress.sub(0.0, 0.6));
-  result.iterations = evolution.iterations();
   result.converged = result.stopReason == StopReason::Converged;
   // Where the wall is placed anew, a front that flickers about it to the end does no harm.
   if (result.stopReason == StopReason::Limit && !params.lumen.enabled)
     warnings.push_back("the evolution ended at levelset.maxIterations before it converged");
-  if (evolution.insideVoxels() == 0)
+  if (std::none_of(phi.voxels.begin(), phi.voxels.end(), [](float f) { return f < 0.0F; }))
     throw NumericError("the level set shrank to nothing", "evolve",
                        "lower levelset.b or levelset.xi, or check the range of vessel sizes "
                        "(vesselness.sigmaMinMm, vesselness.sigmaMaxMm) and the seeds");
-  if (options.snapshots) postSnapshot(evolution, options, progress);
   const Progress rest = progress.sub(0.8, 1.0);
   if (!params.lumen.enabled) {
-    result.phi = std::make_shared<const Volume<float>>(redistance(evolution.phi(), 5.0, rest));
+    result.phi = std::make_shared<const Volume<float>>(redistance(std::move(phi), 5.0, rest));
     return result;
   }
   // What the evolution lost of a thin vessel was one all the same, unless somebody stopped it.
   if (found.voxels.empty() || result.stopReason == StopReason::Stopped)
-    found = insideMask(evolution.phi());
+    found = insideMask(phi);
   else
     for (std::size_t i = 0; i < found.voxels.size(); ++i)
-      if (evolution.phi().voxels[i] < 0.0F && found.voxels[i] == 0) found.voxels[i] = 1;
-  const Volume<float> wall =
+      if (phi.voxels[i] < 0.0F && found.voxels[i] == 0) found.voxels[i] = 1;
+  phi = {};
+  Volume<float> wall =
       refineLumen(image, found, params.lumen, params.vesselness.polarity, rest.sub(0.0, 0.5));
-  result.phi = std::make_shared<const Volume<float>>(redistance(wall, 5.0, rest.sub(0.5, 1.0)));
+  found = {};
+  result.phi =
+      std::make_shared<const Volume<float>>(redistance(std::move(wall), 5.0, rest.sub(0.5, 1.0)));
   return result;
 }
 

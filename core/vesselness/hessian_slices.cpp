@@ -240,4 +240,29 @@ void forEachHessianSlice(const Volume<float>& image, double sigmaMm,
   });
 }
 
+void forEachSmoothSlice(const Volume<float>& image, double sigmaMm,
+                        const std::function<void(int, const float*)>& consume,
+                        const Progress& progress) {
+  const Geometry& g = image.geometry;
+  const AxisFilter fx(g.size[0], sigmaMm / g.spacing[0]);
+  const AxisFilter fy(g.size[1], sigmaMm / g.spacing[1]);
+  const AxisFilter fz(g.size[2], sigmaMm / g.spacing[2]);
+  const std::size_t slice = g.offset(0, 0, 1);
+  parallelFor(0, static_cast<std::size_t>(g.size[2]), 4, [&](std::size_t begin, std::size_t end) {
+    Scratch& s = scratch();
+    s.along.resize(slice);
+    s.across.resize(slice);
+    s.out[0].resize(slice);
+    SliceFilter f(fx, fy, g.size[0], g.size[1], s);
+    for (std::size_t k = begin; k < end; ++k) {
+      progress.check();
+      fz.smoothRow(image.voxels.data(), slice, static_cast<int>(k), static_cast<int>(slice),
+                   s.along.data());
+      f.smoothY(s.along.data());
+      for (std::size_t j = 0; j < f.rows(); ++j) f.smoothX(f.row(j), 0, j);
+      consume(static_cast<int>(k), s.out[0].data());
+    }
+  });
+}
+
 }  // namespace angiomesh

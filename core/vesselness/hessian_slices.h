@@ -19,4 +19,10 @@ void forEachHessianSlice(const Volume<float>& image, double sigmaMm,
                          const std::function<void(int k, const HessianSlice& slice)>& consume,
                          const Progress& progress);
 
+/// Smooths by a Gaussian (samples beyond the border are those at it) and hands each z slice to
+/// `consume(k, slice)`, in parallel and in no particular order. No volume is kept.
+void forEachSmoothSlice(const Volume<float>& image, double sigmaMm,
+                        const std::function<void(int k, const float* slice)>& consume,
+                        const Progress& progress);
+
 }  // namespace angiomesh

@@ -174,6 +174,36 @@ class TestLumen : public QObject {
     QCOMPARE(connectedComponents(insideMask(phi)).sizes.size(), 1U);
   }
 
+  void bandKnowsItsNeighbours() {
+    Volume<std::uint8_t> set(analytic::oblique(14, 11, 9));
+    for (const std::size_t i : {0U, 5U, 600U, 777U, 1300U}) set.voxels[i] = 1;
+    const CellBand band = bandAround(set, 2);
+    const Geometry& g = band.geometry;
+    Volume<std::uint32_t> number(g, CellBand::none);
+    for (std::uint32_t c = 0; c < band.size(); ++c) number.voxels[band.voxel[c]] = c;
+    for (std::size_t i = 0; i < set.voxels.size(); ++i) {
+      const Index3 p = g.indexOf(i);
+      int steps = 99;
+      for (std::size_t s = 0; s < set.voxels.size(); ++s) {
+        if (set.voxels[s] == 0) continue;
+        const Index3 q = g.indexOf(s);
+        steps = std::min(
+            steps, std::max({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])}));
+      }
+      QCOMPARE(number.voxels[i] != CellBand::none, steps <= 2);
+      if (steps > 2) continue;
+      const std::uint32_t cell = number.voxels[i];
+      QCOMPARE(int(band.layer[cell]), steps);
+      for (std::size_t k = 0; k < CellBand::kOffsets.size(); ++k) {
+        const Index3& d = CellBand::kOffsets[k];
+        const Index3 q{p[0] + d[0], p[1] + d[1], p[2] + d[2]};
+        const std::uint32_t expected =
+            g.contains(q[0], q[1], q[2]) ? number.at(q[0], q[1], q[2]) : CellBand::none;
+        QCOMPARE(band.neighbour(cell, k), expected);
+      }
+    }
+  }
+
   void averagesLocally() {
     Volume<std::uint8_t> set(analytic::cube(40), 1);
     const CellBand band = bandAround(set, 1);
@@ -191,12 +221,12 @@ class TestLumen : public QObject {
   }
 
   void floodsFromSeedsAndLargeParts() {
-    Volume<float> v(analytic::cube(20), 0.0F), start(analytic::cube(20), 1.0F);
+    Volume<float> v(analytic::cube(20), 0.0F);
     for (int i = 2; i < 17; ++i) v.at(i, 4, 4) = 0.2F;   // long
     for (int i = 2; i < 6; ++i) v.at(i, 10, 10) = 0.2F;  // short
     for (int i = 2; i < 6; ++i) v.at(i, 16, 16) = 0.5F;  // short, with a seed
-    start.at(3, 16, 16) = -1.0F;
-    const Volume<std::uint8_t> found = floodVessels(v, 0.15, start, 10);
+    const Eigen::Vector3d seed = v.geometry.toPhysical({3.0, 16.0, 16.0});
+    const Volume<std::uint8_t> found = floodVessels(v, 0.15, {seed}, 0.5, 10);
     QCOMPARE(int(found.at(16, 4, 4)), 1);
     QCOMPARE(int(found.at(3, 10, 10)), 0);
     QCOMPARE(int(found.at(5, 16, 16)), 2);
