@@ -8,7 +8,7 @@ set(ANGIOMESH_VTK_RENDER
     FiltersGeneral FiltersModeling FiltersSources ChartsCore ViewsContext2D RenderingContext2D
     RenderingContextOpenGL2 ImagingCore)
 set(ANGIOMESH_ITK ITKCommon ITKIOImageBase ITKIOGDCM ITKIOMeta ITKIONIFTI ITKIONRRD ITKCurvatureFlow
-                  ITKDistanceMap)
+                  ITKDistanceMap ITKLevelSets ITKRegionGrowing ITKSmoothing ITKImageGradient ITKThresholding)
 set(components ${ANGIOMESH_VTK_CORE} ${ANGIOMESH_VTK_IO})
 if(ANGIOMESH_BUILD_GUI)
   list(APPEND components ${ANGIOMESH_VTK_RENDER})

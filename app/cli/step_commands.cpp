@@ -18,11 +18,12 @@ namespace {
 
 struct StepOptions {
   ParameterOptions settings;
-  std::string input, output, series, phi, method = "level-set";
+  std::string input, output, series, phi, method;
 };
 
 RunResult runUntil(Step step, const StepOptions& options, const Progress& progress) {
-  const Parameters params = options.settings.parameters();
+  Parameters params = options.settings.parameters();
+  if (!options.method.empty()) setFieldFromText(params, "segmentation.method", options.method);
   LoadedImage loaded = readImage(options.input, options.series, progress.sub(0.0, 0.05));
   for (const std::string& warning : loaded.info.warnings) printWarning(warning);
   Pipeline pipeline(makeSource(std::move(loaded.image), "input"));
@@ -44,8 +45,9 @@ int segmentCommand(const StepOptions& options, const Progress& progress) {
   // The components to keep are chosen by the step 'surface'.
   const RunResult result = runUntil(Step::Surface, options, progress);
   writeVolume(*result.surface->phi, options.output);
-  std::printf("%zu voxels inside, %d iterations\n", result.surface->insideVoxels,
-              result.evolve->iterations);
+  std::printf("%zu voxels inside", result.surface->insideVoxels);
+  if (evolves(result.params)) std::printf(", %d iterations", result.evolve->iterations);
+  std::printf("\n");
   return Done;
 }
 
@@ -95,9 +97,10 @@ void addSegment(CLI::App& program, Session& session) {
                                "The level set function of the vessels, mm, negative inside",
                                "Image file or DICOM folder", "Volume to write", segmentCommand);
   addImageOptions(program, "segment", *options);
-  program.get_subcommand("segment")
-      ->add_option("--method", options->method, "level-set")
-      ->check(CLI::IsMember({"level-set"}));
+  program.get_subcommand("segment")->add_option(
+      "--method", options->method,
+      "As segmentation.method: level-set, geodesic-active-contour, "
+      "confidence-connected or threshold");
 }
 
 void addSmooth(CLI::App& program, Session& session) {

@@ -74,10 +74,21 @@ void printSegmentation(const RunResult& result) {
                                                  static_cast<double>(result.surface->insideVoxels));
     std::printf(",");
   }
-  std::printf(" %d iterations, %s\n", evolve.iterations, endOf(evolve));
-  std::printf("%-13s a %.4g, b %.4g%s; %zu seeds\n", "thresholds", evolve.thresholds.a,
-              evolve.thresholds.b, evolve.thresholds.clamped ? " (clamped)" : "",
-              result.seeds ? result.seeds->pointsLps.size() : 0);
+  if (evolves(result.params))
+    std::printf(" %d iterations, %s", evolve.iterations, endOf(evolve));
+  else
+    std::printf(" no evolution");
+  const std::size_t seeds = result.seeds ? result.seeds->pointsLps.size() : 0;
+  if (result.params.segmentation.method == SegmentationMethod::LevelSet) {
+    std::printf("\n%-13s a %.4g, b %.4g%s; %zu seeds\n", "thresholds", evolve.thresholds.a,
+                evolve.thresholds.b, evolve.thresholds.clamped ? " (clamped)" : "", seeds);
+    return;
+  }
+  const Field& method = findField("segmentation.method");
+  std::printf("\n%-13s %s", "method", fieldText(method.get(result.params), method).c_str());
+  if (evolve.lower) std::printf(", intensities from %.4g", *evolve.lower);
+  if (evolve.upper) std::printf("%s to %.4g", evolve.lower ? "" : ", intensities", *evolve.upper);
+  std::printf("; %zu seeds\n", seeds);
 }
 
 }  // namespace

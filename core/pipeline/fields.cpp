@@ -223,6 +223,11 @@ void addLevelSet(Table& t) {
          "radius of the starting spheres, working voxels");
   t.points("seeds.points", MEMBER(seeds.points),
            "seeds by hand, x,y,z,... in mm LPS, added to the automatic ones");
+  t.choice("segmentation.method", MEMBER(segmentation.method),
+           {"level-set", "geodesic-active-contour", "confidence-connected", "threshold"},
+           "how the step evolve segments; the others are there to compare the level set with, from "
+           "the same seeds")
+      .main = true;
   t.choice(
       "levelset.start", MEMBER(levelset.start), {"flood", "seeds"},
       "flood: all that is connected to a seed at v >= b, at once; seeds: the front goes all the "
@@ -273,6 +278,73 @@ void addLevelSet(Table& t) {
   t.real("levelset.refineReachVoxels", MEMBER(lumen.reachVoxels), 1.0, 10.0, "voxels",
          "from what the evolution found to where the wall is looked for")
       .idle = idle;
+}
+
+std::string idleUnless(const Parameters& p, SegmentationMethod method) {
+  static const Field& field = findField("segmentation.method");
+  if (p.segmentation.method == method) return "";
+  Parameters wanted;
+  wanted.segmentation.method = method;
+  return "of segmentation.method " + fieldText(field.get(wanted), field) + " alone";
+}
+
+/// The methods that ours is compared with, in the order of the step evolve.
+void addComparison(Table& t) {
+  const auto of = [](SegmentationMethod method) {
+    return [method](const Parameters& p) { return idleUnless(p, method); };
+  };
+  const auto gac = of(SegmentationMethod::GeodesicActiveContour);
+  t.real("comparison.gac.sigmaVoxels", MEMBER(comparison.gacSigmaVoxels), 0.3, 10.0, "voxels",
+         "scale of the gradient that stops the contour")
+      .idle = gac;
+  t.real(
+       "comparison.gac.alpha", MEMBER(comparison.gacAlpha), -1e6, -1e-9, "",
+       "width of the sigmoid of the gradient magnitude, negative; auto: from the image's contrast "
+       "and noise")
+      .idle = gac;
+  t.real("comparison.gac.beta", MEMBER(comparison.gacBeta), 0.0, 1e7, "",
+         "gradient magnitude, intensities per working voxel, at which the contour has half its "
+         "speed; auto: from the image's contrast and noise")
+      .idle = gac;
+  t.real("comparison.gac.propagation", MEMBER(comparison.gacPropagation), -10.0, 100.0, "",
+         "weight of the contour's outward speed")
+      .idle = gac;
+  t.real("comparison.gac.curvature", MEMBER(comparison.gacCurvature), 0.0, 100.0, "",
+         "weight of the term that smooths the contour")
+      .idle = gac;
+  t.real("comparison.gac.advection", MEMBER(comparison.gacAdvection), 0.0, 100.0, "",
+         "weight of the term that draws the contour to edges")
+      .idle = gac;
+  t.integer("comparison.gac.iterations", MEMBER(comparison.gacIterations), 1, 100000,
+            "the contour ends here at the latest")
+      .idle = gac;
+  t.real("comparison.gac.rms", MEMBER(comparison.gacRms), 0.0, 10.0, "voxels",
+         "the contour ends below this root mean square change of an iteration")
+      .idle = gac;
+  const auto confidence = of(SegmentationMethod::ConfidenceConnected);
+  t.real("comparison.confidence.multiplier", MEMBER(comparison.confidenceMultiplier), 0.1, 20.0, "",
+         "half the width of the interval of intensities around the region's mean, standard "
+         "deviations")
+      .idle = confidence;
+  t.integer("comparison.confidence.iterations", MEMBER(comparison.confidenceIterations), 0, 100,
+            "how often the region is grown anew from its own mean and deviation")
+      .idle = confidence;
+  t.integer("comparison.confidence.radiusVoxels", MEMBER(comparison.confidenceRadiusVoxels), 0, 10,
+            "half the edge of the cubes around the seeds that the first mean is taken of")
+      .idle = confidence;
+  const auto threshold = of(SegmentationMethod::Threshold);
+  t.real("comparison.threshold.lower", MEMBER(comparison.thresholdLower), -1e6, 1e6, "",
+         "least intensity of a vessel; auto: Otsu's threshold (none for dark vessels)")
+      .idle = threshold;
+  t.real("comparison.threshold.upper", MEMBER(comparison.thresholdUpper), -1e6, 1e6, "",
+         "largest intensity of a vessel; auto: none (Otsu's threshold for dark vessels)")
+      .idle = threshold;
+  t.real("comparison.threshold.sigmaVoxels", MEMBER(comparison.thresholdSigmaVoxels), 0.0, 10.0,
+         "voxels", "width of a Gaussian before the threshold; 0: none")
+      .idle = threshold;
+  t.boolean("comparison.threshold.fromSeeds", MEMBER(comparison.thresholdFromSeeds),
+            "only the parts that hold a seed")
+      .idle = threshold;
 }
 
 std::string idleForMarchingCubes(const Parameters& p) {
@@ -396,9 +468,17 @@ const std::vector<Field>& parameterFields() {
     addPreprocess(table);
     addVesselness(table);
     addLevelSet(table);
+    addComparison(table);
     addSurface(table);
     addSmooth(table);
-    return table.take();
+    std::vector<Field> all = table.take();
+    for (Field& field : all)
+      if (field.key.starts_with("levelset."))
+        field.idle = [among = field.idle](const Parameters& p) {
+          const std::string why = idleUnless(p, SegmentationMethod::LevelSet);
+          return !why.empty() || !among ? why : among(p);
+        };
+    return all;
   }();
   return fields;
 }

@@ -267,9 +267,20 @@ void validate(const Parameters& params) {
   if (params.levelset.bMax < params.levelset.bMin)
     throw InputError("the upper bound of b is below the lower", "levelset.bMin, levelset.bMax",
                      "make bMax at least bMin");
+  const ComparisonParams& c = params.comparison;
+  if (c.thresholdLower && c.thresholdUpper && *c.thresholdUpper < *c.thresholdLower)
+    throw InputError("the upper threshold is below the lower",
+                     "comparison.threshold.lower = " + numberText(*c.thresholdLower) +
+                         ", comparison.threshold.upper = " + numberText(*c.thresholdUpper),
+                     "make upper at least lower");
   if (!params.seeds.automatic && params.seeds.points.empty())
     throw InputError("there are no seeds", "seeds.automatic, seeds.points",
                      "give seeds by hand or turn seeds.automatic on");
+}
+
+bool evolves(const Parameters& params) {
+  return params.segmentation.method == SegmentationMethod::LevelSet ||
+         params.segmentation.method == SegmentationMethod::GeodesicActiveContour;
 }
 
 const std::vector<std::string>& presetNames() {

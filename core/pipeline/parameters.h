@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image/preprocess.h"
+#include "core/levelset/comparison_methods.h"
 #include "core/levelset/evolution.h"
 #include "core/levelset/lumen.h"
 #include "core/levelset/seeds.h"
@@ -22,6 +23,7 @@ namespace angiomesh {
 enum class KeepComponents { All, Largest, Seeded };
 
 struct SegmentationParams {
+  SegmentationMethod method = SegmentationMethod::LevelSet;  ///< of the step evolve
   KeepComponents keep = KeepComponents::All;
   double minVolumeMm3 = 0.0;
   std::vector<double>
@@ -44,10 +46,14 @@ struct Parameters {
   SeedParams seeds;
   LevelSetParams levelset;
   LumenParams lumen;
+  ComparisonParams comparison;
   SegmentationParams segmentation;
   SurfaceParams surface;
   SmoothParams smooth;
 };
+
+/// Whether the segmentation is a front that moves until it comes to rest.
+bool evolves(const Parameters& params);
 
 /// A field's value: monostate stands for the field's empty word ("auto", "none").
 using FieldValue =

@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/levelset/comparison_methods.h"
 #include "core/levelset/redistance.h"
 #include "core/pipeline/segments.h"
 
@@ -31,8 +32,8 @@ const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
      {"preprocess."},
      {"vesselness."},
      {"seeds."},
-     {"levelset."},
-     {"segmentation.", "surface."},
+     {"segmentation.method", "levelset.", "comparison."},
+     {"segmentation.keep", "segmentation.minVolumeMm3", "segmentation.drop", "surface."},
      {"smooth."},
      {}}};
 
@@ -114,9 +115,32 @@ StopReason evolveWatched(LevelSetEvolution& evolution, const RunOptions& options
   return evolution.stopReason();
 }
 
+/// The methods of segmentation.method other than our own.
+EvolveResult evolveOtherwise(const Volume<float>& image, const SeedsResult& seeds,
+                             const Parameters& params, const RunOptions& options,
+                             const Progress& progress, std::vector<std::string>& warnings) {
+  const auto stop = [&options] { return options.control && options.control->finishNow; };
+  const ComparisonResult found = segmentByComparison(
+      image, params.segmentation.method, seeds.pointsLps, params.seeds.radiusVoxels,
+      params.comparison, params.vesselness.polarity, stop, progress.sub(0.0, 0.8));
+  EvolveResult result;
+  result.iterations = found.iterations;
+  result.stopReason = found.stopReason;
+  result.converged = found.stopReason == StopReason::Converged;
+  result.lower = found.lower;
+  result.upper = found.upper;
+  if (found.stopReason == StopReason::Limit)
+    warnings.push_back("the contour ended at comparison.gac.iterations before it came to rest");
+  result.phi =
+      std::make_shared<const Volume<float>>(redistance(found.phi, 5.0, progress.sub(0.8, 1.0)));
+  return result;
+}
+
 EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
                     const SeedsResult& seeds, const Parameters& params, const RunOptions& options,
                     const Progress& progress, std::vector<std::string>& warnings) {
+  if (params.segmentation.method != SegmentationMethod::LevelSet)
+    return evolveOtherwise(image, seeds, params, options, progress, warnings);
   const LevelSetParams& p = params.levelset;
   EvolveResult result;
   result.thresholds = thresholdsFor(vessels, p);

@@ -53,7 +53,8 @@ struct SegmentComponent {
 
 struct EvolveResult {
   std::shared_ptr<const Volume<float>> phi;  ///< redistanced, mm, clamped at +-5 working voxels
-  Thresholds thresholds;
+  Thresholds thresholds;                     ///< of the level set method alone
+  std::optional<double> lower, upper;        ///< intensities, of the methods that go by them
   int iterations = 0;
   bool converged = false;
   StopReason stopReason = StopReason::Running;

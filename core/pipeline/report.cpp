@@ -86,9 +86,13 @@ const char* stopReasonText(StopReason reason) {
 
 Json segmentationBlock(const RunResult& result) {
   const EvolveResult& evolve = *result.evolve;
-  Json block{{"iterations", evolve.iterations},
-             {"converged", evolve.converged},
-             {"stop_reason", stopReasonText(evolve.stopReason)}};
+  const Field& method = findField("segmentation.method");
+  Json block{{"method", fieldText(method.get(result.params), method)}};
+  if (evolves(result.params)) {
+    block["iterations"] = evolve.iterations;
+    block["converged"] = evolve.converged;
+    block["stop_reason"] = stopReasonText(evolve.stopReason);
+  }
   if (result.surface) {
     std::size_t kept = 0;
     for (const SegmentComponent& component : result.surface->components) kept += component.kept;
@@ -101,10 +105,13 @@ Json segmentationBlock(const RunResult& result) {
     block["inside_voxels"] = inside;
     block["components"] = parts.sizes.size();
   }
-  block["thresholds"] = {{"a", evolve.thresholds.a},
-                         {"b", evolve.thresholds.b},
-                         {"v_avg", evolve.thresholds.vAverage},
-                         {"clamped", evolve.thresholds.clamped}};
+  if (result.params.segmentation.method == SegmentationMethod::LevelSet)
+    block["thresholds"] = {{"a", evolve.thresholds.a},
+                           {"b", evolve.thresholds.b},
+                           {"v_avg", evolve.thresholds.vAverage},
+                           {"clamped", evolve.thresholds.clamped}};
+  if (evolve.lower) block["intensity"]["lower"] = *evolve.lower;
+  if (evolve.upper) block["intensity"]["upper"] = *evolve.upper;
   if (result.seeds) block["seeds"] = result.seeds->pointsLps.size();
   return block;
 }

@@ -201,8 +201,9 @@ FieldValue CaseController::suggestedValue(const Field& field) const {
   } else if (field.key == "vesselness.c") {
     value = shown_.vesselness ? shown_.vesselness->c : window_ * v.cFraction;
   } else if (field.key == "levelset.b") {
-    value = shown_.evolve ? shown_.evolve->thresholds.b
-                          : 0.5 * (params_.levelset.bMin + params_.levelset.bMax);
+    value = shown_.evolve && shown_.evolve->thresholds.b > 0.0
+                ? shown_.evolve->thresholds.b
+                : 0.5 * (params_.levelset.bMin + params_.levelset.bMax);
   } else if (field.key == "surface.edgesAround") {
     value = SizingParams().edgesAround;
   } else if (field.key == "surface.edgeMinMm") {
@@ -211,7 +212,13 @@ FieldValue CaseController::suggestedValue(const Field& field) const {
     value = std::max(2.0 * voxel, params_.surface.sizing.edgeMinMm.value_or(voxel));
   } else if (field.key == "preprocess.sigmoid.window") {
     value = window_;
-  } else if (field.key == "preprocess.sigmoid.level") {
+  } else if (field.key == "comparison.gac.alpha") {
+    value = -window_ / 12.0;
+  } else if (field.key == "comparison.gac.beta") {
+    value = 0.25 * window_;
+  } else if (field.key == "comparison.threshold.upper") {
+    value = level_ + window_;
+  } else if (field.key == "preprocess.sigmoid.level" || field.key == "comparison.threshold.lower") {
     value = level_;
   }
   value = std::clamp(value, field.minimum, field.maximum);

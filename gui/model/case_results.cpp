@@ -67,7 +67,12 @@ std::pair<double, double> CaseController::sliderRange(const Field& field) const 
   } else if (field.key == "preprocess.sigmoid.window") {
     low = 0.01 * window_;
     high = 3.0 * window_;
-  } else if (field.key == "preprocess.sigmoid.level") {
+  } else if (field.key == "comparison.gac.alpha") {
+    low = -window_;
+  } else if (field.key == "comparison.gac.beta") {
+    high = 2.0 * window_;
+  } else if (field.key == "preprocess.sigmoid.level" || field.key == "comparison.threshold.lower" ||
+             field.key == "comparison.threshold.upper") {
     low = level_ - window_;
     high = level_ + 2.0 * window_;
   } else if (field.key == "segmentation.minVolumeMm3" || field.key == "surface.minComponentMm3") {

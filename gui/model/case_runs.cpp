@@ -257,10 +257,14 @@ void CaseController::accept(const StepResult& result) {
       livePhi_.reset();
       iterations_ = run.evolve->iterations;
       if (!quietRun_) {
-        say(Severity::Info, tr("Evolve: %1 after %2 iterations, threshold b = %3.")
-                                .arg(stopText(run.evolve->stopReason))
-                                .arg(run.evolve->iterations)
-                                .arg(run.evolve->thresholds.b, 0, 'g', 3));
+        if (run.params.segmentation.method == SegmentationMethod::LevelSet) {
+          say(Severity::Info, tr("Evolve: %1 after %2 iterations, threshold b = %3.")
+                                  .arg(stopText(run.evolve->stopReason))
+                                  .arg(run.evolve->iterations)
+                                  .arg(run.evolve->thresholds.b, 0, 'g', 3));
+        } else {
+          say(Severity::Info, tr("Evolve: segmented by another method than the level set."));
+        }
       }
       break;
     case Step::Surface:

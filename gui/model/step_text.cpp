@@ -61,6 +61,22 @@ const std::map<std::string, QString>& labels() {
       {"levelset.refineAcross", QStringLiteral("Smoothing across")},
       {"levelset.refineReachVoxels", QStringLiteral("Reach of the wall")},
       {"levelset.toleranceDelta", QStringLiteral("Tolerance, delta")},
+      {"segmentation.method", QStringLiteral("Method")},
+      {"comparison.gac.sigmaVoxels", QStringLiteral("Contour: scale")},
+      {"comparison.gac.alpha", QStringLiteral("Contour: α")},
+      {"comparison.gac.beta", QStringLiteral("Contour: β")},
+      {"comparison.gac.propagation", QStringLiteral("Contour: propagation")},
+      {"comparison.gac.curvature", QStringLiteral("Contour: curvature")},
+      {"comparison.gac.advection", QStringLiteral("Contour: advection")},
+      {"comparison.gac.iterations", QStringLiteral("Contour: iterations")},
+      {"comparison.gac.rms", QStringLiteral("Contour: RMS change")},
+      {"comparison.confidence.multiplier", QStringLiteral("Region: multiplier")},
+      {"comparison.confidence.iterations", QStringLiteral("Region: iterations")},
+      {"comparison.confidence.radiusVoxels", QStringLiteral("Region: radius")},
+      {"comparison.threshold.lower", QStringLiteral("Threshold: lower")},
+      {"comparison.threshold.upper", QStringLiteral("Threshold: upper")},
+      {"comparison.threshold.sigmaVoxels", QStringLiteral("Threshold: Gaussian")},
+      {"comparison.threshold.fromSeeds", QStringLiteral("Threshold: from the seeds")},
       {"segmentation.drop", QStringLiteral("Parts ticked off")},
       {"segmentation.keep", QStringLiteral("Parts kept")},
       {"surface.cellVoxels", QStringLiteral("Cell size")},
@@ -132,7 +148,7 @@ QString meshTitle(MeshKind kind) {
 
 Step stepOfField(const Field& field) {
   const std::string group = field.key.substr(0, field.key.find('.'));
-  if (group == "levelset") {
+  if (group == "levelset" || group == "comparison" || field.key == "segmentation.method") {
     return Step::Evolve;
   }
   if (group == "segmentation") {

@@ -117,6 +117,7 @@ class TestCli : public QObject {
                        "working.size",
                        "working.spacing_mm",
                        "stages",
+                       "segmentation.method",
                        "segmentation.iterations",
                        "segmentation.converged",
                        "segmentation.stop_reason",
