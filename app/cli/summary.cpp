@@ -60,6 +60,19 @@ const char* endOf(const EvolveResult& evolve) {
   return "stopped";
 }
 
+void printComponents(const std::vector<SegmentComponent>& parts) {
+  constexpr std::size_t kMost = 5;
+  for (std::size_t n = 0; n < std::min(parts.size(), kMost); ++n) {
+    const SegmentComponent& part = parts[n];
+    std::printf("%-13s %.4g mm3", n == 0 ? "components" : "", part.volumeMm3);
+    if (part.measure && part.measure->lengthMm > 0.0)
+      std::printf(", length %.4g mm", part.measure->lengthMm);
+    if (part.measure) std::printf(", mean radius %.3g mm", part.measure->meanRadiusMm);
+    std::printf("%s%s\n", part.seeded ? ", seeded" : "", part.kept ? "" : ", left out");
+  }
+  if (parts.size() > kMost) std::printf("%-13s and %zu smaller ones\n", "", parts.size() - kMost);
+}
+
 void printSegmentation(const RunResult& result) {
   const EvolveResult& evolve = *result.evolve;
   std::printf("%-13s", "segmentation");
@@ -154,6 +167,7 @@ void printSummary(const RunResult& result, const std::optional<OverlapMeasures>&
   printGrid("input", result.source.image->geometry);
   if (result.preprocessed) printGrid("working grid", result.preprocessed->geometry);
   if (result.evolve) printSegmentation(result);
+  if (result.surface) printComponents(result.surface->components);
   if (truth) printOverlap(*truth);
   if (result.surface) {
     std::printf("%-13s ", "surface");

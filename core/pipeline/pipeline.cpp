@@ -198,8 +198,9 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
                       const Progress& progress, std::vector<std::string>& warnings) {
   const SurfaceParams& p = params.surface;
   SurfaceResult result;
-  Segments segments = selectSegments(*evolved.phi, params.segmentation, params.seeds.points);
-  result.phi = withoutDropped(evolved.phi, segments, progress.sub(0.0, 0.2));
+  Segments segments = selectSegments(*evolved.phi, params.segmentation, params.seeds.points,
+                                     progress.sub(0.0, 0.1));
+  result.phi = withoutDropped(evolved.phi, segments, progress.sub(0.1, 0.2));
   result.components = std::move(segments.components);
   result.insideVoxels = segments.insideVoxels;
   result.marchingCubes =

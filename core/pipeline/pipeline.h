@@ -12,6 +12,7 @@
 #include "core/base/progress.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/surface_step.h"
+#include "core/quality/component_measure.h"
 #include "core/quality/mesh_quality.h"
 
 namespace angiomesh {
@@ -48,8 +49,12 @@ struct SegmentComponent {
   std::size_t voxels = 0;
   double volumeMm3 = 0.0;
   Eigen::Vector3d innerPointLps;  ///< the centre of one of its voxels, for segmentation.drop
+  /// See measureComponents(); of the largest kMeasuredComponents alone.
+  std::optional<ComponentMeasure> measure;
+  bool seeded = false;  ///< holds a seed given by hand, or lies beside one
   bool kept = true;
 };
+constexpr std::size_t kMeasuredComponents = 200;
 
 struct EvolveResult {
   std::shared_ptr<const Volume<float>> phi;  ///< redistanced, mm, clamped at +-5 working voxels

@@ -84,6 +84,23 @@ const char* stopReasonText(StopReason reason) {
   return "stopped";
 }
 
+/// The largest components; those left out of the surface, too.
+Json componentList(const std::vector<SegmentComponent>& components) {
+  Json list = Json::array();
+  for (const SegmentComponent& component : components) {
+    if (list.size() == kMeasuredComponents) break;
+    Json part{{"volume_mm3", component.volumeMm3}};
+    if (component.measure) {
+      if (component.measure->lengthMm > 0.0) part["length_mm"] = component.measure->lengthMm;
+      part["mean_radius_mm"] = component.measure->meanRadiusMm;
+    }
+    part["seeded"] = component.seeded;
+    part["kept"] = component.kept;
+    list.push_back(std::move(part));
+  }
+  return list;
+}
+
 Json segmentationBlock(const RunResult& result) {
   const EvolveResult& evolve = *result.evolve;
   const Field& method = findField("segmentation.method");
@@ -98,6 +115,8 @@ Json segmentationBlock(const RunResult& result) {
     for (const SegmentComponent& component : result.surface->components) kept += component.kept;
     block["inside_voxels"] = result.surface->insideVoxels;
     block["components"] = kept;
+    block["components_found"] = result.surface->components.size();
+    block["component_list"] = componentList(result.surface->components);
   } else {
     const Components parts = connectedComponents(insideMask(*evolve.phi));
     std::size_t inside = 0;

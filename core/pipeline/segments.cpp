@@ -52,13 +52,15 @@ std::vector<std::size_t> deepestVoxels(const Volume<float>& phi, const Component
 }  // namespace
 
 Segments selectSegments(const Volume<float>& phi, const SegmentationParams& params,
-                        const std::vector<double>& seedsByHand) {
+                        const std::vector<double>& seedsByHand, const Progress& progress) {
   const Geometry& g = phi.geometry;
   Components found = connectedComponents(insideMask(phi));
   const std::vector<std::size_t> deepest = deepestVoxels(phi, found);
   const std::size_t count = found.sizes.size();
   const std::vector<bool> dropped = labelsAt(found.labels, count, params.drop);
   const std::vector<bool> seeded = labelsAt(found.labels, count, seedsByHand);
+  const std::vector<ComponentMeasure> measures =
+      measureComponents(phi, found.labels, std::min(count, kMeasuredComponents), progress);
   Segments out;
   for (std::size_t n = 0; n < count; ++n) {
     SegmentComponent component;
@@ -66,6 +68,8 @@ Segments selectSegments(const Volume<float>& phi, const SegmentationParams& para
     component.volumeMm3 = static_cast<double>(found.sizes[n]) * g.voxelVolumeMm3();
     const Index3 p = g.indexOf(deepest[n]);
     component.innerPointLps = g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+    if (n < measures.size()) component.measure = measures[n];
+    component.seeded = seeded[n];
     component.kept = !dropped[n] && component.volumeMm3 >= params.minVolumeMm3 &&
                      (params.keep != KeepComponents::Largest || n == 0) &&
                      (params.keep != KeepComponents::Seeded || seeded[n]);

@@ -16,7 +16,7 @@ struct Segments {
   std::size_t insideVoxels = 0;  ///< of the kept components
 };
 Segments selectSegments(const Volume<float>& phi, const SegmentationParams& params,
-                        const std::vector<double>& seedsByHand);
+                        const std::vector<double>& seedsByHand, const Progress& progress);
 
 /// phi without the components that were not kept, a distance again. Returns phi itself when all
 /// were kept.

@@ -338,6 +338,7 @@ std::vector<ComponentRow> CaseController::components() const {
     ComponentRow row;
     row.voxels = component.voxels;
     row.volumeMm3 = component.volumeMm3;
+    row.measure = component.measure;
     row.byRule = !component.kept && dropsIn(component, meshRun_->params).empty();
     row.ticked = !row.byRule && dropsIn(component, params_).empty();
     rows.push_back(row);

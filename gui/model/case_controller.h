@@ -27,6 +27,7 @@ enum class Severity { Info, Warning, Error };
 struct ComponentRow {
   std::size_t voxels = 0;
   double volumeMm3 = 0.0;
+  std::optional<ComponentMeasure> measure;  ///< of the largest alone
   bool ticked = true;
   bool byRule = false;  ///< left out by segmentation.keep or .minVolumeMm3: a tick has no say
 };

@@ -85,9 +85,12 @@ ComponentTable::ComponentTable(CaseController& controller, QWidget* parent)
   summary_ = new QLabel(this);
   summary_->setObjectName("componentSummary");
   column->addWidget(summary_);
-  table_ = new QTableWidget(0, 3, this);
+  table_ = new QTableWidget(0, 5, this);
   table_->setObjectName("components");
-  table_->setHorizontalHeaderLabels({tr("Part"), tr("Voxels"), tr("mm³")});
+  table_->setHorizontalHeaderLabels(
+      {tr("Part"), tr("Voxels"), tr("mm³"), tr("Length"), tr("Radius")});
+  table_->horizontalHeaderItem(3)->setToolTip(tr("Of the centre lines, all branches, mm"));
+  table_->horizontalHeaderItem(4)->setToolTip(tr("Mean radius, mm"));
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -122,13 +125,18 @@ void ComponentTable::refresh() {
                               : Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     name->setToolTip(row.byRule ? tr("Left out by which parts are kept, or by the least volume")
                                 : tr("Ticked off: not meshed"));
-    auto* voxels = new QTableWidgetItem(QString::number(row.voxels));
-    auto* volume = new QTableWidgetItem(QString::number(row.volumeMm3, 'f', 1));
-    voxels->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    volume->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     table_->setItem(i, 0, name);
-    table_->setItem(i, 1, voxels);
-    table_->setItem(i, 2, volume);
+    QStringList numbers{QString::number(row.voxels), QString::number(row.volumeMm3, 'f', 1)};
+    if (row.measure) {
+      numbers << (row.measure->lengthMm > 0.0 ? QString::number(row.measure->lengthMm, 'f', 1)
+                                              : QString())
+              << QString::number(row.measure->meanRadiusMm, 'f', 2);
+    }
+    for (int c = 0; c + 1 < table_->columnCount(); ++c) {
+      auto* cell = new QTableWidgetItem(numbers.value(c));
+      cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      table_->setItem(i, c + 1, cell);
+    }
   }
   const int rowHeight = table_->verticalHeader()->defaultSectionSize();
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +

@@ -118,6 +118,8 @@ class TestCli : public QObject {
                        "working.spacing_mm",
                        "stages",
                        "segmentation.method",
+                       "segmentation.components_found",
+                       "segmentation.component_list",
                        "segmentation.iterations",
                        "segmentation.converged",
                        "segmentation.stop_reason",

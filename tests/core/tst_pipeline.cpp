@@ -133,7 +133,15 @@ class TestPipeline : public QObject {
     Parameters seeded = params;
     seeded.segmentation.keep = KeepComponents::Seeded;
     seeded.seeds.points = {27.0, 18.0, 18.0};
-    for (const Eigen::Vector3d& x : pipeline.run(seeded).smoothed->points) QVERIFY(x[0] > 20.0);
+    const RunResult thin = pipeline.run(seeded);
+    for (const Eigen::Vector3d& x : thin.smoothed->points) QVERIFY(x[0] > 20.0);
+    const auto& parts = thin.surface->components;
+    QVERIFY(!parts[0].seeded && !parts[0].kept && parts[1].seeded && parts[1].kept);
+    QVERIFY(parts[0].volumeMm3 > parts[1].volumeMm3);
+    for (const SegmentComponent& part : parts)
+      QVERIFY(part.measure && std::fabs(part.measure->lengthMm / 36.0 - 1.0) < 0.05);
+    QVERIFY(std::fabs(parts[0].measure->meanRadiusMm - 3.0) < 0.3);
+    QVERIFY(std::fabs(parts[1].measure->meanRadiusMm - 2.0) < 0.3);
     Parameters none = params;
     none.segmentation.minVolumeMm3 = 1e6;
     QVERIFY_EXCEPTION_THROWN(pipeline.run(none), NumericError);
