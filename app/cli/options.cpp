@@ -61,7 +61,8 @@ Parameters ParameterOptions::parameters() const {
 }
 
 void addSettings(CLI::App& command, ParameterOptions& options) {
-  command.add_option("--preset", options.presetName, "Parameters to start from: angiomesh, thesis");
+  command.add_option("--preset", options.presetName,
+                     "Parameters to start from: angiomesh, ct, thesis");
   command.add_option("--params", options.paramsFile,
                      "JSON file of parameters, such as the params.json of a run");
   command

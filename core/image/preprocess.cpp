@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/base/error.h"
@@ -87,6 +88,53 @@ Volume<float> resampleIsotropic(const Volume<float>& image, const Progress& prog
   return out;
 }
 
+namespace {
+
+/// Voxels with a set one among their 26 neighbours are set.
+void grow(Volume<std::uint8_t>& mask) {
+  const Geometry& g = mask.geometry;
+  const std::size_t stride[3] = {
+      1, static_cast<std::size_t>(g.size[0]),
+      static_cast<std::size_t>(g.size[0]) * static_cast<std::size_t>(g.size[1])};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::vector<std::uint8_t> before = mask.voxels;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (before[i] == 0) continue;
+      const int at = g.indexOf(i)[a];
+      if (at > 0) mask.voxels[i - stride[a]] = 1;
+      if (at + 1 < g.size[a]) mask.voxels[i + stride[a]] = 1;
+    }
+  }
+}
+
+}  // namespace
+
+Volume<float> clampIntensities(const Volume<float>& image, std::optional<double> lower,
+                               std::optional<double> upper, int rimVoxels) {
+  Volume<float> out = image;
+  const auto low = static_cast<float>(lower.value_or(std::numeric_limits<float>::lowest()));
+  if (upper) {
+    const auto high = static_cast<float>(*upper);
+    Volume<std::uint8_t> above(image.geometry);
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+      above.voxels[i] = image.voxels[i] > high ? 1 : 0;
+    for (int n = 0; n < rimVoxels; ++n) grow(above);
+    std::vector<float> between;
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+      if (above.voxels[i] == 0 && image.voxels[i] > low) between.push_back(image.voxels[i]);
+    if (between.empty())
+      throw InputError("no voxel is left between the bounds of the intensity",
+                       "preprocess.clamp.lower, preprocess.clamp.upper",
+                       "choose them around the brightness of the vessels and their surroundings");
+    const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
+    std::nth_element(between.begin(), middle, between.end());
+    for (std::size_t i = 0; i < out.voxels.size(); ++i)
+      if (above.voxels[i] != 0) out.voxels[i] = *middle;
+  }
+  for (float& value : out.voxels) value = std::max(value, low);
+  return out;
+}
+
 Volume<float> sigmoid(const Volume<float>& image, double window, double level) {
   const auto range = valueRange(image);
   const double low = range[0];
@@ -103,6 +151,11 @@ Volume<float> preprocess(const Volume<float>& image, const PreprocessParams& par
                          const Progress& progress) {
   Volume<float> out = params.roi ? cropToBox(image, *params.roi) : image;
   if (params.roi) checkUsable(out, "preprocess.roi");
+  if (params.clampLower || params.clampUpper) {
+    // Before resampling, whose cubic would carry the edges of bone farther.
+    out = clampIntensities(out, params.clampLower, params.clampUpper, params.clampRimVoxels);
+    checkUsable(out, "preprocess.clamp");
+  }
   progress.report(0.1);
   const bool resample = params.isotropic == Isotropic::On ||
                         (params.isotropic == Isotropic::Auto && wantsIsotropic(out.geometry));

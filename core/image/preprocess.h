@@ -13,6 +13,8 @@ enum class Isotropic { Auto, Off, On };
 
 struct PreprocessParams {
   Isotropic isotropic = Isotropic::Auto;
+  std::optional<double> clampLower, clampUpper;  ///< see clampIntensities(); empty: no bound
+  int clampRimVoxels = 1;
   bool sigmoidEnabled = false;
   std::optional<double> sigmoidWindow;  ///< empty: from the image (1st to 99.8th percentile)
   std::optional<double> sigmoidLevel;
@@ -37,7 +39,16 @@ bool wantsIsotropic(const Geometry& geometry);
 /// lo + (hi - lo) / (1 + exp(-(I - level) / (window / 6))), lo and hi the input's range.
 Volume<float> sigmoid(const Volume<float>& image, double window, double level);
 
-/// Region of interest, resampling, sigmoid, curvature flow (ITK), in this order.
+/// Takes out what is brighter than any vessel, as bone, calcium and metal are in CT: voxels above
+/// `upper` and those within `rimVoxels` steps over 26-neighbours of them, whose brightness is
+/// partly theirs, get the median of the other voxels between the bounds. Values below `lower` are
+/// raised to it.
+/// @throws InputError when nothing is left between the bounds
+Volume<float> clampIntensities(const Volume<float>& image, std::optional<double> lower,
+                               std::optional<double> upper, int rimVoxels);
+
+/// Region of interest, bounds of the intensity, resampling, sigmoid, curvature flow (ITK), in this
+/// order.
 Volume<float> preprocess(const Volume<float>& image, const PreprocessParams& params,
                          const Progress& progress = {});
 

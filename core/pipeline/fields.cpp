@@ -163,6 +163,18 @@ void addPreprocess(Table& t) {
   t.choice("preprocess.isotropic", MEMBER(preprocess.isotropic), {"auto", "off", "on"},
            "resample to cubic voxels of the smallest spacing; auto: when spacing differs by more "
            "than 10 % and the voxels grow at most threefold");
+  Field& lower = t.real("preprocess.clamp.lower", MEMBER(preprocess.clampLower), -1e6, 1e6, "",
+                        "intensities below are raised to it; none: no bound");
+  lower.emptyWord = "none";
+  Field& upper = t.real("preprocess.clamp.upper", MEMBER(preprocess.clampUpper), -1e6, 1e6, "",
+                        "voxels above are bone, calcium or metal: they and their rim are filled "
+                        "with the median intensity between the bounds; none: no bound");
+  upper.emptyWord = "none";
+  t.integer("preprocess.clamp.rimVoxels", MEMBER(preprocess.clampRimVoxels), 0, 10,
+            "width of the rim that is filled with them, voxels of the input")
+      .idle = [](const Parameters& p) {
+    return p.preprocess.clampUpper ? "" : "of preprocess.clamp.upper alone";
+  };
   t.boolean("preprocess.sigmoid.enabled", MEMBER(preprocess.sigmoidEnabled),
             "map intensities through a sigmoid that keeps the range of the vessels")
       .main = true;

@@ -267,6 +267,12 @@ void validate(const Parameters& params) {
   if (params.levelset.bMax < params.levelset.bMin)
     throw InputError("the upper bound of b is below the lower", "levelset.bMin, levelset.bMax",
                      "make bMax at least bMin");
+  const PreprocessParams& pre = params.preprocess;
+  if (pre.clampLower && pre.clampUpper && *pre.clampUpper <= *pre.clampLower)
+    throw InputError("the upper bound of the intensity is not above the lower",
+                     "preprocess.clamp.lower = " + numberText(*pre.clampLower) +
+                         ", preprocess.clamp.upper = " + numberText(*pre.clampUpper),
+                     "make upper more than lower");
   const ComparisonParams& c = params.comparison;
   if (c.thresholdLower && c.thresholdUpper && *c.thresholdUpper < *c.thresholdLower)
     throw InputError("the upper threshold is below the lower",
@@ -284,13 +290,19 @@ bool evolves(const Parameters& params) {
 }
 
 const std::vector<std::string>& presetNames() {
-  static const std::vector<std::string> names{"angiomesh", "thesis"};
+  static const std::vector<std::string> names{"angiomesh", "ct", "thesis"};
   return names;
 }
 
 Parameters preset(std::string_view name) {
   Parameters params;
   if (name == "angiomesh") return params;
+  if (name == "ct") {
+    // HU: fat and air are as good as soft tissue, contrast medium in a vessel is below 500.
+    params.preprocess.clampLower = 0.0;
+    params.preprocess.clampUpper = 500.0;
+    return params;
+  }
   if (name != "thesis")
     throw InputError("there is no preset '" + std::string(name) + "'", "preset",
                      "use one of " + joined(presetNames()));

@@ -100,7 +100,7 @@ std::string fieldText(const FieldValue& value, const Field& field);
 /// Relations between fields (sigmaMin <= sigmaMax, edgeMin <= edgeMax ...). @throws InputError
 void validate(const Parameters& params);
 
-/// `thesis` or `angiomesh`. @throws InputError
+/// `angiomesh`, `ct` (angiograms in HU) or `thesis`. @throws InputError
 Parameters preset(std::string_view name);
 const std::vector<std::string>& presetNames();
 

@@ -216,10 +216,12 @@ FieldValue CaseController::suggestedValue(const Field& field) const {
     value = -window_ / 12.0;
   } else if (field.key == "comparison.gac.beta") {
     value = 0.25 * window_;
-  } else if (field.key == "comparison.threshold.upper") {
+  } else if (field.key == "comparison.threshold.upper" || field.key == "preprocess.clamp.upper") {
     value = level_ + window_;
   } else if (field.key == "preprocess.sigmoid.level" || field.key == "comparison.threshold.lower") {
     value = level_;
+  } else if (field.key == "preprocess.clamp.lower") {
+    value = level_ - window_;
   }
   value = std::clamp(value, field.minimum, field.maximum);
   switch (field.kind) {

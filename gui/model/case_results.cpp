@@ -72,7 +72,8 @@ std::pair<double, double> CaseController::sliderRange(const Field& field) const 
   } else if (field.key == "comparison.gac.beta") {
     high = 2.0 * window_;
   } else if (field.key == "preprocess.sigmoid.level" || field.key == "comparison.threshold.lower" ||
-             field.key == "comparison.threshold.upper") {
+             field.key == "comparison.threshold.upper" || field.key == "preprocess.clamp.lower" ||
+             field.key == "preprocess.clamp.upper") {
     low = level_ - window_;
     high = level_ + 2.0 * window_;
   } else if (field.key == "segmentation.minVolumeMm3" || field.key == "surface.minComponentMm3") {

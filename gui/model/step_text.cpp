@@ -35,6 +35,9 @@ const std::map<std::string, QString>& labels() {
   static const std::map<std::string, QString> table{
       {"preprocess.isotropic", QStringLiteral("Cubic voxels")},
       {"preprocess.roi", QStringLiteral("Region of interest")},
+      {"preprocess.clamp.lower", QStringLiteral("Least intensity")},
+      {"preprocess.clamp.upper", QStringLiteral("Bone above")},
+      {"preprocess.clamp.rimVoxels", QStringLiteral("Rim of bone")},
       {"preprocess.sigmoid.enabled", QStringLiteral("Sigmoid mapping")},
       {"vesselness.sigmaMinMm", QStringLiteral("Thinnest vessel")},
       {"vesselness.sigmaMaxMm", QStringLiteral("Thickest vessel")},
