@@ -334,6 +334,33 @@ class TestCli : public QObject {
     QCOMPARE(readBytes(at("two/phi.nrrd")), readBytes(at("one/phi.nrrd")));
   }
 
+  void otherMethodsSegmentToo() {
+    const CliResult other =
+        cli({"segment", "p/image.mha", "-o", "other.nrrd", "--method", "threshold"});
+    QVERIFY2(other.code == 0, other.errors.constData());
+    const CliResult run = cli({"run", "p/image.mha", "-o", "other", "--set",
+                               "segmentation.method=threshold", "--until", "surface"});
+    QVERIFY2(run.code == 0, run.errors.constData());
+    QVERIFY(readImage(nativePath(at("other.nrrd"))).image.voxels ==
+            readImage(nativePath(at("other/phi.nrrd"))).image.voxels);
+    const QJsonObject report = readJson(at("other/report.json"));
+    QVERIFY(hasKey(report, "segmentation.intensity.lower"));
+    QVERIFY(!hasKey(report, "segmentation.thresholds.b"));
+    QVERIFY(!hasKey(report, "segmentation.iterations"));
+    const QJsonObject part = report.value("segmentation")
+                                 .toObject()
+                                 .value("component_list")
+                                 .toArray()
+                                 .first()
+                                 .toObject();
+    QVERIFY(part.value("length_mm").toDouble() > 0.0);
+    QVERIFY(part.value("mean_radius_mm").toDouble() > 0.0);
+    QVERIFY(part.value("kept").toBool() && !part.value("seeded").toBool());
+    const CliResult unknown = cli({"segment", "p/image.mha", "-o", "x.nrrd", "--method", "snake"});
+    QCOMPARE(unknown.code, 2);
+    QVERIFY(unknown.errors.contains("geodesic-active-contour"));
+  }
+
   void stepsAloneLeadToTheSameSurface() {
     QCOMPARE(cli({"vesselness", "p/image.mha", "-o", "v.nrrd"}).code, 0);
     const auto range = valueRange(readImage(nativePath(at("v.nrrd"))).image);

@@ -135,6 +135,19 @@ class TestMainWindow : public QObject {
     }
   }
 
+  void theStepEvolveChoosesTheMethod() {
+    WindowCase c;
+    const QStringList evolve{"segmentation.method", "comparison.threshold.lower", "levelset.xi"};
+    for (const QString& key : evolve) QVERIFY(c.find<QWidget>("field:" + key, "step:evolve"));
+    auto* combo = c.find<QComboBox>("combo", "field:segmentation.method");
+    auto* xi = c.find<QWidget>("spin", "field:levelset.xi");
+    auto* lower = c.find<QWidget>("empty", "field:comparison.threshold.lower");
+    QVERIFY(xi->isEnabled() && !lower->isEnabled());
+    c.choose(combo, combo->findText("threshold"));
+    QCOMPARE(c.controller().parameters().segmentation.method, SegmentationMethod::Threshold);
+    QVERIFY(!xi->isEnabled() && lower->isEnabled());
+  }
+
   void moreShowsTheRest() {
     WindowCase c;
     auto* rest = c.find<QWidget>("rest", "step:surface");
