@@ -109,7 +109,7 @@ int info(const InfoOptions& options, const Progress& progress) {
 
 struct PhantomOptions {
   std::string kind, output, size = "128", spacing = "1,1,1", axis = "0,0,1", offset = "0,0,0";
-  std::string radiusRange;
+  std::string radiusRange, noiseModel = "gaussian";
   PhantomParams params;
   bool force = false;
 };
@@ -147,19 +147,23 @@ int phantom(PhantomOptions options, const Progress& progress) {
     params.radiusMin = range[0];
     params.radiusMax = range[1];
   }
+  params.noiseModel = options.noiseModel == "rician" ? NoiseModel::Rician : NoiseModel::Gaussian;
   // A former phantom is known by its truth.json; other images of these names are the user's.
   const bool former = fs::exists(fs::path(options.output) / "truth.json");
-  OutputFolder folder(options.output, {"image.mha", "truth.mha", "truth.json"},
+  OutputFolder folder(options.output, {"image.mha", "truth.mha", "truth.json", "clutter.mha"},
                       former || options.force);
   const Phantom made = makePhantom(params, progress.sub(0.0, 0.9));
   folder.add("image.mha", [&](const fs::path& place) { writeVolume(made.image, place); });
   progress.report(0.95);
   folder.add("truth.mha", [&](const fs::path& place) { writeVolume(made.truth, place); });
+  if (params.clutter)
+    folder.add("clutter.mha", [&](const fs::path& place) { writeVolume(made.clutter, place); });
   folder.add("truth.json",
              [&](const fs::path& place) { writeText(place, truthJson(params, made)); });
   progress.report(1.0);
   folder.commit();
-  std::printf("%s: image.mha, truth.mha, truth.json\n", options.output.c_str());
+  std::printf("%s: image.mha, truth.mha, truth.json%s\n", options.output.c_str(),
+              params.clutter ? ", clutter.mha" : "");
   return Done;
 }
 
@@ -231,8 +235,21 @@ void addPhantom(CLI::App& program, Session& session) {
   command->add_option("--radius", params.radius, "Vessel radius in voxels");
   command->add_option("--radius-range", options->radiusRange, "tree: radii a,b in voxels");
   command->add_option("--gap", params.gap, "kissing: distance of the walls in voxels");
-  command->add_option("--noise", params.noiseSigma, "Sigma of Gaussian noise, of 255")
+  command->add_option("--noise", params.noiseSigma, "Sigma of the noise, of 255")
       ->check(CLI::Range(0.0, 10000.0));
+  command->add_option("--noise-model", options->noiseModel, "gaussian or rician")
+      ->check(CLI::IsMember({"gaussian", "rician"}));
+  command
+      ->add_option("--drift", params.driftPercent,
+                   "Smooth change of the intensity across the volume, +- percent")
+      ->check(CLI::Range(0.0, 95.0));
+  command
+      ->add_option("--fade", params.fadePercent,
+                   "Percent of the brightness that is left at the vessels' distal ends")
+      ->check(CLI::Range(1.0, 100.0));
+  command->add_flag("--clutter", params.clutter,
+                    "Add what is bright and no vessel: a shell, a plate, blobs, bone, a vein and "
+                    "steps between slabs");
   command->add_option("--axis", options->axis, "Direction x,y,z of the vessel, index axes");
   command->add_option("--offset", options->offset, "Shift x,y,z of the vessel in voxels");
   command->add_flag("--force", options->force, "Replace files of other origin");

@@ -8,7 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/base/random.h"
+#include "core/phantom/appearance.h"
+#include "core/phantom/clutter.h"
 #include "core/phantom/rasterise.h"
 #include "core/phantom/shape.h"
 #include "core/phantom/vascular_tree.h"
@@ -25,13 +26,19 @@ Shape makeShape(const PhantomParams& params, const Progress& progress) {
   return analyticShape(params);
 }
 
-void addNoise(Volume<float>& image, double sigma, std::uint64_t seed, const Progress& progress) {
-  constexpr std::size_t grain = 1U << 16;
-  parallelFor(0, image.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
+void fadeVessels(Phantom& phantom, const PhantomParams& params, const Shape& shape,
+                 const Progress& progress) {
+  const VesselFade fade(params, shape);
+  const Geometry& g = phantom.image.geometry;
+  parallelFor(0, phantom.image.voxels.size(), 1U << 14, [&](std::size_t first, std::size_t last) {
     progress.check();
-    for (std::size_t i = first; i < last; ++i)
-      image.voxels[i] =
-          static_cast<float>(static_cast<double>(image.voxels[i]) + sigma * randomNormal(seed, i));
+    for (std::size_t i = first; i < last; ++i) {
+      float& value = phantom.image.voxels[i];
+      if (value == 0.0F) continue;
+      const Index3 at = g.indexOf(i);
+      const Eigen::Vector3d point = g.spacing.cwiseProduct(Eigen::Vector3d(at[0], at[1], at[2]));
+      value = static_cast<float>(static_cast<double>(value) * fade.at(point));
+    }
   });
 }
 
@@ -53,13 +60,21 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 
 nlohmann::json toJson(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
+nlohmann::json toJson(const ClutterPiece& piece) {
+  nlohmann::json json = {{"kind", piece.kind},
+                         {"intensity", piece.intensity},
+                         {"from_mm", toJson(piece.from)},
+                         {"to_mm", toJson(piece.to)}};
+  if (piece.label > 0) json["label"] = piece.label;
+  if (piece.segment >= 0) json["centre_line"] = piece.segment;
+  return json;
+}
+
 }  // namespace
 
 Phantom makePhantom(const PhantomParams& params, const Progress& progress) {
   const Geometry geometry = phantomGeometry(params);
-  if (!std::isfinite(params.noiseSigma) || params.noiseSigma < 0.0)
-    throw InputError("the noise has no usable standard deviation", "phantom noise",
-                     "give 0 or a positive number of intensities");
+  checkAppearance(params);
   const Shape shape = makeShape(params, progress.sub(0.0, 0.6));
   progress.phase("phantom: voxels");
   Phantom phantom;
@@ -71,8 +86,10 @@ Phantom makePhantom(const PhantomParams& params, const Progress& progress) {
     phantom.image.voxels[i] = static_cast<float>(std::min(255, 32 * count));
     phantom.truth.voxels[i] = count >= kSubvoxelsOfTruth ? 1 : 0;
   }
-  if (params.noiseSigma > 0.0)
-    addNoise(phantom.image, params.noiseSigma, params.randomSeed, progress);
+  if (params.fadePercent < 100.0) fadeVessels(phantom, params, shape, progress);
+  if (params.clutter) addClutter(phantom, params, shape, progress.sub(0.9, 0.98));
+  if (params.driftPercent > 0.0) addDrift(phantom.image, params, progress);
+  if (params.noiseSigma > 0.0) addNoise(phantom.image, params, progress);
   progress.report(1.0);
   return phantom;
 }
@@ -93,6 +110,10 @@ std::string truthJson(const PhantomParams& params, const Phantom& phantom) {
   nlohmann::json& values = json["parameters"];
   values["random_seed"] = params.randomSeed;
   values["noise_sigma"] = params.noiseSigma;
+  values["noise_model"] = params.noiseModel == NoiseModel::Rician ? "rician" : "gaussian";
+  values["drift_percent"] = params.driftPercent;
+  values["fade_percent"] = params.fadePercent;
+  values["clutter"] = params.clutter;
   if (params.kind == PhantomKind::Tree) {
     values["radius_range_voxels"] = {params.radiusMin, params.radiusMax};
     values["volume_percent"] = params.volumePercent;
@@ -116,6 +137,7 @@ std::string truthJson(const PhantomParams& params, const Phantom& phantom) {
     if (s.parent >= 0) line["parent"] = s.parent;
     lines.push_back(std::move(line));
   }
+  for (const ClutterPiece& piece : phantom.pieces) json["clutter"].push_back(toJson(piece));
   return json.dump(1) + "\n";
 }
 

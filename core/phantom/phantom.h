@@ -32,6 +32,8 @@ enum class PhantomKind {
   CapsuleTree
 };
 
+enum class NoiseModel { Gaussian, Rician };
+
 /// What to make. Lengths in voxels of the smallest spacing unless they say otherwise.
 struct PhantomParams {
   PhantomKind kind = PhantomKind::Tree;
@@ -43,9 +45,13 @@ struct PhantomParams {
   double radiusMin = 0.8, radiusMax = 8.0;  ///< tree
   double volumePercent = 0.77;              ///< tree: share of the volume that is vessel
   double gap = 1.0;                         ///< kissing: distance between the two walls
-  double noiseSigma = 0.0;                  ///< Gaussian, unclipped, in intensities of 0..255
-  Eigen::Vector3d axis{0.0, 0.0, 1.0};      ///< direction of the analytic kinds' axis, index axes
-  Eigen::Vector3d offset{0.0, 0.0, 0.0};    ///< sub-voxel shift of the analytic kinds, voxels
+  double noiseSigma = 0.0;                  ///< unclipped, in intensities of 0..255
+  NoiseModel noiseModel = NoiseModel::Gaussian;
+  double driftPercent = 0.0;   ///< +-, smooth factor on vessels, clutter and background
+  double fadePercent = 100.0;  ///< brightness of the vessels at their distal ends
+  bool clutter = false;        ///< what is bright and no vessel of the truth, see clutter.h
+  Eigen::Vector3d axis{0.0, 0.0, 1.0};    ///< direction of the analytic kinds' axis, index axes
+  Eigen::Vector3d offset{0.0, 0.0, 0.0};  ///< sub-voxel shift of the analytic kinds, voxels
 };
 
 /// One vessel segment: a straight piece of centre line with a radius at each end, LPS mm.
@@ -55,10 +61,23 @@ struct CentreLineSegment {
   int parent = -1;  ///< index of the segment that it continues, -1 at a root
 };
 
+/// A bright thing that the truth leaves out.
+struct ClutterPiece {
+  std::string kind;          ///< "shell", "plate", "blob", "bone", "vein" or "slab"
+  std::uint8_t label = 0;    ///< in Phantom::clutter: 1 to 5 in that order; 0 of slabs
+  double intensity = 0.0;    ///< before drift and noise; of slabs: what is added to all voxels
+  Eigen::Vector3d from, to;  ///< LPS mm: the ends of a vein's axis, else opposite corners of a box
+  int segment = -1;          ///< bone: touches this centre line; vein: runs beside it
+};
+
 struct Phantom {
-  Volume<float> image;  ///< 0..255 from 2x2x2 subvoxels at 32 each, min(255, 32 n), plus noise
-  Volume<std::uint8_t> truth;  ///< 1 where the noise-free image is more than 127
+  /// 0..255 from 2x2x2 subvoxels at 32 each, min(255, 32 n), times the fade; clutter alike, added;
+  /// then drift and noise.
+  Volume<float> image;
+  Volume<std::uint8_t> truth;    ///< 1 where the vessels alone, without fade, are more than 127
+  Volume<std::uint8_t> clutter;  ///< labels of the pieces; without voxels unless asked for
   std::vector<CentreLineSegment> centreLines;
+  std::vector<ClutterPiece> pieces;
 };
 
 /// @throws InputError for parameters that cannot be met
@@ -68,7 +87,7 @@ Phantom makePhantom(const PhantomParams& params, const Progress& progress = {});
 /// exact for the analytic kinds. For tests and benchmarks.
 Volume<float> phantomField(const PhantomParams& params);
 
-/// `truth.json`: kind, parameters, centre lines and radii.
+/// `truth.json`: kind, parameters, centre lines and radii, pieces of clutter.
 std::string truthJson(const PhantomParams& params, const Phantom& phantom);
 
 PhantomKind phantomKindFromName(
