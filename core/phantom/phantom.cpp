@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -97,6 +98,11 @@ Phantom makePhantom(const PhantomParams& params, const Progress& progress) {
 Volume<float> phantomField(const PhantomParams& params) {
   const Progress progress;
   return sampleField(makeShape(params, progress), phantomGeometry(params), progress);
+}
+
+std::function<double(const Eigen::Vector3d&)> phantomDistance(const PhantomParams& params) {
+  const auto shape = std::make_shared<const Shape>(makeShape(params, {}));
+  return [shape](const Eigen::Vector3d& point) { return shape->signedDistance(point); };
 }
 
 std::string truthJson(const PhantomParams& params, const Phantom& phantom) {

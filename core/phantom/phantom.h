@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,9 @@ Phantom makePhantom(const PhantomParams& params, const Progress& progress = {});
 /// Signed distance-like function of the noise-free shape, negative inside, in mm; its zero set is
 /// exact for the analytic kinds. For tests and benchmarks.
 Volume<float> phantomField(const PhantomParams& params);
+
+/// The same at any point in LPS mm; may be called from several threads.
+std::function<double(const Eigen::Vector3d&)> phantomDistance(const PhantomParams& params);
 
 /// `truth.json`: kind, parameters, centre lines and radii, pieces of clutter.
 std::string truthJson(const PhantomParams& params, const Phantom& phantom);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/quality/vessel_measures.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+PhantomParams paramsOf(PhantomKind kind, int side, double radius) {
+  PhantomParams params;
+  params.kind = kind;
+  params.size = {side, side, side};
+  params.radius = radius;
+  return params;
+}
+
+SplineField splineOf(const Volume<float>& phi) {
+  return SplineField(phi, SplineKind::InterpolatingBspline);
+}
+
+Volume<float> shifted(Volume<float> phi, float by) {
+  for (float& v : phi.voxels) v += by;
+  return phi;
+}
+
+}  // namespace
+
+class TestVesselMeasures : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void anExactWallHasNoDistanceAndAGrownOneThatByWhichItGrew() {
+    for (const double grown : {0.0, 0.4, -0.3}) {
+      PhantomParams params = paramsOf(PhantomKind::Torus, 48, 5.0);
+      params.axis = {0.3, 0.5, 1.0};
+      const Phantom phantom = makePhantom(params);
+      const Volume<float> phi = shifted(phantomField(params), static_cast<float>(-grown));
+      const auto samples = wallSamples(splineOf(phi), phantomDistance(params), phantom.centreLines);
+      QVERIFY(samples.size() > 1000);
+      const WallDistance distance = wallDistance(samples);
+      QVERIFY2(std::fabs(distance.meanMm - std::fabs(grown)) < 0.01,
+               QByteArray::number(distance.meanMm));
+      QVERIFY(std::fabs(distance.percentile95Mm - std::fabs(grown)) < 0.02);
+      QVERIFY(std::fabs(wallBias(samples, 4.0, 6.0, 2.0) - grown) < 0.01);
+      QVERIFY(std::isnan(wallBias(samples, 6.0, 9.0, 2.0)));
+      QVERIFY(std::isnan(wallBias(samples, 4.0, 6.0, -1.0)));
+    }
+    QVERIFY(std::isnan(wallDistance({}).meanMm));
+  }
+
+  void wallSamplesAreTheSameForAnyNumberOfThreads() {
+    const PhantomParams params = paramsOf(PhantomKind::Bifurcation, 32, 4.0);
+    const SplineField phi = splineOf(phantomField(params));
+    setThreads(1);
+    const auto one = wallSamples(phi, phantomDistance(params));
+    setThreads(2);
+    const auto two = wallSamples(phi, phantomDistance(params));
+    QCOMPARE(one.size(), two.size());
+    for (std::size_t i = 0; i < one.size(); ++i) QVERIFY(one[i].point == two[i].point);
+  }
+
+  void radiusOfATube_data() {
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<double>("grown");
+    QTest::addColumn<double>("tilt");
+    for (const double radius : {1.5, 3.0, 6.0})
+      for (const double grown : {0.0, 0.25})
+        for (const double tilt : {0.0, 0.7})
+          QTest::addRow("%g %g %g", radius, grown, tilt) << radius << grown << tilt;
+  }
+  void radiusOfATube() {
+    QFETCH(double, radius);
+    QFETCH(double, grown);
+    QFETCH(double, tilt);
+    PhantomParams params = paramsOf(PhantomKind::Tube, 48, radius);
+    params.axis = {tilt, 0.5 * tilt, 1.0};
+    params.offset = {0.3, 0.1, 0.2};
+    params.spacingMm = {0.5, 0.5, 0.5};
+    const Phantom phantom = makePhantom(params);
+    const Volume<float> phi = shifted(phantomField(params), static_cast<float>(-0.5 * grown));
+    const CentreLineSegment& line = phantom.centreLines.front();
+    const double found = tubeRadius(splineOf(phi), line.from, line.to, 0.5 * (radius + 4.0)) / 0.5;
+    QVERIFY2(std::fabs(found - radius - grown) < 0.02, QByteArray::number(found));
+  }
+
+  void recallIsTheShareOfTheLengthInside() {
+    const PhantomParams params = paramsOf(PhantomKind::Tube, 40, 3.0);
+    const Phantom phantom = makePhantom(params);
+    Volume<float> phi = phantomField(params);
+    QCOMPARE(centreLineRecall(phi, phantom.centreLines, 1.0), 1.0);
+    QVERIFY(std::isnan(centreLineRecall(phi, phantom.centreLines, 3.5)));
+    for (int k = 0; k < 10; ++k)
+      for (int j = 0; j < 40; ++j)
+        for (int i = 0; i < 40; ++i) phi.at(i, j, k) = 3.0F;
+    // Between k = 9 and 10 the sign changes half way.
+    QVERIFY(std::fabs(centreLineRecall(phi, phantom.centreLines, 1.0) - 30.0 / 40.0) < 0.01);
+  }
+
+  void falseComponentsAndMergedVesselsAreCounted() {
+    PhantomParams params = paramsOf(PhantomKind::Kissing, 64, 3.0);
+    params.gap = 3.0;
+    const Phantom phantom = makePhantom(params);
+    Volume<std::uint8_t> result = phantom.truth;
+    ComponentMeasures m = measureComponents(result, phantom.truth, phantom.centreLines);
+    QCOMPARE(m.components, std::size_t{2});
+    QCOMPARE(m.falseOnes, std::size_t{0});
+    QCOMPARE(m.mergedVessels, std::size_t{0});
+    for (int i = 28; i < 36; ++i) result.at(i, 32, 32) = 1;  // a bridge between the two
+    for (int i = 0; i < 7; ++i) result.at(i, 2, 60) = 1;
+    result.at(2, 60, 2) = 1;
+    m = measureComponents(result, phantom.truth, phantom.centreLines);
+    QCOMPARE(m.components, std::size_t{3});
+    QCOMPARE(m.falseOnes, std::size_t{2});
+    QCOMPARE(m.largestFalse, std::size_t{7});
+    QCOMPARE(m.mergedVessels, std::size_t{1});
+    const Volume<std::uint8_t> nothing(phantom.truth.geometry);
+    QCOMPARE(measureComponents(nothing, phantom.truth, phantom.centreLines).components,
+             std::size_t{0});
+  }
+};
+
+QTEST_GUILESS_MAIN(TestVesselMeasures)
+#include "tst_vessel_measures.moc"
