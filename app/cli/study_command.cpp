@@ -9,6 +9,7 @@
 #include "app/cli/field_input.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/study_figures.h"
+#include "app/cli/study_panel_command.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "io/files.h"
@@ -139,8 +140,10 @@ int figures(const FiguresOptions& options, const Progress& progress) {
 }  // namespace
 
 void addStudy(CLI::App& program, Session& session) {
-  CLI::App* study = program.add_subcommand("study", "The thesis's figures, made anew");
+  CLI::App* study =
+      program.add_subcommand("study", "The thesis's figures, made anew, and the evidence");
   study->require_subcommand(1);
+  addStudyPanel(*study, session);
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command = study->add_subcommand("figures",
                                             "Figures 4.1, 5.4, 5.5, 5.6, B.1 and B.2: the meshing "

@@ -69,21 +69,57 @@ double percentile(std::vector<double> values, double share) {
   return values[low] + (rank - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
-/// The share of a voxel's box where phi < 0 and `counts` holds.
-template <class Counts>
-double insideShare(const SplineField& phi, const Vector3d& index, const Counts& counts) {
+/// The middle part of a straight line and what is around it.
+struct Cylinder {
+  Vector3d from, along;
+  double low, high, around;
+  Cylinder(const Vector3d& a, const Vector3d& b, double aroundMm, double share)
+      : from(a),
+        along((b - a).normalized()),
+        low(0.5 * (1.0 - share) * (b - a).norm()),
+        high(0.5 * (1.0 + share) * (b - a).norm()),
+        around(aroundMm) {}
+  [[nodiscard]] bool holds(const Vector3d& point, double margin) const {
+    const double s = (point - from).dot(along);
+    if (s < low - margin || s > high + margin) return false;
+    return (point - from - s * along).norm() <= around + margin;
+  }
+};
+
+/// The share of the samples in a voxel's box for which `inside` holds.
+template <class Inside>
+double shareOfVoxel(const Geometry& g, const Vector3d& index, const Inside& inside) {
   constexpr int samples = 4;
-  int inside = 0;
+  int count = 0;
   for (int c = 0; c < samples; ++c)
     for (int b = 0; b < samples; ++b)
       for (int a = 0; a < samples; ++a) {
-        const Vector3d shift(a, b, c);
-        const Vector3d at =
-            index + (shift + Vector3d::Constant(0.5)) / samples - Vector3d::Constant(0.5);
-        const Vector3d point = phi.geometry().toPhysical(at);
-        if (counts(point) && phi.valueAt(point) < 0.0) ++inside;
+        const Vector3d shift = (Vector3d(a, b, c) + Vector3d::Constant(0.5)) / samples;
+        if (inside(g.toPhysical(index + shift - Vector3d::Constant(0.5)))) ++count;
       }
-  return static_cast<double>(inside) / (samples * samples * samples);
+  return static_cast<double>(count) / (samples * samples * samples);
+}
+
+/// sqrt(V / (pi length)) of the sum of shareOf(i, j, k, whole), whole: all of the voxel is in the
+/// cylinder.
+template <class ShareOf>
+double radiusFromShares(const Geometry& g, const Cylinder& cylinder, const ShareOf& shareOf) {
+  const double reach = 0.5 * g.spacing.norm();
+  std::vector<double> slices(static_cast<std::size_t>(g.size[2]), 0.0);
+  parallelFor(0, slices.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t slice = first; slice < last; ++slice) {
+      const int k = static_cast<int>(slice);
+      for (int j = 0; j < g.size[1]; ++j)
+        for (int i = 0; i < g.size[0]; ++i) {
+          const Vector3d centre = g.toPhysical(Vector3d(i, j, k));
+          if (cylinder.holds(centre, reach))
+            slices[slice] += shareOf(i, j, k, cylinder.holds(centre, -reach));
+        }
+    }
+  });
+  double voxels = 0.0;
+  for (const double s : slices) voxels += s;
+  return std::sqrt(voxels * g.voxelVolumeMm3() / (kPi * (cylinder.high - cylinder.low)));
 }
 
 /// The number of the root that each centre line continues.
@@ -166,40 +202,28 @@ double wallBias(const std::vector<WallSample>& samples, double fromMm, double to
 double tubeRadius(const SplineField& phi, const Vector3d& from, const Vector3d& to, double aroundMm,
                   double share) {
   const Geometry& g = phi.geometry();
-  const double length = (to - from).norm();
-  const Vector3d along = (to - from) / length;
-  const double low = 0.5 * (1.0 - share) * length;
-  const double high = 0.5 * (1.0 + share) * length;
-  const auto within = [&](const Vector3d& point, double margin) {
-    const double s = (point - from).dot(along);
-    if (s < low - margin || s > high + margin) return false;
-    return (point - from - s * along).norm() <= aroundMm + margin;
-  };
+  const Cylinder cylinder(from, to, aroundMm, share);
   const double reach = 0.5 * g.spacing.norm();
-  std::vector<double> slices(static_cast<std::size_t>(g.size[2]), 0.0);
-  parallelFor(0, slices.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t slice = first; slice < last; ++slice) {
-      const int k = static_cast<int>(slice);
-      for (int j = 0; j < g.size[1]; ++j)
-        for (int i = 0; i < g.size[0]; ++i) {
-          const Vector3d index(i, j, k);
-          const Vector3d centre = g.toPhysical(index);
-          if (!within(centre, reach)) continue;
-          const bool whole = within(centre, -reach);
-          // A distance of more than two half diagonals leaves room for phi that is not quite one.
-          const double value = phi.atVoxel(i, j, k);
-          if (whole && std::fabs(value) > 2.0 * reach) {
-            slices[slice] += value < 0.0 ? 1.0 : 0.0;
-            continue;
-          }
-          slices[slice] +=
-              insideShare(phi, index, [&](const Vector3d& point) { return within(point, 0.0); });
-        }
-    }
+  return radiusFromShares(g, cylinder, [&](int i, int j, int k, bool whole) {
+    // A distance of more than two half diagonals leaves room for phi that is not quite one.
+    const double value = phi.atVoxel(i, j, k);
+    if (whole && std::fabs(value) > 2.0 * reach) return value < 0.0 ? 1.0 : 0.0;
+    return shareOfVoxel(g, Vector3d(i, j, k), [&](const Vector3d& point) {
+      return cylinder.holds(point, 0.0) && phi.valueAt(point) < 0.0;
+    });
   });
-  double voxels = 0.0;
-  for (const double s : slices) voxels += s;
-  return std::sqrt(voxels * g.voxelVolumeMm3() / (kPi * share * length));
+}
+
+double tubeRadiusOfShares(const Volume<float>& shares, const Vector3d& from, const Vector3d& to,
+                          double aroundMm, double share) {
+  const Geometry& g = shares.geometry;
+  const Cylinder cylinder(from, to, aroundMm, share);
+  return radiusFromShares(g, cylinder, [&](int i, int j, int k, bool whole) {
+    const auto inside = static_cast<double>(shares.at(i, j, k));
+    if (whole || inside == 0.0) return inside;
+    return inside * shareOfVoxel(g, Vector3d(i, j, k),
+                                 [&](const Vector3d& point) { return cylinder.holds(point, 0.0); });
+  });
 }
 
 double centreLineRecall(const Volume<float>& phi, const std::vector<CentreLineSegment>& centreLines,

@@ -47,6 +47,10 @@ double wallBias(const std::vector<WallSample>& samples, double fromMm, double to
 double tubeRadius(const SplineField& phi, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                   double aroundMm, double share = 0.8);
 
+/// The same of an image whose values are the shares (0..1) of each voxel that are inside.
+double tubeRadiusOfShares(const Volume<float>& shares, const Eigen::Vector3d& from,
+                          const Eigen::Vector3d& to, double aroundMm, double share = 0.8);
+
 /// Share (0..1) of the centre lines' length, where the radius is at least `leastRadiusMm`, with phi
 /// < 0 (trilinear). NaN when no centre line is so thick.
 double centreLineRecall(const Volume<float>& phi, const std::vector<CentreLineSegment>& centreLines,

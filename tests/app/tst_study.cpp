@@ -3,6 +3,7 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
@@ -18,6 +19,12 @@ QJsonObject panel(const QJsonObject& json, const QString& figure, qsizetype numb
   for (const QJsonValue& value : json["figures"].toArray())
     if (value["figure"].toString() == figure) return value["panels"].toArray()[number].toObject();
   return {};
+}
+
+QJsonObject jsonOf(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  return QJsonDocument::fromJson(file.readAll()).object();
 }
 
 double triangles(const QJsonObject& panel) { return panel["triangles"].toDouble(); }
@@ -70,6 +77,59 @@ class TestStudy : public QObject {
     QVERIFY(panel(json, "5.5", 1)["triangles"] == panel(json, "B.2", 0)["triangles"]);
 
     QCOMPARE(runCli(dir.path(), command).code, 2);
+  }
+
+  void panelOfChosenRows() {
+    const QTemporaryDir dir;
+    const QStringList command{"study",   "panel",  "-o",
+                              "panel",   "--rows", "kissing-r3-g3,tube-r3-n20-axis",
+                              "--cases", "1"};
+    const CliResult result = runCli(dir.path(), command);
+    QVERIFY2(result.code == 0, result.errors.constData());
+    const QJsonArray rows = jsonOf(dir.filePath("panel/panel.json"))["rows"].toArray();
+    QCOMPARE(rows.size(), 2);
+    const QJsonObject tube = rows[0]["measures"].toObject();
+    QVERIFY(tube["overlap_percent"].toDouble() > 95.0);
+    QVERIFY(std::fabs(tube["radius_bias_voxels"].toDouble()) < 0.3);
+    QVERIFY(!tube.contains("merged_vessels"));
+    QCOMPARE(rows[0]["bars"].toArray().size(), 2);
+    QCOMPARE(rows[0]["cases"].toArray().size(), 1);
+    const QJsonObject kissing = rows[1]["measures"].toObject();
+    QCOMPARE(kissing["components"].toDouble(), 2.0);
+    QCOMPARE(kissing["merged_vessels"].toDouble(), 0.0);
+    QVERIFY(kissing["centre_line_recall_percent"].toDouble() > 99.0);
+    QFile csv(dir.filePath("panel/panel.csv"));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = csv.readAll().trimmed().split('\n');
+    QCOMPARE(lines.size(), 5);  // the titles, and for each row all its cases and each
+    for (const QByteArray& line : lines) QVERIFY(line.count(',') >= lines[0].count(','));
+    QFile table(dir.filePath("panel/panel.md"));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    QVERIFY(table.readAll().contains("| kissing-r3-g3 |"));
+    QCOMPARE(runCli(dir.path(), command).code, 2);  // would replace a former panel
+
+    const CliResult unknown =
+        runCli(dir.path(), {"study", "panel", "-o", "other", "--rows", "trees,ladders"});
+    QCOMPARE(unknown.code, 2);
+    QVERIFY(unknown.errors.contains("ladders"));
+  }
+
+  void ablationSwitchesOffOneAfterTheOther() {
+    const QTemporaryDir dir;
+    const CliResult result = runCli(dir.path(), {"study", "ablation", "-o", "ablation", "--rows",
+                                                 "tube-r3-n20-axis", "--cases", "1"});
+    QVERIFY2(result.code == 0, result.errors.constData());
+    const QJsonArray groups = jsonOf(dir.filePath("ablation/ablation.json"))["groups"].toArray();
+    QVERIFY(groups.size() >= 8);
+    const auto bias = [&](const QString& name) {
+      for (const QJsonValue& group : groups)
+        if (group["switched_off"].toString() == name)
+          return group["rows"][0]["measures"]["radius_bias_voxels"].toDouble();
+      return std::nan("");
+    };
+    // A wall at half the contrast lies inside one at less than half.
+    QVERIFY(bias("refineLevel = 0.5") < bias("all on"));
+    QVERIFY(std::fabs(bias("printed method")) < 1.5);
   }
 };
 

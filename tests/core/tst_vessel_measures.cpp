@@ -85,6 +85,18 @@ class TestVesselMeasures : public QObject {
     const CentreLineSegment& line = phantom.centreLines.front();
     const double found = tubeRadius(splineOf(phi), line.from, line.to, 0.5 * (radius + 4.0)) / 0.5;
     QVERIFY2(std::fabs(found - radius - grown) < 0.02, QByteArray::number(found));
+    Volume<float> shares = phantom.image;
+    double sum = 0.0;
+    for (float& v : shares.voxels) {
+      v = v >= 255.0F ? 1.0F : v / 256.0F;
+      sum += v;
+    }
+    // All of the line: the whole volume.
+    const double length = (line.to - line.from).norm() / 0.5;
+    const double imaged =
+        tubeRadiusOfShares(shares, line.from, line.to, 0.5 * (radius + 4.0)) / 0.5;
+    QVERIFY2(std::fabs(imaged - std::sqrt(sum / (M_PI * length))) < (tilt > 0.0 ? 0.1 : 0.01),
+             QByteArray::number(imaged));
   }
 
   void recallIsTheShareOfTheLengthInside() {

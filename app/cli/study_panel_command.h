@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "app/cli/session.h"
+
+namespace angiomesh::cli {
+
+/// Adds `panel` and `ablation` to the command `study`.
+void addStudyPanel(CLI::App& study, Session& session);
+
+}  // namespace angiomesh::cli
