@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr int kTubeSide = 64, kThickTubeSide = 96;  // voxels; the latter for radii of 6 and more
 constexpr int kShapeSide = 96;
-constexpr std::size_t kLeastComplaintSide = 96;
+constexpr int kLeastComplaintSide = 96;
 
 const std::vector<double> kTubeRadii{0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0};
 const std::vector<Vector3d> kOffsets{
@@ -187,7 +187,7 @@ void addShapes(std::vector<PanelRow>& rows) {
 
 /// The radiologist's four complaints about the thesis's results.
 void addComplaints(std::vector<PanelRow>& rows, int treeSize) {
-  const int size = std::max(static_cast<int>(kLeastComplaintSide), treeSize / 2);
+  const int size = std::max(kLeastComplaintSide, treeSize / 2);
   PanelRow close{"close",
                  "complaints",
                  "close vessels merge: radius 2, gap 1, noise 20 and 40",
@@ -225,6 +225,7 @@ void addComplaints(std::vector<PanelRow>& rows, int treeSize) {
     faint.cases.push_back({"random seed " + std::to_string(seed), params});
     params = treeParams(size, seed, 20.0);
     params.radiusMax = 2.0;
+    params.volumePercent = 0.3;
     tiny.cases.push_back({"random seed " + std::to_string(seed), params});
   }
   rows.push_back(std::move(tiny));
