@@ -20,7 +20,8 @@ class ThesisSpeed : public itk::LevelSetFunction<ItkImage> {
   using Self = ThesisSpeed;
   using Superclass = itk::LevelSetFunction<ItkImage>;
   using Pointer = itk::SmartPointer<Self>;
-  itkNewMacro(Self) itkTypeMacro(ThesisSpeed, LevelSetFunction);
+  itkNewMacro(Self)
+  itkTypeMacro(ThesisSpeed, LevelSetFunction);
 
   void prepare(ItkImage* vesselness, const Thresholds& thresholds, double gamma, double d) {
     RadiusType radius;
@@ -113,7 +114,8 @@ class Solver : public Base {
   using Self = Solver;
   using Superclass = Base;
   using Pointer = itk::SmartPointer<Self>;
-  itkNewMacro(Self) itkTypeMacro(Solver, ProcessObject);
+  itkNewMacro(Self)
+  itkTypeMacro(Solver, ProcessObject);
 
   Convergence convergence;
 

@@ -67,7 +67,8 @@ double valueOf(const Tensor& hessian, const PlainMeasure& measure) {
   const double rb = std::fabs(l[0]) / std::sqrt(std::fabs(l[1] * l[2]));
   const double s = std::sqrt(l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
   const double structure = 1.0 - std::exp(-s * s / (2.0 * measure.c * measure.c));
-  if (l[2] > 0.0) return measure.negative ? -structure : 0.0;
+  if (l[2] > 0.0)
+    return measure.negative ? std::exp(-l[2] * l[2] / (0.5 * measure.c * measure.c)) - 1.0 : 0.0;
   if (l[1] > 0.0) return 0.0;
   return (1.0 - std::exp(-ra * ra / (2.0 * measure.alpha * measure.alpha))) *
          std::exp(-rb * rb / (2.0 * measure.beta * measure.beta)) * structure;
