@@ -16,8 +16,9 @@ struct ItkFront {
 
 /// itk::SparseFieldLevelSetImageFilter or itk::ParallelSparseFieldLevelSetImageFilter with the
 /// thesis's F = gamma p + (1 - gamma) |d kappa| (eq. 3.19), p of eq. 3.21 from the vesselness
-/// interpolated at the zero crossing, |kappa| <= 2 / voxel, F upwinded as a whole by ITK. Stops by
-/// the rule of LevelSetEvolution; the time step is ITK's. `phi0`: signed distance, working voxels.
+/// interpolated at the zero crossing and upwinded by ITK, |kappa| <= 2 / voxel by central
+/// differences and upwinded as an expansion. Stops by the rule of LevelSetEvolution; the time step
+/// is ITK's. `phi0`: signed distance, working voxels.
 ItkFront evolveItk(const Volume<float>& vesselness, const Thresholds& thresholds,
                    const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver);
 
