@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Sourced by run.sh and test.sh: installs the packages, configures and builds, each only when needed.
+# Sourced by run.sh, test.sh and bench/run.sh: installs the packages, configures and builds, each only when needed.
 # Everything that these steps print goes to a log; the end of it is shown when a step fails.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 build="$root/build/release"
+package_lists=("$root/packaging/packages.txt")
+cmake_options=()
 
 fail() {
   printf '%s: %s\n' "$(basename "$0")" "$1" >&2
@@ -25,7 +27,7 @@ quietly() {
 
 missing_packages() {
   local wanted
-  wanted=$(grep -v '^ *\(#\|$\)' "$root/packaging/packages.txt")
+  wanted=$(grep -hv '^ *\(#\|$\)' "${package_lists[@]}")
   # shellcheck disable=SC2086
   { dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null; printf '%s\n' "$wanted"; } |
     awk '$2 == "installed" { have[$1] = 1 } NF == 1 && !have[$1] { printf "%s ", $1 }'
@@ -62,7 +64,8 @@ configure() {
   fi
   if [ ! -f "$build/CMakeCache.txt" ] || [ ! -f "$build/build.ninja" ]; then
     say "Configuring"
-    quietly configuring configure.log cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
+    quietly configuring configure.log cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+      ${cmake_options[@]+"${cmake_options[@]}"}
   fi
 }
 
