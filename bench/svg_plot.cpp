@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWidth = 760.0, kHeight = 300.0;
 constexpr double kLeft = 70.0, kRight = 290.0, kTop = 34.0, kBottom = 46.0;
-constexpr std::array<const char*, 4> kColours{"#0b6e4f", "#2a9d8f", "#c1440e", "#7a3b8f"};
+constexpr std::array<const char*, 4> kColours{"#0b6e4f", "#1f77b4", "#c1440e", "#7a3b8f"};
 
 template <class... Values>
 std::string text(const char* format, Values... values) {

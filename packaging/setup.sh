@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Sourced by run.sh, test.sh and bench/run.sh: installs the packages, configures and builds, each only when needed.
+# Sourced by run.sh, test.sh and bench/run.sh: installs the packages, configures and builds, each only
+# when needed.
 # Everything that these steps print goes to a log; the end of it is shown when a step fails.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)

@@ -10,6 +10,7 @@
 #include "app/cli/output_folder.h"
 #include "app/cli/study_figures.h"
 #include "app/cli/study_panel_command.h"
+#include "app/cli/study_table.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "io/files.h"
@@ -140,9 +141,10 @@ int figures(const FiguresOptions& options, const Progress& progress) {
 }  // namespace
 
 void addStudy(CLI::App& program, Session& session) {
-  CLI::App* study =
-      program.add_subcommand("study", "The thesis's figures, made anew, and the evidence");
+  CLI::App* study = program.add_subcommand(
+      "study", "The thesis's tables and figures, made anew, and the evidence");
   study->require_subcommand(1);
+  addTableA(*study, session);
   addStudyPanel(*study, session);
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command = study->add_subcommand("figures",

@@ -98,27 +98,38 @@ double snapped(double index) {
 
 }  // namespace
 
-OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<std::uint8_t>& truth,
-                             const Progress& progress) {
+VoxelRatios voxelRatios(const Volume<std::uint8_t>& result, const Volume<std::uint8_t>& truth) {
   if (!(result.geometry == truth.geometry))
     throw InputError("result and truth are on different grids", "comparison with the truth",
                      "give a truth mask of the same size, spacing, origin and direction");
   std::array<std::size_t, 4> counts{};  // neither, result only, truth only, both
   for (std::size_t i = 0; i < truth.voxels.size(); ++i)
     ++counts[(result.voxels[i] != 0 ? 1U : 0U) + (truth.voxels[i] != 0 ? 2U : 0U)];
-  const auto falsePositive = static_cast<double>(counts[1]);
-  const auto falseNegative = static_cast<double>(counts[2]);
-  const auto truePositive = static_cast<double>(counts[3]);
   if (counts[2] + counts[3] == 0)
     throw InputError("the truth mask is empty", "comparison with the truth",
                      "give a mask whose vessel voxels are not 0");
+  const double share = 100.0 / static_cast<double>(truth.voxels.size());
+  const auto both = static_cast<double>(counts[3]);
+  const auto wrong = static_cast<double>(counts[1] + counts[2]);
+  VoxelRatios ratios;
+  ratios.trueNegative = share * static_cast<double>(counts[0]);
+  ratios.falsePositive = share * static_cast<double>(counts[1]);
+  ratios.falseNegative = share * static_cast<double>(counts[2]);
+  ratios.truePositive = share * both;
+  ratios.overlap = 100.0 * 2.0 * both / (2.0 * both + wrong);
+  return ratios;
+}
+
+OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<std::uint8_t>& truth,
+                             const Progress& progress) {
+  const VoxelRatios ratios = voxelRatios(result, truth);
   progress.report(0.1);
 
   OverlapMeasures measures;
-  measures.overlap =
-      100.0 * 2.0 * truePositive / (2.0 * truePositive + falsePositive + falseNegative);
-  measures.sensitivity = truePositive / (truePositive + falseNegative);
-  if (counts[1] + counts[3] > 0) measures.precision = truePositive / (truePositive + falsePositive);
+  measures.overlap = ratios.overlap;
+  measures.sensitivity = ratios.truePositive / (ratios.truePositive + ratios.falseNegative);
+  const double positive = ratios.truePositive + ratios.falsePositive;
+  if (positive > 0.0) measures.precision = ratios.truePositive / positive;
 
   const PointSet resultSurface = surfaceVoxels(result);
   const PointSet truthSurface = surfaceVoxels(truth);
@@ -127,7 +138,7 @@ OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<st
   progress.report(0.65);
   const std::vector<double> back = nearestDistances(truthSurface, resultSurface, progress);
   if (there.empty() || back.empty()) {
-    const bool same = falsePositive + falseNegative == 0.0;
+    const bool same = ratios.falsePositive + ratios.falseNegative == 0.0;
     measures.assdMm = same ? 0.0 : std::numeric_limits<double>::quiet_NaN();
     measures.hd95Mm = measures.assdMm;
   } else {

@@ -16,6 +16,16 @@ struct OverlapMeasures {
   double assdMm = 0.0, hd95Mm = 0.0;
 };
 
+/// Eq. 5.3 of the thesis: percentages of all voxels, and the overlap, 100 * 2TP / (2TP + FP + FN).
+struct VoxelRatios {
+  double truePositive = 0.0, falsePositive = 0.0, trueNegative = 0.0, falseNegative = 0.0;
+  double overlap = 0.0;
+};
+
+/// Both masks must have the same geometry.
+/// @throws InputError when they do not, or when the truth is empty
+VoxelRatios voxelRatios(const Volume<std::uint8_t>& result, const Volume<std::uint8_t>& truth);
+
 /// Compares on the truth's grid; both masks must have the same geometry.
 /// @throws InputError when they do not, or when the truth is empty
 OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<std::uint8_t>& truth,

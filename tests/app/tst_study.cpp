@@ -131,6 +131,39 @@ class TestStudy : public QObject {
     QVERIFY(bias("refineLevel = 0.5") < bias("all on"));
     QVERIFY(std::fabs(bias("printed method")) < 1.5);
   }
+
+  // Each row adds up to all voxels, the vessel's share is that of the truth in every row, and the
+  // curvature term finds more vessel, as in the thesis.
+  void tablesOfTheAppendix() {
+    const QTemporaryDir dir;
+    const QStringList command{"study",  "table-a", "-o",    "tables",
+                              "--size", "40",      "--set", "levelset.maxIterations=100"};
+    const CliResult result = runCli(dir.path(), command);
+    QVERIFY2(result.code == 0, result.errors.constData());
+    QVERIFY(result.output.contains("Table A.2: 40 x 40 x 40 voxels, noise 60"));
+    for (const char* name : {"tables/table-a1.csv", "tables/table-a2.csv"}) {
+      QFile file(dir.filePath(name));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+      QCOMPARE(lines.size(), 28);
+      QCOMPARE(lines[0], QByteArray("gamma,d,xi,TPR,FPR,TNR,FNR,overlap"));
+      double vessel = -1.0;
+      double found[3] = {0.0, 0.0, 0.0};
+      for (const QByteArray& line : lines.sliced(1)) {
+        const QList<QByteArray> cells = line.split(',');
+        QCOMPARE(cells.size(), 8);
+        const auto cell = [&cells](qsizetype n) { return cells[n].toDouble(); };
+        QVERIFY(std::fabs(cell(3) + cell(4) + cell(5) + cell(6) - 100.0) < 0.0025);
+        if (vessel < 0.0) vessel = cell(3) + cell(6);
+        QVERIFY(std::fabs(cell(3) + cell(6) - vessel) < 0.0025);
+        found[static_cast<int>(cell(1) / 0.2 + 0.5)] += cell(3);
+      }
+      QVERIFY(found[0] > 0.0);
+      QVERIFY(found[0] < found[1]);
+      QVERIFY(found[1] <= found[2]);
+    }
+    QCOMPARE(runCli(dir.path(), command).code, 2);
+  }
 };
 
 QTEST_GUILESS_MAIN(TestStudy)
