@@ -7,13 +7,16 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
+#include "app/cli/options.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/study_figures.h"
 #include "app/cli/study_panel_command.h"
+#include "app/cli/study_segmentation.h"
 #include "app/cli/study_table.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "io/files.h"
+#include "io/image_io.h"
 #include "render/mesh_panels.h"
 
 namespace angiomesh::cli {
@@ -25,9 +28,11 @@ constexpr int kPanelWidth = 620;
 constexpr int kPanelHeight = 480;
 constexpr double kDetailVoxels = 14.0;
 constexpr std::uint64_t kNoiseSeed = 1;
+constexpr double kImageNoise = 60.0;  // of the thesis's synthetic image in these figures
 
 struct FiguresOptions {
-  std::string input, output;
+  std::string input, image, series, output;
+  ParameterOptions settings;  ///< of the segmentations
   int size = 96;
   double noise = 0.1;
   bool force = false;
@@ -46,7 +51,7 @@ Volume<float> phantomTree(const FiguresOptions& options) {
   return phi;
 }
 
-std::string fileOf(const FigurePlan& figure) { return "figure-" + figure.number + ".png"; }
+std::string fileOf(const std::string& number) { return "figure-" + number + ".png"; }
 
 Json jsonOf(const std::string& title, const PanelRecipe& recipe, const PanelResult& panel,
             double voxelMm) {
@@ -95,19 +100,57 @@ constexpr const char* kTableHead =
     "| figure | panel | triangles | smallest angle | under 30 deg, % | largest angle | 2r/R mean | "
     "2r/R min | vertex to the wall, voxels |\n|---|---|---|---|---|---|---|---|---|\n";
 
-int figures(const FiguresOptions& options, const Progress& progress) {
-  const std::vector<FigurePlan> plans = thesisFigures();
-  std::vector<std::string> names{"figures.json", "figures.md"};
-  for (const FigurePlan& plan : plans) names.push_back(fileOf(plan));
-  OutputFolder folder(options.output, names, options.force);
+/// The figures of the segmentation into `json` and `folder`; returns their table.
+std::string segmentation(const FiguresOptions& options, const OutputFolder& folder, Json& json,
+                         const Progress& progress) {
+  std::optional<Phantom> tree;
+  LoadedImage loaded;
+  if (options.image.empty()) {
+    PhantomParams params;
+    params.size = {options.size, options.size, options.size};
+    params.noiseSigma = kImageNoise;
+    tree = makePhantom(params);
+  } else {
+    loaded = readImage(options.image, options.series);
+    for (const std::string& warning : loaded.info.warnings) printWarning(warning);
+  }
+  std::string table =
+      "| figure | panel | voxels inside | components | iterations | overlap, % |\n"
+      "|---|---|---|---|---|---|\n";
+  for (const SegmentationFigure& made :
+       segmentationFigures(tree ? tree->image : loaded.image, tree ? &tree->truth : nullptr,
+                           options.settings.parameters(), progress)) {
+    const std::string name = fileOf(made.number);
+    Json figure{{"figure", made.number}, {"caption", made.caption}, {"file", name}};
+    for (const SegmentationPanel& panel : made.panels) {
+      Json one{{"title", panel.title},
+               {"inside_voxels", panel.insideVoxels},
+               {"components", panel.components},
+               {"iterations", panel.iterations}};
+      std::array<char, 20> overlap{};
+      if (panel.overlap) {
+        one["overlap"] = *panel.overlap;
+        std::snprintf(overlap.data(), overlap.size(), "%.2f", *panel.overlap);
+      }
+      table += "| " + made.number + " | " + panel.title + " | " +
+               std::to_string(panel.insideVoxels) + " | " + std::to_string(panel.components) +
+               " | " + std::to_string(panel.iterations) + " | " + overlap.data() + " |\n";
+      figure["panels"].push_back(std::move(one));
+    }
+    folder.add(name, [&](const auto& place) { writePng(made.picture, place); });
+    json["figures"].push_back(std::move(figure));
+  }
+  return table;
+}
 
+/// The figures of the meshing into `json` and `folder`; returns their table.
+std::string meshing(const FiguresOptions& options, const OutputFolder& folder, Json& json,
+                    const Progress& progress) {
+  const std::vector<FigurePlan> plans = thesisFigures();
   const Volume<float> phi =
       options.input.empty() ? phantomTree(options) : readPhiOrMask(options.input);
   const double voxel = phi.geometry.voxelMm();
   PanelMaker maker(phi);
-  Json json;
-  json["schema"] = 1;
-  json["phantom"] = options.input.empty();
   std::string table = kTableHead;
   std::optional<std::array<double, 6>> detail;
   for (std::size_t f = 0; f < plans.size(); ++f) {
@@ -115,7 +158,7 @@ int figures(const FiguresOptions& options, const Progress& progress) {
     const Progress part =
         progress.sub(static_cast<double>(f) / static_cast<double>(plans.size()),
                      static_cast<double>(f + 1) / static_cast<double>(plans.size()));
-    Json figure{{"figure", plan.number}, {"caption", plan.caption}, {"file", fileOf(plan)}};
+    Json figure{{"figure", plan.number}, {"caption", plan.caption}, {"file", fileOf(plan.number)}};
     std::vector<MeshPanel> panels;
     for (const auto& [title, recipe] : plan.panels) {
       const double done =
@@ -128,13 +171,32 @@ int figures(const FiguresOptions& options, const Progress& progress) {
     }
     if (!detail) detail = busiestBox(*panels.back().mesh, kDetailVoxels * voxel);
     const Picture picture = renderMeshPanels(panels, *detail, kPanelWidth, kPanelHeight);
-    folder.add(fileOf(plan), [&](const auto& place) { writePng(picture, place); });
+    folder.add(fileOf(plan.number), [&](const auto& place) { writePng(picture, place); });
     json["figures"].push_back(std::move(figure));
   }
+  return table;
+}
+
+/// Of the phantoms both kinds; of what is given, the kind that it is for.
+int figures(const FiguresOptions& options, const Progress& progress) {
+  const bool segments = options.input.empty() || !options.image.empty();
+  const bool meshes = options.image.empty() || !options.input.empty();
+  std::vector<std::string> names{"figures.json", "figures.md"};
+  for (const FigurePlan& plan : thesisFigures()) names.push_back(fileOf(plan.number));
+  for (const std::string& number : segmentationFigureNumbers()) names.push_back(fileOf(number));
+  OutputFolder folder(options.output, names, options.force);
+
+  Json json;
+  json["schema"] = 1;
+  json["phantom"] = options.input.empty() && options.image.empty();
+  std::string tables;
+  if (segments)
+    tables += segmentation(options, folder, json, progress.sub(0.0, meshes ? 0.5 : 1.0)) + "\n";
+  if (meshes) tables += meshing(options, folder, json, progress.sub(segments ? 0.5 : 0.0, 1.0));
   folder.add("figures.json", [&](const auto& place) { writeText(place, json.dump(2) + "\n"); });
-  folder.add("figures.md", [&](const auto& place) { writeText(place, table); });
+  folder.add("figures.md", [&](const auto& place) { writeText(place, tables); });
   folder.commit();
-  std::printf("%s", table.c_str());
+  std::printf("%s", tables.c_str());
   return Done;
 }
 
@@ -148,11 +210,19 @@ void addStudy(CLI::App& program, Session& session) {
   addStudyPanel(*study, session);
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command = study->add_subcommand("figures",
-                                            "Figures 4.1, 5.4, 5.5, 5.6, B.1 and B.2: the meshing "
-                                            "(needs an X display, a virtual one will "
-                                            "do)");
+                                            "Figures 3.3, A.1, A.2 and A.3: the segmentation; 4.1, "
+                                            "5.4, 5.5, 5.6, B.1 and B.2: the meshing (needs an X "
+                                            "display, a virtual one will do)");
   command->add_option("PHI", options->input,
-                      "Level set function or mask; a phantom tree unless given");
+                      "Level set function or mask: the figures of the meshing alone, of it; a "
+                      "phantom tree unless given");
+  command->add_option("--image", options->image,
+                      "Image: the figures of the segmentation alone, of it");
+  command->add_option("--series", options->series,
+                      "Series UID, where the image is a DICOM folder "
+                      "that holds several");
+  options->settings.presetName = "thesis";
+  addSettings(*command, options->settings);
   command->add_option("-o,--output", options->output, "Folder to write")->required();
   command->add_option("--size", options->size, "Voxels along each side of the phantom")
       ->check(CLI::Range(32, 512))

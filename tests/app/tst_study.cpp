@@ -132,6 +132,36 @@ class TestStudy : public QObject {
     QVERIFY(std::fabs(bias("printed method")) < 1.5);
   }
 
+  // The figures of the segmentation of a scan: pictures, and the parameters' effect on what is
+  // found.
+  void figuresOfAnImage() {
+    const QTemporaryDir dir;
+    PhantomParams params;
+    params.size = {40, 40, 40};
+    params.noiseSigma = 20.0;
+    writeVolume(makePhantom(params).image, dir.filePath("image.nrrd").toStdString());
+    const CliResult result = runCli(dir.path(), {"study", "figures", "--image", "image.nrrd", "-o",
+                                                 "figures", "--set", "levelset.maxIterations=200"});
+    QVERIFY2(result.code == 0, result.errors.constData());
+    QFile file(dir.filePath("figures/figures.json"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+    QCOMPARE(json["figures"].toArray().size(), 4);
+    for (const QJsonValue& figure : json["figures"].toArray()) {
+      QFile picture(dir.filePath("figures/" + figure["file"].toString()));
+      QVERIFY(picture.open(QIODevice::ReadOnly));
+      QCOMPARE(picture.read(4), QByteArray("\x89PNG"));
+    }
+    const auto inside = [&](const char* figure, qsizetype number) {
+      return panel(json, figure, number)["inside_voxels"].toInt();
+    };
+    QVERIFY(inside("A.2", 0) > 0);
+    QVERIFY(inside("A.2", 0) <= inside("A.2", 2));
+    QVERIFY(inside("A.3", 0) >= inside("A.3", 2));
+    QCOMPARE(inside("A.1", 1), inside("3.3", 1));
+    QVERIFY(!panel(json, "A.1", 1).contains("overlap"));
+  }
+
   // Each row adds up to all voxels, the vessel's share is that of the truth in every row, and the
   // curvature term finds more vessel, as in the thesis.
   void tablesOfTheAppendix() {

@@ -134,6 +134,15 @@ class TestOverlap : public QObject {
     QVERIFY(std::isnan(m.assdMm) && std::isnan(m.hd95Mm));
   }
 
+  void ratiosAreSharesOfAllVoxels() {
+    const Geometry g = gridOf({10, 10, 10});
+    const VoxelRatios r =
+        voxelRatios(boxMask(g, {0, 0, 0}, {10, 10, 3}), boxMask(g, {0, 0, 1}, {10, 10, 5}));
+    QVERIFY(near(r.truePositive, 20.0) && near(r.falsePositive, 10.0));
+    QVERIFY(near(r.trueNegative, 50.0) && near(r.falseNegative, 20.0));
+    QVERIFY(near(r.overlap, 100.0 * 4.0 / 7.0));
+  }
+
   void badInputIsRefused() {
     const Geometry g = gridOf({8, 8, 8});
     const auto box = boxMask(g, {2, 2, 2}, {5, 5, 5});
