@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -22,7 +23,7 @@ struct Options {
   std::vector<std::uint64_t> randomSeeds{1, 2, 3};
   std::vector<double> noises{20.0, 60.0};
   std::vector<std::string> settings;
-  bool recursive = false, serial = false;
+  bool recursive = false, serial = false, clip = false;
   int threads = 0;
 };
 
@@ -59,7 +60,9 @@ int run(const Options& options) {
       phantom.size = {options.size, options.size, options.size};
       phantom.randomSeed = seed;
       phantom.noiseSigma = noise;
-      const Phantom tree = makePhantom(phantom);
+      Phantom tree = makePhantom(phantom);
+      if (options.clip)
+        for (float& value : tree.image.voxels) value = std::clamp(value, 0.0F, 255.0F);
       Pipeline pipeline(makeSource(tree.image, "tree"));
       RunOptions until;
       until.until = Step::Evolve;
@@ -94,6 +97,7 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.settings, "key=value, a parameter of both");
   app.add_flag("--recursive", options.recursive, "ITK's recursive Gaussian, not the discrete one");
   app.add_flag("--serial", options.serial, "ITK's serial sparse field, not the parallel one");
+  app.add_flag("--clip", options.clip, "noise clipped to the thesis's range, 0..255");
   app.add_option("--threads", options.threads, "0: all cores")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {

@@ -38,7 +38,7 @@ if [ "$(nproc)" -gt 1 ]; then threads=1,2; fi
 "$build/bin/angiomesh-bench-segmentation" --size "$sizes" --threads "$threads" \
   --thread-size "$((tree / 2))" -o "$output" >/dev/null ||
   fail "the benchmark of the segmentation failed: see the lines above"
-"$build/bin/angiomesh-bench-printed-method" --size "$tree" --random-seed "${trees[@]}" \
+"$build/bin/angiomesh-bench-printed-method" --clip --size "$tree" --random-seed "${trees[@]}" \
   >"$output/printed-method.md" || fail "the comparison with the printed method failed: see the lines above"
 say "Tables and plots: $output"
 cat "$output/segmentation.md" "$output/printed-method.md"

@@ -106,10 +106,7 @@ std::string segmentation(const FiguresOptions& options, const OutputFolder& fold
   std::optional<Phantom> tree;
   LoadedImage loaded;
   if (options.image.empty()) {
-    PhantomParams params;
-    params.size = {options.size, options.size, options.size};
-    params.noiseSigma = kImageNoise;
-    tree = makePhantom(params);
+    tree = thesisTree(options.size, kNoiseSeed, kImageNoise);
   } else {
     loaded = readImage(options.image, options.series);
     for (const std::string& warning : loaded.info.warnings) printWarning(warning);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/study_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -88,21 +89,19 @@ int tableA(const TableOptions& options, const Progress& progress) {
   const Parameters params = options.settings.parameters();
   OutputFolder folder(options.output, {"table-a1.csv", "table-a2.csv", "table-a.md"},
                       options.force);
-  PhantomParams phantom;
-  phantom.size = {options.size, options.size, options.size};
-  phantom.randomSeed = options.randomSeed;
   std::string tables;
   for (std::size_t n = 0; n < kNoises.size(); ++n) {
     const Progress part = progress.sub(0.5 * static_cast<double>(n), 0.5 * (1.0 + n));
-    phantom.noiseSigma = kNoises[n];
-    const std::vector<Row> rows =
-        rowsOf(makePhantom(phantom, part.sub(0.0, 0.05)), params, part.sub(0.05, 1.0));
+    const Phantom tree =
+        thesisTree(options.size, options.randomSeed, kNoises[n], part.sub(0.0, 0.05));
+    const std::vector<Row> rows = rowsOf(tree, params, part.sub(0.05, 1.0));
     folder.add(text("table-a%zu.csv", n + 1), [&](const auto& place) {
       writeText(place, "gamma,d,xi,TPR,FPR,TNR,FNR,overlap\n" +
                            lines(rows, "%.2f,%.2f,%.0f,%.3f,%.3f,%.3f,%.3f,%.3f\n"));
     });
     tables += text(
-        "Table A.%zu: %d x %d x %d voxels, noise %.0f, random seed %llu, preset %s. TPR to FNR are "
+        "Table A.%zu: %d x %d x %d voxels, noise %.0f, clipped to 0..255, random seed %llu, preset "
+        "%s. TPR to FNR are "
         "percentages of all voxels.\n\n",
         n + 1, options.size, options.size, options.size, kNoises[n],
         static_cast<unsigned long long>(options.randomSeed), options.settings.presetName.c_str());
@@ -117,6 +116,17 @@ int tableA(const TableOptions& options, const Progress& progress) {
 }
 
 }  // namespace
+
+Phantom thesisTree(int size, std::uint64_t randomSeed, double noiseSigma,
+                   const Progress& progress) {
+  PhantomParams params;
+  params.size = {size, size, size};
+  params.randomSeed = randomSeed;
+  params.noiseSigma = noiseSigma;
+  Phantom tree = makePhantom(params, progress);
+  for (float& value : tree.image.voxels) value = std::clamp(value, 0.0F, 255.0F);
+  return tree;
+}
 
 void addTableA(CLI::App& study, Session& session) {
   auto options = std::make_shared<TableOptions>();

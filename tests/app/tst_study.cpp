@@ -137,11 +137,11 @@ class TestStudy : public QObject {
   void figuresOfAnImage() {
     const QTemporaryDir dir;
     PhantomParams params;
-    params.size = {40, 40, 40};
+    params.size = {32, 32, 32};
     params.noiseSigma = 20.0;
     writeVolume(makePhantom(params).image, dir.filePath("image.nrrd").toStdString());
     const CliResult result = runCli(dir.path(), {"study", "figures", "--image", "image.nrrd", "-o",
-                                                 "figures", "--set", "levelset.maxIterations=200"});
+                                                 "figures", "--set", "levelset.maxIterations=100"});
     QVERIFY2(result.code == 0, result.errors.constData());
     QFile file(dir.filePath("figures/figures.json"));
     QVERIFY(file.open(QIODevice::ReadOnly));
