@@ -23,7 +23,8 @@ class ThesisSpeed : public itk::LevelSetFunction<ItkImage> {
   using Pointer = itk::SmartPointer<Self>;
   itkNewMacro(Self) itkTypeMacro(ThesisSpeed, LevelSetFunction);
 
-  void prepare(ItkImage* vesselness, const Thresholds& thresholds, double gamma, double d) {
+  void prepare(ItkImage* vesselness, const Thresholds& thresholds, double gamma, double d,
+               Crest crest) {
     RadiusType radius;
     radius.Fill(1);
     Initialize(radius);
@@ -34,6 +35,27 @@ class ThesisSpeed : public itk::LevelSetFunction<ItkImage> {
     thresholds_ = thresholds;
     gamma_ = gamma;
     d_ = d;
+    crest_ = crest;
+  }
+
+  PixelType ComputeUpdate(const NeighborhoodType& at, void* globals,
+                          const FloatOffsetType& offset) override {
+    const PixelType upwind = Superclass::ComputeUpdate(at, globals, offset);
+    if (crest_ == Crest::Upwind) return upwind;
+    auto* data = static_cast<GlobalDataStruct*>(globals);
+    double expanding = 0.0;
+    double shrinking = 0.0;
+    for (unsigned int a = 0; a < 3; ++a) {
+      const auto backward = static_cast<double>(data->m_dx_backward[a]);
+      const auto forward = static_cast<double>(data->m_dx_forward[a]);
+      expanding += std::pow(std::max(backward, 0.0), 2) + std::pow(std::min(forward, 0.0), 2);
+      shrinking += std::pow(std::min(backward, 0.0), 2) + std::pow(std::max(forward, 0.0), 2);
+    }
+    const double grow = std::sqrt(std::max(expanding, std::min(shrinking, 1.0)));
+    const double shrink = std::sqrt(std::max(shrinking, std::min(expanding, 1.0)));
+    const auto p = static_cast<double>(PropagationSpeed(at, offset, data));
+    const double bend = (1.0 - gamma_) * std::fabs(d_) * kappa(at, offset, data);
+    return static_cast<PixelType>(-(p * (p > 0.0 ? grow : shrink) + bend * grow));
   }
 
  protected:
@@ -51,25 +73,29 @@ class ThesisSpeed : public itk::LevelSetFunction<ItkImage> {
 
   ScalarValueType ComputeCurvatureTerm(const NeighborhoodType& at, const FloatOffsetType& offset,
                                        GlobalDataStruct* data) override {
-    // ITK's term is kappa |grad phi| by central differences.
-    const double slope = std::sqrt(static_cast<double>(data->m_GradMagSqr));
-    const double bend = static_cast<double>(ComputeMeanCurvature(at, offset, data)) / slope;
     double square = 0.0;
     for (unsigned int a = 0; a < 3; ++a) {
       const double up = std::max(static_cast<double>(data->m_dx_backward[a]), 0.0);
       const double down = std::min(static_cast<double>(data->m_dx_forward[a]), 0.0);
       square += up * up + down * down;
     }
-    const double kappa = std::min(std::fabs(bend), 2.0);
-    return static_cast<ScalarValueType>(-(1.0 - gamma_) * std::fabs(d_) * kappa *
+    return static_cast<ScalarValueType>(-(1.0 - gamma_) * std::fabs(d_) * kappa(at, offset, data) *
                                         std::sqrt(square));
   }
 
  private:
+  /// |kappa|, at most 2. ITK's term is kappa |grad phi| by central differences.
+  double kappa(const NeighborhoodType& at, const FloatOffsetType& offset, GlobalDataStruct* data) {
+    const double slope = std::sqrt(static_cast<double>(data->m_GradMagSqr));
+    const auto bend = static_cast<double>(ComputeMeanCurvature(at, offset, data));
+    return std::min(std::fabs(bend) / slope, 2.0);
+  }
+
   using Interpolator = itk::LinearInterpolateImageFunction<ItkImage, double>;
   Interpolator::Pointer interpolator_;
   Thresholds thresholds_;
   double gamma_ = 0.7, d_ = 0.2;
+  Crest crest_ = Crest::Upwind;
 };
 
 /// The rule of LevelSetEvolution on phi as it stands.
@@ -152,11 +178,12 @@ ItkFront run(ThesisSpeed* speed, ItkImage* phi0, const Geometry& geometry,
 }  // namespace
 
 ItkFront evolveItk(const Volume<float>& vesselness, const Thresholds& thresholds,
-                   const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver) {
+                   const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver,
+                   Crest crest) {
   const ItkImage::Pointer v = asItk(vesselness);
   const ItkImage::Pointer start = asItk(phi0);
   const auto speed = ThesisSpeed::New();
-  speed->prepare(v, thresholds, params.gamma, params.d);
+  speed->prepare(v, thresholds, params.gamma, params.d, crest);
   if (solver == ItkSolver::Serial)
     return run<itk::SparseFieldLevelSetImageFilter<ItkImage, ItkImage>>(speed, start, phi0.geometry,
                                                                         params);

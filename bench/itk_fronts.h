@@ -8,6 +8,12 @@ namespace angiomesh::bench {
 
 enum class ItkSolver { Serial, Parallel };
 
+/// |grad phi| on a crest, as in a vessel one voxel wide, where the upwind differences vanish.
+enum class Crest {
+  Upwind,  ///< as printed, and as ITK has it: the front stands still
+  Across   ///< as FrontSpeed has it: across the front, at most 1
+};
+
 struct ItkFront {
   Volume<float> phi;  ///< sparse-field phi, working voxels
   int iterations = 0;
@@ -20,6 +26,7 @@ struct ItkFront {
 /// differences and upwinded as an expansion. Stops by the rule of LevelSetEvolution; the time step
 /// is ITK's. `phi0`: signed distance, working voxels.
 ItkFront evolveItk(const Volume<float>& vesselness, const Thresholds& thresholds,
-                   const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver);
+                   const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver,
+                   Crest crest = Crest::Upwind);
 
 }  // namespace angiomesh::bench

@@ -100,7 +100,7 @@ Volume<float> vesselnessAt(const Volume<float>& image, double sigma, double k, d
 }  // namespace
 
 PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& params,
-                                  ItkHessian hessian, ItkSolver solver) {
+                                  ItkHessian hessian, ItkSolver solver, Crest crest) {
   const VesselnessParams& p = params.vesselness;
   const double voxel = image.geometry.voxelMm();
   const double low = p.sigmaMinMm.value_or(voxel) / voxel;
@@ -125,7 +125,8 @@ PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& 
   start = std::chrono::steady_clock::now();
   result.thresholds = printedThresholds(result.vesselness, high / low, params.levelset);
   const Volume<float> phi0 = marchedStart(single, params.seeds, result.seeds);
-  result.front = evolveItk(result.vesselness, result.thresholds, phi0, params.levelset, solver);
+  result.front =
+      evolveItk(result.vesselness, result.thresholds, phi0, params.levelset, solver, crest);
   result.frontSeconds = secondsSince(start);
   return result;
 }

@@ -24,6 +24,7 @@ struct PrintedMethodResult {
 /// @throws NumericError when no voxel looks like a vessel
 PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& params,
                                   ItkHessian hessian = ItkHessian::Discrete,
-                                  ItkSolver solver = ItkSolver::Serial);
+                                  ItkSolver solver = ItkSolver::Serial,
+                                  Crest crest = Crest::Upwind);
 
 }  // namespace angiomesh::bench

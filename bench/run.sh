@@ -38,7 +38,12 @@ if [ "$(nproc)" -gt 1 ]; then threads=1,2; fi
 "$build/bin/angiomesh-bench-segmentation" --size "$sizes" --threads "$threads" \
   --thread-size "$((tree / 2))" -o "$output" >/dev/null ||
   fail "the benchmark of the segmentation failed: see the lines above"
-"$build/bin/angiomesh-bench-printed-method" --clip --size "$tree" --random-seed "${trees[@]}" \
-  >"$output/printed-method.md" || fail "the comparison with the printed method failed: see the lines above"
+for rule in "" --across-crests; do
+  printf 'ITK in the printed method%s\n\n' "${rule:+, $rule}"
+  # shellcheck disable=SC2086
+  "$build/bin/angiomesh-bench-printed-method" --clip $rule --size "$tree" \
+    --random-seed "${trees[@]}" || fail "the comparison with the printed method failed: see above"
+  printf '\n'
+done >"$output/printed-method.md"
 say "Tables and plots: $output"
 cat "$output/segmentation.md" "$output/printed-method.md"
