@@ -23,7 +23,7 @@ struct Options {
   std::vector<std::uint64_t> randomSeeds{1, 2, 3};
   std::vector<double> noises{20.0, 60.0};
   std::vector<std::string> settings;
-  bool recursive = false, serial = false, clip = false, across = false;
+  bool recursive = false, serial = false, clip = false;
   int threads = 0;
 };
 
@@ -67,9 +67,7 @@ int run(const Options& options) {
       RunOptions until;
       until.until = Step::Evolve;
       const RunResult ours = pipeline.run(params, until);
-      const auto itk =
-          bench::printedMethod(tree.image, params, hessian, solver,
-                               options.across ? bench::Crest::Across : bench::Crest::Upwind);
+      const auto itk = bench::printedMethod(tree.image, params, hessian, solver);
       const double our = overlapOf(*ours.evolve->phi, tree.truth);
       const double their = overlapOf(itk.front.phi, tree.truth);
       sum += our - their;
@@ -99,7 +97,6 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.settings, "key=value, a parameter of both");
   app.add_flag("--recursive", options.recursive, "ITK's recursive Gaussian, not the discrete one");
   app.add_flag("--serial", options.serial, "ITK's serial sparse field, not the parallel one");
-  app.add_flag("--across-crests", options.across, "our rule for crests of phi in ITK's front too");
   app.add_flag("--clip", options.clip, "noise clipped to the thesis's range, 0..255");
   app.add_option("--threads", options.threads, "0: all cores")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

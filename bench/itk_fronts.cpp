@@ -23,8 +23,7 @@ class ThesisSpeed : public itk::LevelSetFunction<ItkImage> {
   using Pointer = itk::SmartPointer<Self>;
   itkNewMacro(Self) itkTypeMacro(ThesisSpeed, LevelSetFunction);
 
-  void prepare(ItkImage* vesselness, const Thresholds& thresholds, double gamma, double d,
-               Crest crest) {
+  void prepare(ItkImage* vesselness, const Thresholds& thresholds, const LevelSetParams& params) {
     RadiusType radius;
     radius.Fill(1);
     Initialize(radius);
@@ -33,15 +32,15 @@ class ThesisSpeed : public itk::LevelSetFunction<ItkImage> {
     interpolator_ = Interpolator::New();
     interpolator_->SetInputImage(vesselness);
     thresholds_ = thresholds;
-    gamma_ = gamma;
-    d_ = d;
-    crest_ = crest;
+    gamma_ = params.gamma;
+    d_ = params.d;
+    acrossCrests_ = params.acrossCrests;
   }
 
   PixelType ComputeUpdate(const NeighborhoodType& at, void* globals,
                           const FloatOffsetType& offset) override {
     const PixelType upwind = Superclass::ComputeUpdate(at, globals, offset);
-    if (crest_ == Crest::Upwind) return upwind;
+    if (!acrossCrests_) return upwind;
     auto* data = static_cast<GlobalDataStruct*>(globals);
     double expanding = 0.0;
     double shrinking = 0.0;
@@ -95,7 +94,7 @@ class ThesisSpeed : public itk::LevelSetFunction<ItkImage> {
   Interpolator::Pointer interpolator_;
   Thresholds thresholds_;
   double gamma_ = 0.7, d_ = 0.2;
-  Crest crest_ = Crest::Upwind;
+  bool acrossCrests_ = false;
 };
 
 /// The rule of LevelSetEvolution on phi as it stands.
@@ -178,12 +177,11 @@ ItkFront run(ThesisSpeed* speed, ItkImage* phi0, const Geometry& geometry,
 }  // namespace
 
 ItkFront evolveItk(const Volume<float>& vesselness, const Thresholds& thresholds,
-                   const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver,
-                   Crest crest) {
+                   const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver) {
   const ItkImage::Pointer v = asItk(vesselness);
   const ItkImage::Pointer start = asItk(phi0);
   const auto speed = ThesisSpeed::New();
-  speed->prepare(v, thresholds, params.gamma, params.d, crest);
+  speed->prepare(v, thresholds, params);
   if (solver == ItkSolver::Serial)
     return run<itk::SparseFieldLevelSetImageFilter<ItkImage, ItkImage>>(speed, start, phi0.geometry,
                                                                         params);

@@ -8,12 +8,6 @@ namespace angiomesh::bench {
 
 enum class ItkSolver { Serial, Parallel };
 
-/// |grad phi| on a crest, as in a vessel one voxel wide, where the upwind differences vanish.
-enum class Crest {
-  Upwind,  ///< as printed, and as ITK has it: the front stands still
-  Across   ///< as FrontSpeed has it: across the front, at most 1
-};
-
 struct ItkFront {
   Volume<float> phi;  ///< sparse-field phi, working voxels
   int iterations = 0;
@@ -24,9 +18,9 @@ struct ItkFront {
 /// thesis's F = gamma p + (1 - gamma) |d kappa| (eq. 3.19), p of eq. 3.21 from the vesselness
 /// interpolated at the zero crossing and upwinded by ITK, |kappa| <= 2 / voxel by central
 /// differences and upwinded as an expansion. Stops by the rule of LevelSetEvolution; the time step
-/// is ITK's. `phi0`: signed distance, working voxels.
+/// is ITK's, |grad phi| on crests as params.acrossCrests says. `phi0`: signed distance, working
+/// voxels.
 ItkFront evolveItk(const Volume<float>& vesselness, const Thresholds& thresholds,
-                   const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver,
-                   Crest crest = Crest::Upwind);
+                   const Volume<float>& phi0, const LevelSetParams& params, ItkSolver solver);
 
 }  // namespace angiomesh::bench

@@ -91,16 +91,16 @@ Volume<float> vesselnessAt(const Volume<float>& image, double sigma, double k, d
     plain.step[a] = image.geometry.spacing[static_cast<int>(a)] / image.geometry.voxelMm();
   // The scales are spaced in log(sigma), which puts one on k but for rounding.
   const PlainMeasure measure{params.alpha, params.beta, c, sigma <= k * (1.0 + 1e-6)};
-  Volume<float> v;
-  v.geometry = image.geometry;
-  v.voxels = itkVesselnessAtScale(plain, sigma, measure, hessian);
+  const std::vector<float> measured = itkVesselnessAtScale(plain, sigma, measure, hessian);
+  Volume<float> v(image.geometry);
+  std::copy(measured.begin(), measured.end(), v.voxels.begin());
   return v;
 }
 
 }  // namespace
 
 PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& params,
-                                  ItkHessian hessian, ItkSolver solver, Crest crest) {
+                                  ItkHessian hessian, ItkSolver solver) {
   const VesselnessParams& p = params.vesselness;
   const double voxel = image.geometry.voxelMm();
   const double low = p.sigmaMinMm.value_or(voxel) / voxel;
@@ -125,8 +125,7 @@ PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& 
   start = std::chrono::steady_clock::now();
   result.thresholds = printedThresholds(result.vesselness, high / low, params.levelset);
   const Volume<float> phi0 = marchedStart(single, params.seeds, result.seeds);
-  result.front =
-      evolveItk(result.vesselness, result.thresholds, phi0, params.levelset, solver, crest);
+  result.front = evolveItk(result.vesselness, result.thresholds, phi0, params.levelset, solver);
   result.frontSeconds = secondsSince(start);
   return result;
 }

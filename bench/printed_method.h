@@ -24,7 +24,6 @@ struct PrintedMethodResult {
 /// @throws NumericError when no voxel looks like a vessel
 PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& params,
                                   ItkHessian hessian = ItkHessian::Discrete,
-                                  ItkSolver solver = ItkSolver::Serial,
-                                  Crest crest = Crest::Upwind);
+                                  ItkSolver solver = ItkSolver::Serial);
 
 }  // namespace angiomesh::bench

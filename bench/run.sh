@@ -38,10 +38,10 @@ if [ "$(nproc)" -gt 1 ]; then threads=1,2; fi
 "$build/bin/angiomesh-bench-segmentation" --size "$sizes" --threads "$threads" \
   --thread-size "$((tree / 2))" -o "$output" >/dev/null ||
   fail "the benchmark of the segmentation failed: see the lines above"
-for rule in "" --across-crests; do
-  printf 'ITK in the printed method%s\n\n' "${rule:+, $rule}"
-  # shellcheck disable=SC2086
-  "$build/bin/angiomesh-bench-printed-method" --clip $rule --size "$tree" \
+for rule in false true; do
+  printf 'The printed method, levelset.acrossCrests=%s\n\n' "$rule"
+  "$build/bin/angiomesh-bench-printed-method" --clip --set levelset.acrossCrests="$rule" \
+    --size "$tree" \
     --random-seed "${trees[@]}" || fail "the comparison with the printed method failed: see above"
   printf '\n'
 done >"$output/printed-method.md"

@@ -26,14 +26,16 @@ struct Bed {
   std::shared_ptr<const Volume<float>> image, vesselness;
   double c = 0.0;
   Thresholds thresholds;
+  std::vector<Eigen::Vector3d> seedsLps;
   Volume<float> seedStart;  ///< signed distance to the spheres around the seeds
   Volume<float> rough;      ///< a sparse field's phi, to be redistanced
 };
 
 int flooded(const Bed& bed, Volume<float>* phi = nullptr) {
   const LevelSetParams& p = bed.params.levelset;
-  const Volume<std::uint8_t> found = floodVessels(*bed.vesselness, bed.thresholds.b, bed.seedStart,
-                                                  static_cast<std::size_t>(p.floodLeastVoxels));
+  const Volume<std::uint8_t> found =
+      floodVessels(*bed.vesselness, bed.thresholds.b, bed.seedsLps, bed.params.seeds.radiusVoxels,
+                   static_cast<std::size_t>(p.floodLeastVoxels));
   LevelSetEvolution evolution(bed.vesselness, bed.thresholds,
                               floodStart(*bed.vesselness, bed.thresholds.b, found), p);
   evolution.step(p.maxIterations);
@@ -56,6 +58,7 @@ std::shared_ptr<const Bed> makeBed(int size, double noise) {
   bed->vesselness = run.vesselness->multiScale;
   bed->c = run.vesselness->c;
   bed->thresholds = thresholdsFor(*run.vesselness, bed->params.levelset);
+  bed->seedsLps = run.seeds->pointsLps;
   bed->seedStart =
       fastMarchingStart(bed->image->geometry, run.seeds->pointsLps, bed->params.seeds.radiusVoxels);
   flooded(*bed, &bed->rough);

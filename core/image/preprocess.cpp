@@ -97,7 +97,7 @@ void grow(Volume<std::uint8_t>& mask) {
       1, static_cast<std::size_t>(g.size[0]),
       static_cast<std::size_t>(g.size[0]) * static_cast<std::size_t>(g.size[1])};
   for (std::size_t a = 0; a < 3; ++a) {
-    const std::vector<std::uint8_t> before = mask.voxels;
+    const BigVector<std::uint8_t> before = mask.voxels;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (before[i] == 0) continue;
       const int at = g.indexOf(i)[a];

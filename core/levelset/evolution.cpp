@@ -44,7 +44,7 @@ struct LevelSetEvolution::State {
         const Volume<float>& phi0, const LevelSetParams& p)
       : vesselness(std::move(v)),
         params(p),
-        speed(*vesselness, thresholds, p.gamma, p.d),
+        speed(*vesselness, thresholds, p.gamma, p.d, p.acrossCrests),
         startSide(phi0.geometry),
         phi(phi0.geometry),
         status(phi0.geometry) {

@@ -19,7 +19,8 @@ struct LevelSetParams {
   StartRule start = StartRule::Flood;
   int floodLeastVoxels = 30;  ///< parts of this size need no seed
   double gamma = 0.7, d = 0.2, xi = 20.0;
-  std::optional<double> b;  ///< empty: by bRule
+  bool acrossCrests = true;  ///< the front moves where upwind differences vanish, too
+  std::optional<double> b;   ///< empty: by bRule
   ThresholdRule bRule = ThresholdRule::Contrast;
   double bMin = 0.05, bMax = 0.15;
   int maxIterations = 500;

@@ -16,8 +16,12 @@ struct FrontSpeed::Neighbourhood {
 };
 
 FrontSpeed::FrontSpeed(const Volume<float>& vesselness, const Thresholds& thresholds, double gamma,
-                       double d)
-    : vesselness_(vesselness), thresholds_(thresholds), gamma_(gamma), d_(std::fabs(d)) {
+                       double d, bool acrossCrests)
+    : vesselness_(vesselness),
+      thresholds_(thresholds),
+      gamma_(gamma),
+      d_(std::fabs(d)),
+      acrossCrests_(acrossCrests) {
   const Geometry& g = vesselness.geometry;
   for (std::size_t a = 0; a < 3; ++a)
     inverseStep_[a] = g.voxelMm() / g.spacing[static_cast<Eigen::Index>(a)];
@@ -111,10 +115,11 @@ float FrontSpeed::change(const Volume<float>& phi, std::size_t voxel) const {
     shrinking += otherUp * otherUp + otherDown * otherDown;
   }
   // On a crest of phi, as in a vessel or a gap one voxel wide, the upwind differences vanish and
-  // the front would stand still whatever its speed; there |grad phi| is taken across the front, at
-  // most its nominal 1.
-  const double grow = std::sqrt(std::max(expanding, std::min(shrinking, 1.0)));
-  const double shrink = std::sqrt(std::max(shrinking, std::min(expanding, 1.0)));
+  // the front stands still whatever its speed, unless |grad phi| is taken across the front there,
+  // at most its nominal 1.
+  const double most = acrossCrests_ ? 1.0 : 0.0;
+  const double grow = std::sqrt(std::max(expanding, std::min(shrinking, most)));
+  const double shrink = std::sqrt(std::max(shrinking, std::min(expanding, most)));
   const double p = vesselSpeed(vesselnessAtFront(n), thresholds_);
   const double kappa = std::clamp(curvature(phi, n), -2.0, 2.0);
   const double vessel = gamma_ * p * (p > 0.0 ? grow : shrink);

@@ -13,7 +13,8 @@ namespace angiomesh {
 /// the vesselness.
 class FrontSpeed {
  public:
-  FrontSpeed(const Volume<float>& vesselness, const Thresholds& thresholds, double gamma, double d);
+  FrontSpeed(const Volume<float>& vesselness, const Thresholds& thresholds, double gamma, double d,
+             bool acrossCrests);
 
   /// -(gamma p |grad phi| + (1 - gamma) |d kappa| |grad phi|): p from the vesselness interpolated
   /// at the zero crossing nearest to the voxel, kappa by central differences (eq. 3.4) limited to
@@ -34,6 +35,7 @@ class FrontSpeed {
   const Volume<float>& vesselness_;
   Thresholds thresholds_;
   double gamma_, d_;
+  bool acrossCrests_;
   std::array<double, 3> inverseStep_{};  ///< working voxels per voxel, inverted
 };
 

@@ -339,8 +339,9 @@ class Refiner {
   [[nodiscard]] Volume<float> result() const {
     Volume<float> phi(image_.geometry, kFar);
     constexpr float hair = 1e-3F, gap = 0.1F;
+    const auto wall = static_cast<float>(std::max(params_.level, 0.5));
     for (std::size_t c = 0; c < band_.size(); ++c) {
-      const float x = std::clamp(-excess(c), -kFar, kFar);
+      const float x = std::clamp(wall - share(c), -kFar, kFar);
       const float least = between_[c] != 0 ? gap : hair;
       phi.voxels[band_.voxel[c]] = inside_[c] != 0 ? std::min(x, -hair) : std::max(x, least);
     }

@@ -12,8 +12,9 @@ namespace angiomesh {
 /// How the wall is placed between the lumen and its surroundings.
 struct LumenParams {
   bool enabled = true;
-  /// Of the way from the surroundings' brightness to the lumen's, where the wall is: a voxel that
-  /// is half full, counted in eighths, belongs to the vessel.
+  /// Of the way from the surroundings' brightness to the lumen's, what a voxel of the vessel has at
+  /// least: less than half, so that one through whose centre the wall runs belongs to it. The wall
+  /// itself lies half-way, or here if this is more.
   double level = 0.41;
   /// Weights of smoothing along and across the vessels, times the squared ratio of noise to
   /// contrast.

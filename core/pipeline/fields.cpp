@@ -254,6 +254,9 @@ void addLevelSet(Table& t) {
       .main = true;
   t.real("levelset.d", MEMBER(levelset.d), 0.0, 5.0, "", "strength of the curvature term").main =
       true;
+  t.boolean("levelset.acrossCrests", MEMBER(levelset.acrossCrests),
+            "the front moves in vessels and gaps one voxel wide too, where upwind differences "
+            "vanish");
   Field& xi = t.real("levelset.xi", MEMBER(levelset.xi), 0.1, 500.0, "",
                      "scales the threshold b: larger segments less");
   xi.main = xi.logarithmic = true;

@@ -309,6 +309,7 @@ Parameters preset(std::string_view name) {
   params.vesselness.scaleRule = ScaleRule::Difference;
   params.vesselness.contrast = ContrastRule::Range;
   params.levelset.start = StartRule::Seeds;
+  params.levelset.acrossCrests = false;
   params.levelset.maxIterations = 5000;
   params.levelset.checkEvery = 100;
   params.levelset.bRule = ThresholdRule::Average;

@@ -52,6 +52,7 @@ const std::map<std::string, QString>& labels() {
       {"levelset.gamma", QStringLiteral("Image weight γ")},
       {"levelset.d", QStringLiteral("Curvature d")},
       {"levelset.xi", QStringLiteral("Threshold ξ")},
+      {"levelset.acrossCrests", QStringLiteral("Move on crests")},
       {"levelset.b", QStringLiteral("Threshold b")},
       {"levelset.bRule", QStringLiteral("Rule for b")},
       {"levelset.bMin", QStringLiteral("Least b")},

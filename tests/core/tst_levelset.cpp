@@ -86,7 +86,7 @@ class TestLevelSet : public QObject {
     const Geometry g = oblique(61, 53, 33);
     const double unit = g.voxelMm();
     const Volume<float> v(g, 0.0F);
-    const FrontSpeed speed(v, simpleThresholds(), 0.7, 0.2);
+    const FrontSpeed speed(v, simpleThresholds(), 0.7, 0.2, true);
     for (const double radius : {2.5, 5.0}) {
       const auto phi =
           sampled(g, [&](const Eigen::Vector3d& x) { return ball(x, centreOf(g), radius) / unit; });
@@ -101,7 +101,7 @@ class TestLevelSet : public QObject {
     }
     const Geometry c = cube(48);
     const Volume<float> w(c, 0.0F);
-    const FrontSpeed onCube(w, simpleThresholds(), 0.7, 0.2);
+    const FrontSpeed onCube(w, simpleThresholds(), 0.7, 0.2, true);
     const auto phi =
         sampled(c, [&](const Eigen::Vector3d& x) { return torus(x, centreOf(c), 14.0, 5.0); });
     for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
