@@ -28,27 +28,40 @@ struct Foot {
   float bend = 0.0F;       ///< curvature in the direction last walked, per working voxel
 };
 
+/// Feet by number, in chunks: growing neither moves nor doubles them.
+class Feet {
+ public:
+  [[nodiscard]] std::size_t size() const { return size_; }
+  Foot& operator[](std::size_t n) { return chunks_[n / kChunk][n % kChunk]; }
+  const Foot& operator[](std::size_t n) const { return chunks_[n / kChunk][n % kChunk]; }
+  void add(const Foot& foot) {
+    if (size_ == chunks_.size() * kChunk) chunks_.emplace_back(kChunk);
+    (*this)[size_++] = foot;
+  }
+
+ private:
+  static constexpr std::size_t kChunk = std::size_t{1} << 18;
+  std::vector<BigVector<Foot>> chunks_;
+  std::size_t size_ = 0;
+};
+
 /// The voxels near the zero set and, for each, the closest point found so far.
 class ClosestPoints {
  public:
   ClosestPoints(const Volume<float>& phi, double bandVoxels)
-      : phi_(phi),
-        geometry_(phi.geometry),
+      : geometry_(phi.geometry),
         field_(phi, SplineKind::InterpolatingBspline),
-        reach_(bandVoxels + kBeyond),
-        slot_(phi.geometry, kNone) {
+        reach_(bandVoxels + kBeyond) {
     for (int a = 0; a < 3; ++a) step_[a] = geometry_.spacing[a] / geometry_.voxelMm();
   }
 
-  void findCrossings();
+  void findCrossings(const Volume<float>& phi, const Progress& progress);
   bool grow(const Progress& progress);
   void relax(const Progress& progress);
 
   [[nodiscard]] std::size_t count() const { return voxels_.size(); }
-  [[nodiscard]] std::uint32_t voxel(std::size_t n) const { return voxels_[n]; }
-  [[nodiscard]] double distance(std::size_t n) const {
-    return distance(position(voxels_[n]), feet_[n].point);
-  }
+  /// The result; `this` is of no use afterwards.
+  Volume<float> distances(const std::vector<bool>& inside, double bandVoxels);
 
  private:
   static constexpr std::int32_t kNone = -1;
@@ -58,25 +71,27 @@ class ClosestPoints {
     const Index3 p = geometry_.indexOf(voxel);
     return {1.0 * p[0], 1.0 * p[1], 1.0 * p[2]};
   }
+  [[nodiscard]] double distance(std::size_t n) const {
+    return distance(position(voxels_[n]), feet_[n].point);
+  }
   [[nodiscard]] double distance(const Eigen::Vector3d& x, const Eigen::Vector3d& point) const {
     return step_.cwiseProduct(x - point).norm();
   }
   template <class F>
   void forBox(std::size_t voxel, F visit) const;
   template <class F>
-  void crossingsOfSlice(int k, F found) const;
+  void crossingsOfSlice(const Volume<float>& phi, int k, F found) const;
   [[nodiscard]] std::uint32_t bestOfNeighbours(std::size_t voxel, double within) const;
   [[nodiscard]] bool toZero(Foot& foot) const;
   void approach(const Eigen::Vector3d& x, Foot& foot) const;
 
-  const Volume<float>& phi_;
-  const Geometry& geometry_;
+  Geometry geometry_;
   SplineField field_;
   double reach_;
   Eigen::Vector3d step_;  ///< working voxels per voxel along each axis
   Volume<std::int32_t> slot_;
   BigVector<std::uint32_t> voxels_;
-  BigVector<Foot> feet_;
+  Feet feet_;
   std::size_t frontier_ = 0;  ///< voxels_ before it have had their neighbours added
 };
 
@@ -92,20 +107,20 @@ void ClosestPoints::forBox(std::size_t voxel, F visit) const {
 /// Calls found(voxel, foot) for the voxels of a slice with a neighbour of the other sign, with the
 /// nearest linear crossing on their grid edges.
 template <class F>
-void ClosestPoints::crossingsOfSlice(int k, F found) const {
+void ClosestPoints::crossingsOfSlice(const Volume<float>& phi, int k, F found) const {
   const Index3& size = geometry_.size;
   const std::array<std::size_t, 3> stride{1, geometry_.offset(0, 1, 0), geometry_.offset(0, 0, 1)};
   for (int j = 0; j < size[1]; ++j)
     for (int i = 0; i < size[0]; ++i) {
       const std::size_t voxel = geometry_.offset(i, j, k);
       const Index3 p{i, j, k};
-      const float value = phi_.voxels[voxel];
+      const float value = phi.voxels[voxel];
       double best = std::numeric_limits<double>::max();
       Foot foot;
       for (std::size_t a = 0; a < 3; ++a)
         for (int side = -1; side <= 1; side += 2) {
           if (side < 0 ? p[a] == 0 : p[a] + 1 == size[a]) continue;
-          const float other = phi_.voxels[side < 0 ? voxel - stride[a] : voxel + stride[a]];
+          const float other = phi.voxels[side < 0 ? voxel - stride[a] : voxel + stride[a]];
           if ((value < 0.0F) == (other < 0.0F)) continue;
           const auto axis = static_cast<Eigen::Index>(a);
           const double t = static_cast<double>(value) /
@@ -121,11 +136,12 @@ void ClosestPoints::crossingsOfSlice(int k, F found) const {
     }
 }
 
-void ClosestPoints::findCrossings() {
+void ClosestPoints::findCrossings(const Volume<float>& phi, const Progress& progress) {
   const auto slices = static_cast<std::size_t>(geometry_.size[2]);
   std::vector<std::vector<std::pair<std::uint32_t, Foot>>> found(slices);
   parallelFor(0, slices, 1, [&](std::size_t k, std::size_t) {
-    crossingsOfSlice(static_cast<int>(k), [&](std::size_t voxel, Foot foot) {
+    progress.check();
+    crossingsOfSlice(phi, static_cast<int>(k), [&](std::size_t voxel, Foot foot) {
       const Foot start = foot;
       const Eigen::Vector3d x = position(voxel);
       if (toZero(foot) && distance(x, foot.point) <= distance(x, start.point) + 0.5)
@@ -135,11 +151,12 @@ void ClosestPoints::findCrossings() {
       found[k].emplace_back(static_cast<std::uint32_t>(voxel), foot);
     });
   });
+  slot_ = Volume<std::int32_t>(geometry_, kNone);
   for (const auto& slice : found)
     for (const auto& [voxel, foot] : slice) {
       slot_.voxels[voxel] = static_cast<std::int32_t>(voxels_.size());
       voxels_.push_back(voxel);
-      feet_.push_back(foot);
+      feet_.add(foot);
     }
 }
 
@@ -191,7 +208,7 @@ bool ClosestPoints::grow(const Progress& progress) {
     }
     slot_.voxels[fresh[n]] = static_cast<std::int32_t>(voxels_.size());
     voxels_.push_back(fresh[n]);
-    feet_.push_back(found[n]);
+    feet_.add(found[n]);
   }
   return voxels_.size() > frontier_;
 }
@@ -212,6 +229,24 @@ void ClosestPoints::relax(const Progress& progress) {
   });
   for (const auto& block : found)
     for (const auto& [n, foot] : block) feet_[n] = foot;
+}
+
+Volume<float> ClosestPoints::distances(const std::vector<bool>& inside, double bandVoxels) {
+  slot_ = {};
+  const double voxel = geometry_.voxelMm();
+  const auto far = static_cast<float>(bandVoxels * voxel);
+  Volume<float> out(geometry_, far);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    if (inside[i]) out.voxels[i] = -far;
+  parallelFor(0, count(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first; n < last; ++n) {
+      float& value = out.voxels[voxels_[n]];
+      const auto d = static_cast<float>(distance(n) * voxel);
+      // A voxel inside keeps its sign even where the surface runs through it.
+      if (d < far) value = value < 0.0F ? -std::max(d, std::numeric_limits<float>::min()) : d;
+    }
+  });
+  return out;
 }
 
 /// Newton steps along the gradient in working-voxel space. False when they leave or stall.
@@ -274,8 +309,11 @@ void ClosestPoints::approach(const Eigen::Vector3d& x, Foot& foot) const {
 }  // namespace
 
 Volume<float> redistance(Volume<float> phi, double bandVoxels, const Progress& progress) {
+  std::vector<bool> inside(phi.voxels.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = phi.voxels[i] < 0.0F;
   ClosestPoints closest(phi, bandVoxels);
-  closest.findCrossings();
+  closest.findCrossings(phi, progress);
+  phi = {};  // its signs are all that is needed from here on
   if (closest.count() == 0)
     throw NumericError("the level set has no surface", "redistancing",
                        "nothing, or everything, lies inside: check the seeds and levelset.b");
@@ -284,23 +322,7 @@ Volume<float> redistance(Volume<float> phi, double bandVoxels, const Progress& p
   progress.report(0.6);
   for (int n = 0; n < 2; ++n) closest.relax(progress);
   progress.report(0.9);
-
-  const double voxel = phi.geometry.voxelMm();
-  const auto far = static_cast<float>(bandVoxels * voxel);
-  parallelFor(0, phi.voxels.size(), kGrain * kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) phi.voxels[i] = phi.voxels[i] < 0.0F ? -far : far;
-  });
-  parallelFor(0, closest.count(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n) {
-      float& value = phi.voxels[closest.voxel(n)];
-      const auto d = static_cast<float>(closest.distance(n) * voxel);
-      if (!(d < far)) continue;
-      // A voxel inside keeps its sign even where the surface runs through it.
-      value = value < 0.0F ? -std::max(d, std::numeric_limits<float>::min()) : d;
-    }
-  });
-  progress.report(1.0);
-  return phi;
+  return closest.distances(inside, bandVoxels);
 }
 
 }  // namespace angiomesh

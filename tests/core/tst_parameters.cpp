@@ -94,8 +94,9 @@ class TestParameters : public QObject {
     const std::set<std::string> expected{
         "vesselness.scaleRule", "vesselness.contrast",    "levelset.bRule",
         "levelset.start",       "levelset.maxIterations", "levelset.checkEvery",
-        "levelset.refine",      "surface.spline",         "surface.border",
-        "smooth.method",        "surface.etaCompensated", "surface.edgesAround"};
+        "levelset.refine",      "levelset.acrossCrests",  "surface.spline",
+        "surface.border",       "smooth.method",          "surface.etaCompensated",
+        "surface.edgesAround"};
     QVERIFY(different == expected);
     QVERIFY_EXCEPTION_THROWN(preset("thesys"), InputError);
   }
