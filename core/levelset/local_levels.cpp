@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kBlock = 4;  // voxels
 constexpr double kSigmaBlocks = 2.0;
+constexpr int kSteps = 100;            // each adds 2/3 voxel^2
+constexpr float kPriorShare = 0.02F;   // of full weight
 constexpr double kPriorWeight = 0.02;  // voxels per block, of the mean over all
 
 using Pair = Eigen::Vector2d;  // sum of weight * value, sum of weight
@@ -38,6 +40,29 @@ void blur(Volume<Pair>& blocks) {
     });
     blocks = std::move(out);
   }
+}
+
+/// From the cells of a set outwards, layer by layer.
+void spreadOut(const CellBand& band, std::vector<char> known, std::vector<float>& mean) {
+  std::vector<std::uint32_t> reached;
+  do {
+    reached.clear();
+    for (std::uint32_t c = 0; c < band.size(); ++c) {
+      if (known[c] != 0) continue;
+      float sum = 0.0F;
+      float count = 0.0F;
+      for (std::size_t k = 0; k < CellBand::kOffsets.size(); ++k) {
+        const std::uint32_t n = band.neighbour(c, k);
+        if (n == CellBand::none || known[n] == 0) continue;
+        sum += mean[n];
+        count += 1.0F;
+      }
+      if (count == 0.0F) continue;
+      mean[c] = sum / count;
+      reached.push_back(c);
+    }
+    for (const std::uint32_t c : reached) known[c] = 1;
+  } while (!reached.empty());
 }
 
 Pair interpolated(const Volume<Pair>& blocks, const Index3& voxel) {
@@ -89,6 +114,53 @@ std::vector<float> localMean(const CellBand& band, const std::vector<float>& val
       mean[c] = static_cast<float>(sum[0] / sum[1]);
     }
   });
+  return mean;
+}
+
+std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
+                             const std::vector<float>& value, const std::vector<float>& weight,
+                             const std::vector<float>& prior) {
+  // The set's cells by number, and each one's neighbours in it and itself.
+  std::vector<std::uint32_t> cells, number(band.size(), CellBand::none);
+  for (std::uint32_t c = 0; c < band.size(); ++c)
+    if (set[c] != 0) {
+      number[c] = static_cast<std::uint32_t>(cells.size());
+      cells.push_back(c);
+    }
+  std::vector<std::uint32_t> first(1, 0), near;
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    near.push_back(static_cast<std::uint32_t>(n));
+    for (std::size_t k = 0; k < CellBand::kOffsets.size(); ++k)
+      if (const std::uint32_t c = band.neighbour(cells[n], k);
+          c != CellBand::none && number[c] != CellBand::none)
+        near.push_back(number[c]);
+    first.push_back(static_cast<std::uint32_t>(near.size()));
+  }
+  using Sum = std::array<float, 2>;  // of weight * value, of weight
+  std::vector<Sum> sum(cells.size()), next(cells.size());
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    const std::uint32_t c = cells[n];
+    sum[n] = {weight[c] * value[c], weight[c]};
+  }
+  for (int step = 0; step < kSteps; ++step) {
+    parallelFor(0, cells.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        Sum all{0.0F, 0.0F};
+        for (std::uint32_t at = first[n]; at < first[n + 1]; ++at) {
+          const Sum& s = sum[near[at]];
+          all[0] += s[0];
+          all[1] += s[1];
+        }
+        const float share = 1.0F / static_cast<float>(first[n + 1] - first[n]);
+        next[n] = {all[0] * share, all[1] * share};
+      }
+    });
+    std::swap(sum, next);
+  }
+  std::vector<float> mean = prior;
+  for (std::size_t n = 0; n < cells.size(); ++n)
+    mean[cells[n]] = (sum[n][0] + kPriorShare * prior[cells[n]]) / (sum[n][1] + kPriorShare);
+  spreadOut(band, set, mean);
   return mean;
 }
 

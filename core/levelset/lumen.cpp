@@ -115,7 +115,10 @@ class Refiner {
         if (n != CellBand::none && band_.layer[n] != 0) inner[c] = kWallShare;
       }
     }
-    lumen_ = localMean(band_, value_, inner);
+    std::vector<char> vessel(band_.size());
+    for (std::size_t c = 0; c < band_.size(); ++c)
+      vessel[c] = static_cast<char>(band_.layer[c] == 0);
+    lumen_ = meanAlong(band_, vessel, value_, inner, localMean(band_, value_, inner));
     around_ = localMean(band_, value_, outer);
   }
 
@@ -133,7 +136,10 @@ class Refiner {
         break;
       }
     }
-    lumen_ = localMean(band_, value_, inner);
+    std::vector<char> vessel(band_.size());
+    for (std::size_t c = 0; c < band_.size(); ++c)
+      vessel[c] = static_cast<char>(band_.layer[c] == 0 || inner[c] > 0.0F);
+    lumen_ = meanAlong(band_, vessel, value_, inner, localMean(band_, value_, inner));
   }
 
   void smooth(const Progress& progress) {
@@ -384,23 +390,30 @@ Volume<float> floodStart(const Volume<float>& vesselness, double b,
   return phi;
 }
 
-Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b,
+double floodLowest(const Volume<float>& image, double c, double b, double times) {
+  const double strength = times * noiseLevel(image) / c;
+  return std::clamp(1.0 - std::exp(-0.5 * strength * strength), 0.25 * b, b);
+}
+
+Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b, double lowest,
                                   const std::vector<Eigen::Vector3d>& seedsLps, double radiusVoxels,
                                   std::size_t leastVoxels) {
-  const auto least = static_cast<float>(b);
+  const auto least = static_cast<float>(b), low = static_cast<float>(lowest);
   constexpr std::size_t grain = 1 << 16;
   Volume<std::uint8_t> mask(vesselness.geometry);
   parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      mask.voxels[i] = static_cast<std::uint8_t>(vesselness.voxels[i] >= least);
+      mask.voxels[i] = static_cast<std::uint8_t>(vesselness.voxels[i] >= low);
   });
   const std::vector<std::size_t> seeded =
       voxelsAroundSeeds(vesselness.geometry, seedsLps, radiusVoxels);
   for (const std::size_t voxel : seeded) mask.voxels[voxel] = 1;
   const Components parts = connectedComponents(mask);
-  std::vector<std::uint8_t> kept(parts.sizes.size() + 1, 0);
-  for (std::size_t l = 0; l < parts.sizes.size(); ++l)
-    kept[l + 1] = parts.sizes[l] >= leastVoxels ? 1 : 0;
+  std::vector<std::size_t> bright(parts.sizes.size() + 1, 0);
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    if (vesselness.voxels[i] >= least) ++bright[static_cast<std::size_t>(parts.labels.voxels[i])];
+  std::vector<std::uint8_t> kept(bright.size(), 0);
+  for (std::size_t l = 1; l < bright.size(); ++l) kept[l] = bright[l] >= leastVoxels ? 1 : 0;
   for (const std::size_t voxel : seeded)
     kept[static_cast<std::size_t>(parts.labels.voxels[voxel])] = 1;
   parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {

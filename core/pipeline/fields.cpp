@@ -244,6 +244,11 @@ void addLevelSet(Table& t) {
       "levelset.start", MEMBER(levelset.start), {"flood", "seeds"},
       "flood: all that is connected to a seed at v >= b, at once; seeds: the front goes all the "
       "way");
+  t.real("levelset.floodNoise", MEMBER(levelset.floodNoise), 0.0, 10.0, "",
+         "how much stronger than the noise a vessel has to be for a flood to go on in it below b")
+      .idle = [](const Parameters& p) {
+    return p.levelset.start == StartRule::Flood ? "" : "of levelset.start flood alone";
+  };
   t.integer("levelset.floodLeastVoxels", MEMBER(levelset.floodLeastVoxels), 1, 1000000,
             "parts with v >= b of this size are vessels without a seed")
       .idle = [](const Parameters& p) {

@@ -24,7 +24,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 2, 2, 2, 2};
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 3, 2, 2, 2};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -153,8 +153,9 @@ EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
   {
     Volume<float> start;
     if (p.start == StartRule::Flood) {
-      found = floodVessels(v, result.thresholds.b, seeds.pointsLps, params.seeds.radiusVoxels,
-                           static_cast<std::size_t>(p.floodLeastVoxels));
+      const double lowest = floodLowest(image, vessels.c, result.thresholds.b, p.floodNoise);
+      found = floodVessels(v, result.thresholds.b, lowest, seeds.pointsLps,
+                           params.seeds.radiusVoxels, static_cast<std::size_t>(p.floodLeastVoxels));
       start = floodStart(v, result.thresholds.b, found);
     } else {
       start = fastMarchingStart(v.geometry, seeds.pointsLps, params.seeds.radiusVoxels);

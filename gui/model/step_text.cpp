@@ -58,6 +58,7 @@ const std::map<std::string, QString>& labels() {
       {"levelset.bMin", QStringLiteral("Least b")},
       {"levelset.bMax", QStringLiteral("Largest b")},
       {"levelset.start", QStringLiteral("Start")},
+      {"levelset.floodNoise", QStringLiteral("Flood down to noise")},
       {"levelset.floodLeastVoxels", QStringLiteral("Least part without a seed")},
       {"levelset.refine", QStringLiteral("Place the wall anew")},
       {"levelset.refineLevel", QStringLiteral("Wall level")},

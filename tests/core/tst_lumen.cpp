@@ -220,13 +220,54 @@ class TestLumen : public QObject {
     QCOMPARE(localMean(band, value, std::vector<float>(band.size(), 0.0F))[0], 0.0F);
   }
 
+  // A faint vessel four voxels from a bright one keeps its own brightness, and what lies beside a
+  // vessel has that of the nearest.
+  void averagesAlongVesselsAlone() {
+    Volume<std::uint8_t> set(analytic::cube(40));
+    for (int i = 0; i < 40; ++i) set.at(i, 18, 20) = set.at(i, 22, 20) = 1;
+    const CellBand band = bandAround(set, 1);
+    std::vector<char> vessel(band.size());
+    std::vector<float> value(band.size()), weight(band.size());
+    for (std::size_t c = 0; c < band.size(); ++c) {
+      vessel[c] = static_cast<char>(band.layer[c] == 0);
+      const int j = band.geometry.indexOf(band.voxel[c])[1];
+      value[c] = vessel[c] == 0 ? 0.0F : j == 18 ? 200.0F : 80.0F;
+      weight[c] = vessel[c] == 0 ? 0.0F : 1.0F;
+    }
+    const std::vector<float> prior(band.size(), 140.0F);
+    const std::vector<float> mean = meanAlong(band, vessel, value, weight, prior);
+    for (std::size_t c = 0; c < band.size(); ++c) {
+      const int j = band.geometry.indexOf(band.voxel[c])[1];
+      QVERIFY(std::abs(mean[c] - (j < 20 ? 200.0F : 80.0F)) < 3.0F);
+    }
+    const std::vector<float> nothing(band.size(), 0.0F);
+    QCOMPARE(meanAlong(band, vessel, value, nothing, prior)[0], 140.0F);
+  }
+
+  void floodGoesDownToTheNoise() {
+    Volume<float> image(analytic::cube(24));
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+      image.voxels[i] = static_cast<float>(5.0 * randomNormal(3, i));
+    const double strength = 2.0 * 5.0 / 40.0;
+    const double expected = 1.0 - std::exp(-0.5 * strength * strength);
+    QVERIFY(std::abs(floodLowest(image, 40.0, 0.1, 2.0) / expected - 1.0) < 0.1);
+    QCOMPARE(floodLowest(image, 40.0, 0.1, 0.0), 0.025);
+    QCOMPARE(floodLowest(image, 1.0, 0.1, 2.0), 0.1);
+
+    Volume<float> v(analytic::cube(20), 0.0F);
+    for (int i = 2; i < 17; ++i) v.at(i, 4, 4) = i < 12 ? 0.2F : 0.08F;
+    const Volume<std::uint8_t> found = floodVessels(v, 0.15, 0.05, {}, 1.0, 10);
+    QCOMPARE(int(found.at(16, 4, 4)), 1);
+    QCOMPARE(int(floodVessels(v, 0.15, 0.05, {}, 1.0, 11).at(4, 4, 4)), 0);
+  }
+
   void floodsFromSeedsAndLargeParts() {
     Volume<float> v(analytic::cube(20), 0.0F);
     for (int i = 2; i < 17; ++i) v.at(i, 4, 4) = 0.2F;   // long
     for (int i = 2; i < 6; ++i) v.at(i, 10, 10) = 0.2F;  // short
     for (int i = 2; i < 6; ++i) v.at(i, 16, 16) = 0.5F;  // short, with a seed
     const Eigen::Vector3d seed = v.geometry.toPhysical({3.0, 16.0, 16.0});
-    const Volume<std::uint8_t> found = floodVessels(v, 0.15, {seed}, 0.5, 10);
+    const Volume<std::uint8_t> found = floodVessels(v, 0.15, 0.15, {seed}, 0.5, 10);
     QCOMPARE(int(found.at(16, 4, 4)), 1);
     QCOMPARE(int(found.at(3, 10, 10)), 0);
     QCOMPARE(int(found.at(5, 16, 16)), 2);
