@@ -34,8 +34,8 @@ struct Bed {
 int flooded(const Bed& bed, Volume<float>* phi = nullptr) {
   const LevelSetParams& p = bed.params.levelset;
   const Volume<std::uint8_t> found =
-      floodVessels(*bed.vesselness, bed.thresholds.b, bed.thresholds.b, bed.seedsLps,
-                   bed.params.seeds.radiusVoxels, static_cast<std::size_t>(p.floodLeastVoxels));
+      floodVessels(*bed.vesselness, bed.thresholds.b, bed.seedsLps, bed.params.seeds.radiusVoxels,
+                   static_cast<std::size_t>(p.floodLeastVoxels));
   LevelSetEvolution evolution(bed.vesselness, bed.thresholds,
                               floodStart(*bed.vesselness, bed.thresholds.b, found), p);
   evolution.step(p.maxIterations);

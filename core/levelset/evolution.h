@@ -17,7 +17,6 @@ enum class StartRule {
 
 struct LevelSetParams {
   StartRule start = StartRule::Flood;
-  double floodNoise = 0.7;    ///< floods go on in vessels this many times as strong as noise
   int floodLeastVoxels = 30;  ///< parts of this size need no seed
   double gamma = 0.7, d = 0.2, xi = 20.0;
   bool acrossCrests = true;  ///< the front moves where upwind differences vanish, too

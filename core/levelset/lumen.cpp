@@ -390,30 +390,23 @@ Volume<float> floodStart(const Volume<float>& vesselness, double b,
   return phi;
 }
 
-double floodLowest(const Volume<float>& image, double c, double b, double times) {
-  const double strength = times * noiseLevel(image) / c;
-  return std::clamp(1.0 - std::exp(-0.5 * strength * strength), 0.25 * b, b);
-}
-
-Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b, double lowest,
+Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b,
                                   const std::vector<Eigen::Vector3d>& seedsLps, double radiusVoxels,
                                   std::size_t leastVoxels) {
-  const auto least = static_cast<float>(b), low = static_cast<float>(lowest);
+  const auto least = static_cast<float>(b);
   constexpr std::size_t grain = 1 << 16;
   Volume<std::uint8_t> mask(vesselness.geometry);
   parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      mask.voxels[i] = static_cast<std::uint8_t>(vesselness.voxels[i] >= low);
+      mask.voxels[i] = static_cast<std::uint8_t>(vesselness.voxels[i] >= least);
   });
   const std::vector<std::size_t> seeded =
       voxelsAroundSeeds(vesselness.geometry, seedsLps, radiusVoxels);
   for (const std::size_t voxel : seeded) mask.voxels[voxel] = 1;
   const Components parts = connectedComponents(mask);
-  std::vector<std::size_t> bright(parts.sizes.size() + 1, 0);
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-    if (vesselness.voxels[i] >= least) ++bright[static_cast<std::size_t>(parts.labels.voxels[i])];
-  std::vector<std::uint8_t> kept(bright.size(), 0);
-  for (std::size_t l = 1; l < bright.size(); ++l) kept[l] = bright[l] >= leastVoxels ? 1 : 0;
+  std::vector<std::uint8_t> kept(parts.sizes.size() + 1, 0);
+  for (std::size_t l = 0; l < parts.sizes.size(); ++l)
+    kept[l + 1] = parts.sizes[l] >= leastVoxels ? 1 : 0;
   for (const std::size_t voxel : seeded)
     kept[static_cast<std::size_t>(parts.labels.voxels[voxel])] = 1;
   parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {

@@ -31,17 +31,12 @@ Volume<float> refineLumen(const Volume<float>& image, const Volume<std::uint8_t>
                           const LumenParams& params, Polarity polarity,
                           const Progress& progress = {});
 
-/// The 26-connected parts of v >= `lowest` that hold at least `leastVoxels` voxels where v >= b, or
-/// one in a sphere around a seed (mm LPS, radius in working voxels), and the voxels in those
-/// spheres: 1, or 2 where v >= 3 b. @param lowest at most b
-Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b, double lowest,
+/// The voxels where v >= b, in 26-connected parts of at least `leastVoxels` or that hold a voxel in
+/// a sphere around a seed (mm LPS, radius in working voxels), and those voxels: 1, or 2 where v >=
+/// 3 b.
+Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b,
                                   const std::vector<Eigen::Vector3d>& seedsLps, double radiusVoxels,
                                   std::size_t leastVoxels);
-
-/// How far below b a flood may go: to the vesselness at sigma_min whose Hessian is `times` that of
-/// the image's noise (eq. 3.15 with c; a Gaussian's second derivative of white noise), at least b /
-/// 4, at most b. @param c of the vesselness, intensities
-double floodLowest(const Volume<float>& image, double c, double b, double times);
 
 /// The start of an evolution from what floodVessels() found: its surface at v = b where that is at
 /// hand, else half-way between voxels, within +-0.5 working voxel.

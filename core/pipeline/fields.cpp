@@ -244,11 +244,6 @@ void addLevelSet(Table& t) {
       "levelset.start", MEMBER(levelset.start), {"flood", "seeds"},
       "flood: all that is connected to a seed at v >= b, at once; seeds: the front goes all the "
       "way");
-  t.real("levelset.floodNoise", MEMBER(levelset.floodNoise), 0.0, 10.0, "",
-         "how much stronger than the noise a vessel has to be for a flood to go on in it below b")
-      .idle = [](const Parameters& p) {
-    return p.levelset.start == StartRule::Flood ? "" : "of levelset.start flood alone";
-  };
   t.integer("levelset.floodLeastVoxels", MEMBER(levelset.floodLeastVoxels), 1, 1000000,
             "parts with v >= b of this size are vessels without a seed")
       .idle = [](const Parameters& p) {
@@ -284,9 +279,10 @@ void addLevelSet(Table& t) {
   const auto idle = [](const Parameters& p) {
     return p.lumen.enabled ? "" : "of levelset.refine alone";
   };
-  Field& level =
-      t.real("levelset.refineLevel", MEMBER(lumen.level), 0.1, 0.9, "",
-             "where the wall is, from the surroundings' brightness (0) to the lumen's (1)");
+  Field& level = t.real(
+      "levelset.refineLevel", MEMBER(lumen.level), 0.1, 0.9, "",
+      "what a voxel of the vessel has at least, from the surroundings' brightness (0) to the "
+      "lumen's (1); the wall lies half-way, or here if this is more");
   level.main = true;
   level.idle = idle;
   t.real("levelset.refineAlong", MEMBER(lumen.along), 0.0, 1000.0, "",

@@ -153,9 +153,8 @@ EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
   {
     Volume<float> start;
     if (p.start == StartRule::Flood) {
-      const double lowest = floodLowest(image, vessels.c, result.thresholds.b, p.floodNoise);
-      found = floodVessels(v, result.thresholds.b, lowest, seeds.pointsLps,
-                           params.seeds.radiusVoxels, static_cast<std::size_t>(p.floodLeastVoxels));
+      found = floodVessels(v, result.thresholds.b, seeds.pointsLps, params.seeds.radiusVoxels,
+                           static_cast<std::size_t>(p.floodLeastVoxels));
       start = floodStart(v, result.thresholds.b, found);
     } else {
       start = fastMarchingStart(v.geometry, seeds.pointsLps, params.seeds.radiusVoxels);
