@@ -81,10 +81,7 @@ class Refiner {
     progress.report(0.4);
     smooth(progress);
     progress.report(0.8);
-    std::vector<float> outer(band_.size());
-    for (std::size_t c = 0; c < band_.size(); ++c)
-      outer[c] = band_.layer[c] == outermost_ ? 1.0F : 0.0F;
-    around_ = localMean(band_, value_, outer);
+    averageAround();
     for (int round = 0; round < 2; ++round) lumenAgain();
     grow();
     bridge();
@@ -102,12 +99,26 @@ class Refiner {
     return share(c) - static_cast<float>(params_.level);
   }
 
-  /// From where vessels were found: its inner voxels, or all of them where it is thin, and the
-  /// band's outermost layer.
+  /// Over the band's outermost layer.
+  void averageAround() {
+    std::vector<float> outer(band_.size());
+    for (std::size_t c = 0; c < band_.size(); ++c)
+      outer[c] = band_.layer[c] == outermost_ ? 1.0F : 0.0F;
+    around_ = localMean(band_, value_, outer);
+  }
+
+  /// Along what was found and, beyond it, what has a weight.
+  void averageLumen(const std::vector<float>& weight) {
+    std::vector<char> vessel(band_.size());
+    for (std::size_t c = 0; c < band_.size(); ++c)
+      vessel[c] = static_cast<char>(band_.layer[c] == 0 || weight[c] > 0.0F);
+    lumen_ = meanAlong(band_, vessel, value_, weight, localMean(band_, value_, weight));
+  }
+
+  /// From where vessels were found: its inner voxels, or all of them where it is thin.
   void firstLevels() {
-    std::vector<float> inner(band_.size(), 0.0F), outer(band_.size(), 0.0F);
+    std::vector<float> inner(band_.size(), 0.0F);
     for (std::size_t c = 0; c < band_.size(); ++c) {
-      if (band_.layer[c] == outermost_) outer[c] = 1.0F;
       if (band_.layer[c] != 0) continue;
       inner[c] = 1.0F;
       for (std::size_t k = 0; k < 6; ++k) {
@@ -115,11 +126,8 @@ class Refiner {
         if (n != CellBand::none && band_.layer[n] != 0) inner[c] = kWallShare;
       }
     }
-    std::vector<char> vessel(band_.size());
-    for (std::size_t c = 0; c < band_.size(); ++c)
-      vessel[c] = static_cast<char>(band_.layer[c] == 0);
-    lumen_ = meanAlong(band_, vessel, value_, inner, localMean(band_, value_, inner));
-    around_ = localMean(band_, value_, outer);
+    averageLumen(inner);
+    averageAround();
   }
 
   /// From the smoothed image: the more a voxel looks full, the more it tells about the lumen.
@@ -136,10 +144,7 @@ class Refiner {
         break;
       }
     }
-    std::vector<char> vessel(band_.size());
-    for (std::size_t c = 0; c < band_.size(); ++c)
-      vessel[c] = static_cast<char>(band_.layer[c] == 0 || inner[c] > 0.0F);
-    lumen_ = meanAlong(band_, vessel, value_, inner, localMean(band_, value_, inner));
+    averageLumen(inner);
   }
 
   void smooth(const Progress& progress) {

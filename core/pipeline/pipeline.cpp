@@ -120,7 +120,7 @@ EvolveResult evolveOtherwise(const Volume<float>& image, const SeedsResult& seed
                              const Parameters& params, const RunOptions& options,
                              const Progress& progress, std::vector<std::string>& warnings) {
   const auto stop = [&options] { return options.control && options.control->finishNow; };
-  const ComparisonResult found = segmentByComparison(
+  ComparisonResult found = segmentByComparison(
       image, params.segmentation.method, seeds.pointsLps, params.seeds.radiusVoxels,
       params.comparison, params.vesselness.polarity, stop, progress.sub(0.0, 0.8));
   EvolveResult result;
@@ -131,8 +131,8 @@ EvolveResult evolveOtherwise(const Volume<float>& image, const SeedsResult& seed
   result.upper = found.upper;
   if (found.stopReason == StopReason::Limit)
     warnings.push_back("the contour ended at comparison.gac.iterations before it came to rest");
-  result.phi =
-      std::make_shared<const Volume<float>>(redistance(found.phi, 5.0, progress.sub(0.8, 1.0)));
+  result.phi = std::make_shared<const Volume<float>>(
+      redistance(std::move(found.phi), 5.0, progress.sub(0.8, 1.0)));
   return result;
 }
 
@@ -163,6 +163,10 @@ EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
     start = {};
     result.stopReason = evolveWatched(evolution, options, progress.sub(0.0, 0.6));
     result.iterations = evolution.iterations();
+    if (evolution.insideVoxels() == 0)
+      throw NumericError("the level set shrank to nothing", "evolve",
+                         "lower levelset.b or levelset.xi, or check the range of vessel sizes "
+                         "(vesselness.sigmaMinMm, vesselness.sigmaMaxMm) and the seeds");
     if (options.snapshots) postSnapshot(evolution, options, progress);
     phi = evolution.takePhi();
   }
@@ -170,10 +174,6 @@ EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
   // Where the wall is placed anew, a front that flickers about it to the end does no harm.
   if (result.stopReason == StopReason::Limit && !params.lumen.enabled)
     warnings.push_back("the evolution ended at levelset.maxIterations before it converged");
-  if (std::none_of(phi.voxels.begin(), phi.voxels.end(), [](float f) { return f < 0.0F; }))
-    throw NumericError("the level set shrank to nothing", "evolve",
-                       "lower levelset.b or levelset.xi, or check the range of vessel sizes "
-                       "(vesselness.sigmaMinMm, vesselness.sigmaMaxMm) and the seeds");
   const Progress rest = progress.sub(0.8, 1.0);
   if (!params.lumen.enabled) {
     result.phi = std::make_shared<const Volume<float>>(redistance(std::move(phi), 5.0, rest));

@@ -8,19 +8,13 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/phantom/phantom.h"
+#include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
+using analytic::paramsOf;
 using Eigen::Vector3d;
 
 namespace {
-
-PhantomParams paramsOf(PhantomKind kind, int side, double radius = 4.0) {
-  PhantomParams params;
-  params.kind = kind;
-  params.size = {side, side, side};
-  params.radius = radius;
-  return params;
-}
 
 double meanOf(const Volume<float>& image) {
   double sum = 0.0;
