@@ -60,7 +60,7 @@ const std::map<std::string, QString>& labels() {
       {"levelset.start", QStringLiteral("Start")},
       {"levelset.floodLeastVoxels", QStringLiteral("Least part without a seed")},
       {"levelset.refine", QStringLiteral("Place the wall anew")},
-      {"levelset.refineLevel", QStringLiteral("Least brightness of a voxel")},
+      {"levelset.refineLevel", QStringLiteral("Lumen level")},
       {"levelset.refineAlong", QStringLiteral("Smoothing along")},
       {"levelset.refineAcross", QStringLiteral("Smoothing across")},
       {"levelset.refineReachVoxels", QStringLiteral("Reach of the wall")},
