@@ -8,6 +8,9 @@
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace angiomesh {
 namespace {
@@ -39,6 +42,12 @@ void freeLargePages(void* memory, std::size_t bytes) noexcept {
   }
 #endif
   ::operator delete(memory);
+}
+
+void releaseFreedMemory() noexcept {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 }  // namespace angiomesh

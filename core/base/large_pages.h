@@ -11,6 +11,10 @@ namespace angiomesh {
 void* allocateLargePages(std::size_t bytes);
 void freeLargePages(void* memory, std::size_t bytes) noexcept;
 
+/// Gives memory that was freed, but that the C library keeps for later, back to the system: between
+/// stages whose arrays differ in size it is of no use to the next one.
+void releaseFreedMemory() noexcept;
+
 template <class T>
 struct LargePages {
   using value_type = T;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kGrain = 1024;
 constexpr double kBeyond = 0.9;      // voxels of the band beyond the clamp, for their neighbours
 constexpr double kLastStep = 3e-3;   // Newton's method squares it
-constexpr double kTolerance = 1e-4;  // of a foot's offset, squared, over the distance
+constexpr double kTolerance = 1e-3;  // of a foot's offset, squared, over the distance
 constexpr double kNearer = 1e-3;     // a neighbour's foot has to be, to be taken up
 
 /// A point of the zero set.
@@ -28,20 +28,27 @@ struct Foot {
   float bend = 0.0F;       ///< curvature in the direction last walked, per working voxel
 };
 
+/// A foot as a voxel keeps it, in half the space.
+struct KeptFoot {
+  Eigen::Vector3f offset;  ///< from the voxel's centre, working voxels
+  std::array<std::int16_t, 3> normal;
+  std::int16_t bend;
+};
+constexpr float kNormalScale = 32767.0F, kBendScale = 16000.0F;  // |bend| <= 2
+
 /// Feet by number, in chunks: growing neither moves nor doubles them.
 class Feet {
  public:
-  [[nodiscard]] std::size_t size() const { return size_; }
-  Foot& operator[](std::size_t n) { return chunks_[n / kChunk][n % kChunk]; }
-  const Foot& operator[](std::size_t n) const { return chunks_[n / kChunk][n % kChunk]; }
-  void add(const Foot& foot) {
+  KeptFoot& operator[](std::size_t n) { return chunks_[n / kChunk][n % kChunk]; }
+  const KeptFoot& operator[](std::size_t n) const { return chunks_[n / kChunk][n % kChunk]; }
+  void add(const KeptFoot& foot) {
     if (size_ == chunks_.size() * kChunk) chunks_.emplace_back(kChunk);
     (*this)[size_++] = foot;
   }
 
  private:
   static constexpr std::size_t kChunk = std::size_t{1} << 18;
-  std::vector<BigVector<Foot>> chunks_;
+  std::vector<BigVector<KeptFoot>> chunks_;
   std::size_t size_ = 0;
 };
 
@@ -72,16 +79,17 @@ class ClosestPoints {
     return {1.0 * p[0], 1.0 * p[1], 1.0 * p[2]};
   }
   [[nodiscard]] double distance(std::size_t n) const {
-    return distance(position(voxels_[n]), feet_[n].point);
+    return static_cast<double>(feet_[n].offset.norm());
   }
   [[nodiscard]] double distance(const Eigen::Vector3d& x, const Eigen::Vector3d& point) const {
     return step_.cwiseProduct(x - point).norm();
   }
+  [[nodiscard]] KeptFoot kept(const Foot& foot, const Eigen::Vector3d& x) const;
   template <class F>
-  void forBox(std::size_t voxel, F visit) const;
+  void forBox(const Index3& p, F visit) const;
   template <class F>
   void crossingsOfSlice(const Volume<float>& phi, int k, F found) const;
-  [[nodiscard]] std::uint32_t bestOfNeighbours(std::size_t voxel, double within) const;
+  bool bestOfNeighbours(std::size_t voxel, double within, Foot& foot) const;
   [[nodiscard]] bool toZero(Foot& foot) const;
   void approach(const Eigen::Vector3d& x, Foot& foot) const;
 
@@ -95,13 +103,23 @@ class ClosestPoints {
   std::size_t frontier_ = 0;  ///< voxels_ before it have had their neighbours added
 };
 
+KeptFoot ClosestPoints::kept(const Foot& foot, const Eigen::Vector3d& x) const {
+  KeptFoot k;
+  k.offset = step_.cwiseProduct(foot.point - x).cast<float>();
+  for (std::size_t a = 0; a < 3; ++a)
+    k.normal[a] = static_cast<std::int16_t>(
+        std::lround(foot.normal[static_cast<Eigen::Index>(a)] * kNormalScale));
+  k.bend = static_cast<std::int16_t>(std::lround(foot.bend * kBendScale));
+  return k;
+}
+
+/// Calls visit(voxel, i, j, k) for a voxel and its neighbours.
 template <class F>
-void ClosestPoints::forBox(std::size_t voxel, F visit) const {
-  const Index3 p = geometry_.indexOf(voxel);
+void ClosestPoints::forBox(const Index3& p, F visit) const {
   for (int k = std::max(p[2] - 1, 0); k <= std::min(p[2] + 1, geometry_.size[2] - 1); ++k)
     for (int j = std::max(p[1] - 1, 0); j <= std::min(p[1] + 1, geometry_.size[1] - 1); ++j)
       for (int i = std::max(p[0] - 1, 0); i <= std::min(p[0] + 1, geometry_.size[0] - 1); ++i)
-        visit(geometry_.offset(i, j, k));
+        visit(geometry_.offset(i, j, k), i, j, k);
 }
 
 /// Calls found(voxel, foot) for the voxels of a slice with a neighbour of the other sign, with the
@@ -138,7 +156,7 @@ void ClosestPoints::crossingsOfSlice(const Volume<float>& phi, int k, F found) c
 
 void ClosestPoints::findCrossings(const Volume<float>& phi, const Progress& progress) {
   const auto slices = static_cast<std::size_t>(geometry_.size[2]);
-  std::vector<std::vector<std::pair<std::uint32_t, Foot>>> found(slices);
+  std::vector<std::vector<std::pair<std::uint32_t, KeptFoot>>> found(slices);
   parallelFor(0, slices, 1, [&](std::size_t k, std::size_t) {
     progress.check();
     crossingsOfSlice(phi, static_cast<int>(k), [&](std::size_t voxel, Foot foot) {
@@ -148,7 +166,7 @@ void ClosestPoints::findCrossings(const Volume<float>& phi, const Progress& prog
         approach(x, foot);
       else
         foot = start;
-      found[k].emplace_back(static_cast<std::uint32_t>(voxel), foot);
+      found[k].emplace_back(static_cast<std::uint32_t>(voxel), kept(foot, x));
     });
   });
   slot_ = Volume<std::int32_t>(geometry_, kNone);
@@ -160,23 +178,35 @@ void ClosestPoints::findCrossings(const Volume<float>& phi, const Progress& prog
     }
 }
 
-/// The slot among a voxel's neighbours and itself whose foot is nearest to it, if it is nearer than
-/// `within`; else the voxel's own or kNone.
-std::uint32_t ClosestPoints::bestOfNeighbours(std::size_t voxel, double within) const {
-  const Eigen::Vector3d x = position(voxel);
-  double least = within * within;
-  std::int32_t best = slot_.voxels[voxel];
-  forBox(voxel, [&](std::size_t next) {
+/// The foot among those of a voxel's neighbours and its own that is nearest to it. False, and
+/// `foot` as it was, if none is nearer than `within` or the nearest is its own.
+bool ClosestPoints::bestOfNeighbours(std::size_t voxel, double within, Foot& foot) const {
+  const Index3 p = geometry_.indexOf(voxel);
+  const Eigen::Vector3f step = step_.cast<float>();
+  auto least = static_cast<float>(within * within);
+  std::int32_t best = kNone;
+  Eigen::Vector3f to;
+  forBox(p, [&](std::size_t next, int i, int j, int k) {
     const std::int32_t slot = slot_.voxels[next];
     if (slot == kNone || slot == kFresh) return;
-    const double d =
-        step_.cwiseProduct(x - feet_[static_cast<std::size_t>(slot)].point).squaredNorm();
+    const Eigen::Vector3f offset = feet_[static_cast<std::size_t>(slot)].offset +
+                                   step.cwiseProduct(Eigen::Vector3f(static_cast<float>(i - p[0]),
+                                                                     static_cast<float>(j - p[1]),
+                                                                     static_cast<float>(k - p[2])));
+    const float d = offset.squaredNorm();
     if (d < least) {
       least = d;
       best = slot;
+      to = offset;
     }
   });
-  return static_cast<std::uint32_t>(best);
+  if (best == kNone || best == slot_.voxels[voxel]) return false;
+  const KeptFoot& k = feet_[static_cast<std::size_t>(best)];
+  foot.point = Eigen::Vector3d(p[0], p[1], p[2]) + to.cast<double>().cwiseQuotient(step_);
+  for (std::size_t a = 0; a < 3; ++a)
+    foot.normal[static_cast<Eigen::Index>(a)] = static_cast<float>(k.normal[a]) / kNormalScale;
+  foot.bend = static_cast<float>(k.bend) / kBendScale;
+  return true;
 }
 
 /// Adds the neighbours of the newest voxels, as far as they are within reach. False when none was
@@ -184,21 +214,23 @@ std::uint32_t ClosestPoints::bestOfNeighbours(std::size_t voxel, double within) 
 bool ClosestPoints::grow(const Progress& progress) {
   std::vector<std::uint32_t> fresh;
   for (std::size_t n = frontier_; n < voxels_.size(); ++n)
-    forBox(voxels_[n], [&](std::size_t next) {
+    forBox(geometry_.indexOf(voxels_[n]), [&](std::size_t next, int, int, int) {
       if (slot_.voxels[next] != kNone) return;
       slot_.voxels[next] = kFresh;
       fresh.push_back(static_cast<std::uint32_t>(next));
     });
   frontier_ = voxels_.size();
-  std::vector<Foot> found(fresh.size());
+  std::vector<KeptFoot> found(fresh.size());
   std::vector<char> reached(fresh.size());
   parallelFor(0, fresh.size(), kGrain, [&](std::size_t first, std::size_t last) {
     progress.check();
     for (std::size_t n = first; n < last; ++n) {
       const Eigen::Vector3d x = position(fresh[n]);
-      found[n] = feet_[bestOfNeighbours(fresh[n], std::numeric_limits<double>::max())];
-      approach(x, found[n]);
-      reached[n] = static_cast<char>(distance(x, found[n].point) <= reach_);
+      Foot foot;
+      bestOfNeighbours(fresh[n], std::numeric_limits<double>::max(), foot);
+      approach(x, foot);
+      found[n] = kept(foot, x);
+      reached[n] = static_cast<char>(distance(x, foot.point) <= reach_);
     }
   });
   for (std::size_t n = 0; n < fresh.size(); ++n) {
@@ -215,16 +247,16 @@ bool ClosestPoints::grow(const Progress& progress) {
 
 /// Every voxel one of whose neighbours has a foot that is nearer starts again from there.
 void ClosestPoints::relax(const Progress& progress) {
-  std::vector<std::pair<std::uint32_t, Foot>> better;
-  std::vector<std::vector<std::pair<std::uint32_t, Foot>>> found((count() + kGrain - 1) / kGrain);
+  std::vector<std::vector<std::pair<std::uint32_t, KeptFoot>>> found((count() + kGrain - 1) /
+                                                                     kGrain);
   parallelFor(0, count(), kGrain, [&](std::size_t first, std::size_t last) {
     progress.check();
     for (std::size_t n = first; n < last; ++n) {
-      const std::uint32_t best = bestOfNeighbours(voxels_[n], distance(n) - kNearer);
-      if (best == n) continue;
-      Foot foot = feet_[best];
-      approach(position(voxels_[n]), foot);
-      found[first / kGrain].emplace_back(static_cast<std::uint32_t>(n), foot);
+      Foot foot;
+      if (!bestOfNeighbours(voxels_[n], std::max(distance(n) - kNearer, 0.0), foot)) continue;
+      const Eigen::Vector3d x = position(voxels_[n]);
+      approach(x, foot);
+      found[first / kGrain].emplace_back(static_cast<std::uint32_t>(n), kept(foot, x));
     }
   });
   for (const auto& block : found)
@@ -314,6 +346,7 @@ Volume<float> redistance(Volume<float> phi, double bandVoxels, const Progress& p
   ClosestPoints closest(phi, bandVoxels);
   closest.findCrossings(phi, progress);
   phi = {};  // its signs are all that is needed from here on
+  releaseFreedMemory();
   if (closest.count() == 0)
     throw NumericError("the level set has no surface", "redistancing",
                        "nothing, or everything, lies inside: check the seeds and levelset.b");
