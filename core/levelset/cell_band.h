@@ -34,6 +34,16 @@ struct CellBand {
     return near.first[row] + (before & 1U) + (before >> 1U);
   }
 
+  /// The cells of one of the nine rows along x around a cell, row = dy + 1 + 3 (dz + 1), that are
+  /// its neighbours or itself: consecutive numbers.
+  struct Run {
+    std::uint32_t first, count;
+  };
+  [[nodiscard]] Run run(std::size_t cell, std::size_t row) const {
+    const unsigned three = near_[cell].present >> (3 * row) & 7U;
+    return {near_[cell].first[row], (three & 1U) + (three >> 1 & 1U) + (three >> 2)};
+  }
+
  private:
   /// By the nine rows along x around a cell, row = dy + 1 + 3 (dz + 1): the number of the first
   /// neighbour in the row, and bit 3 row + dx + 1 for each that there is.

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "core/base/parallel.h"
 #include "core/vesselness/gauss_kernel.h"
@@ -44,25 +45,36 @@ void blur(Volume<Pair>& blocks) {
 
 /// From the cells of a set outwards, layer by layer.
 void spreadOut(const CellBand& band, std::vector<char> known, std::vector<float>& mean) {
-  std::vector<std::uint32_t> reached;
-  do {
-    reached.clear();
-    for (std::uint32_t c = 0; c < band.size(); ++c) {
-      if (known[c] != 0) continue;
-      float sum = 0.0F;
-      float count = 0.0F;
+  constexpr char reached = 2;
+  std::vector<std::uint32_t> front, next;
+  for (std::uint32_t c = 0; c < band.size(); ++c)
+    if (known[c] != 0) front.push_back(c);
+  while (!front.empty()) {
+    next.clear();
+    for (const std::uint32_t c : front)
       for (std::size_t k = 0; k < CellBand::kOffsets.size(); ++k) {
         const std::uint32_t n = band.neighbour(c, k);
-        if (n == CellBand::none || known[n] == 0) continue;
-        sum += mean[n];
-        count += 1.0F;
+        if (n == CellBand::none || known[n] != 0) continue;
+        known[n] = reached;
+        next.push_back(n);
       }
-      if (count == 0.0F) continue;
-      mean[c] = sum / count;
-      reached.push_back(c);
-    }
-    for (const std::uint32_t c : reached) known[c] = 1;
-  } while (!reached.empty());
+    std::sort(next.begin(), next.end());
+    parallelFor(0, next.size(), 4096, [&](std::size_t first, std::size_t last) {
+      for (std::size_t at = first; at < last; ++at) {
+        float sum = 0.0F;
+        float count = 0.0F;
+        for (std::size_t k = 0; k < CellBand::kOffsets.size(); ++k) {
+          const std::uint32_t n = band.neighbour(next[at], k);
+          if (n == CellBand::none || known[n] != 1) continue;
+          sum += mean[n];
+          count += 1.0F;
+        }
+        mean[next[at]] = sum / count;
+      }
+    });
+    for (const std::uint32_t c : next) known[c] = 1;
+    front.swap(next);
+  }
 }
 
 Pair interpolated(const Volume<Pair>& blocks, const Index3& voxel) {
@@ -120,22 +132,34 @@ std::vector<float> localMean(const CellBand& band, const std::vector<float>& val
 std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
                              const std::vector<float>& value, const std::vector<float>& weight,
                              const std::vector<float>& prior) {
-  // The set's cells by number, and each one's neighbours in it and itself.
-  std::vector<std::uint32_t> cells, number(band.size(), CellBand::none);
-  for (std::uint32_t c = 0; c < band.size(); ++c)
-    if (set[c] != 0) {
-      number[c] = static_cast<std::uint32_t>(cells.size());
-      cells.push_back(c);
-    }
-  std::vector<std::uint32_t> first(1, 0), near;
-  for (std::size_t n = 0; n < cells.size(); ++n) {
-    near.push_back(static_cast<std::uint32_t>(n));
-    for (std::size_t k = 0; k < CellBand::kOffsets.size(); ++k)
-      if (const std::uint32_t c = band.neighbour(cells[n], k);
-          c != CellBand::none && number[c] != CellBand::none)
-        near.push_back(number[c]);
-    first.push_back(static_cast<std::uint32_t>(near.size()));
+  // The set's cells by number. Those of a row around a cell have consecutive numbers here, too.
+  std::vector<std::uint32_t> cells, number(band.size() + 1, 0);
+  for (std::uint32_t c = 0; c < band.size(); ++c) {
+    number[c] = static_cast<std::uint32_t>(cells.size());
+    if (set[c] != 0) cells.push_back(c);
   }
+  number.back() = static_cast<std::uint32_t>(cells.size());
+  const auto runOf = [&](std::size_t n, std::size_t row) {
+    const CellBand::Run run = band.run(cells[n], row);
+    const std::uint32_t first = number[run.first];
+    return CellBand::Run{first, number[run.first + run.count] - first};
+  };
+  std::vector<std::uint32_t> first(cells.size() + 1, 0);
+  parallelFor(0, cells.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      for (std::size_t row = 0; row < 9; ++row) first[n + 1] += runOf(n, row).count;
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> near(first.back());
+  parallelFor(0, cells.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      std::uint32_t at = first[n];
+      for (std::size_t row = 0; row < 9; ++row) {
+        const CellBand::Run run = runOf(n, row);
+        for (std::uint32_t k = 0; k < run.count; ++k) near[at++] = run.first + k;
+      }
+    }
+  });
   using Sum = std::array<float, 2>;  // of weight * value, of weight
   std::vector<Sum> sum(cells.size()), next(cells.size());
   for (std::size_t n = 0; n < cells.size(); ++n) {
