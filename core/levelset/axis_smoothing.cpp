@@ -266,23 +266,25 @@ std::vector<float> smoothAlongAxes(const Volume<float>& image, const CellBand& b
   return Smoother(image, band, axes, along, across).solve(progress);
 }
 
-double noiseLevel(const Volume<float>& image) {
+double noiseLevel(const Volume<float>& image, const std::vector<std::uint32_t>& voxels) {
   const Geometry& g = image.geometry;
   const std::size_t row = g.offset(0, 1, 0), slice = g.offset(0, 0, 1);
   // A million differences at most are enough.
-  const std::size_t step = std::max<std::size_t>(1, g.voxelCount() / 1000000);
+  const std::size_t step = std::max<std::size_t>(1, voxels.size() / 1000000);
   std::vector<float> differences;
-  for (std::size_t at = 0; at < g.voxelCount(); at += step) {
-    const Index3 p = g.indexOf(at);
+  std::size_t looked = 0;
+  for (std::size_t n = 0; n < voxels.size(); n += step) {
+    const Index3 p = g.indexOf(voxels[n]);
     bool inner = true;
     for (std::size_t a = 0; a < 3; ++a) inner = inner && p[a] > 0 && p[a] + 1 < g.size[a];
     if (!inner) continue;
-    const float* v = image.voxels.data() + at;
+    ++looked;
+    const float* v = image.voxels.data() + voxels[n];
     const float mean = (v[-1] + v[1] + *(v - row) + v[row] + *(v - slice) + v[slice]) / 6.0F;
     if (v[-1] == *v && v[1] == *v) continue;
     differences.push_back(std::fabs(*v - mean));
   }
-  if (differences.size() < 100) return 0.0;
+  if (differences.empty() || 10 * differences.size() < looked) return 0.0;
   const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
   std::nth_element(differences.begin(), middle, differences.end());
   // 0.6745 is the median of |x| for a standard normal x; the mean of six adds a sixth of variance.

@@ -29,9 +29,9 @@ std::vector<float> smoothAlongAxes(const Volume<float>& image, const CellBand& b
                                    const std::vector<float>& along,
                                    const std::vector<float>& across, const Progress& progress = {});
 
-/// Standard deviation of white noise in the image: the median absolute difference of a voxel from
-/// the mean of its six neighbours, as it is for Gaussian noise. Voxels on a plateau (a background
-/// that was set to one value) do not count. 0 where there is no noise.
-double noiseLevel(const Volume<float>& image);
+/// Standard deviation of white noise at a set of voxels: the median absolute difference of a voxel
+/// from the mean of its six neighbours, as it is for Gaussian noise. Voxels on a plateau (a
+/// background that was set to one value) do not count, unless nine in ten lie on one: 0.
+double noiseLevel(const Volume<float>& image, const std::vector<std::uint32_t>& voxels);
 
 }  // namespace angiomesh

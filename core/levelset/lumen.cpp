@@ -147,8 +147,16 @@ class Refiner {
     averageLumen(inner);
   }
 
+  /// Beside the vessels, where neither they nor what else the volume holds is taken for noise.
+  [[nodiscard]] double noiseBeside() const {
+    std::vector<std::uint32_t> voxels;
+    for (std::size_t c = 0; c < band_.size(); ++c)
+      if (band_.layer[c] == outermost_) voxels.push_back(band_.voxel[c]);
+    return noiseLevel(image_, voxels);
+  }
+
   void smooth(const Progress& progress) {
-    const double noise = noiseLevel(image_);
+    const double noise = noiseBeside();
     if (noise == 0.0) return;
     std::vector<float> along(band_.size()), across(band_.size());
     for (std::size_t c = 0; c < band_.size(); ++c) {
