@@ -97,8 +97,9 @@ void writeVolumes(const RunResult& result, Step until, const OutputFolder& folde
   if (until == Step::Vesselness || until == Step::Seeds)
     addVolume(folder, "vesselness.nrrd", *result.vesselness->multiScale);
   if (const Volume<float>* phi = finalPhi(result)) {
+    const Geometry& grid = result.source.image->geometry;
     addVolume(folder, "phi.nrrd", *phi);
-    addVolume(folder, "mask.nrrd", maskOnGrid(*phi, result.source.image->geometry));
+    addVolume(folder, "mask.nrrd", maskOnGrid(*phi, grid, maskLevelMm(result, grid)));
   }
 }
 
@@ -137,7 +138,10 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   const Progress writing = progress.sub(kComputed, 1.0);
   writing.phase("write");
   std::optional<OverlapMeasures> measures;
-  if (truth) measures = compareMasks(maskOnGrid(*finalPhi(result), truth->geometry), *truth);
+  if (truth) {
+    const Geometry& grid = truth->geometry;
+    measures = compareMasks(maskOnGrid(*finalPhi(result), grid, maskLevelMm(result, grid)), *truth);
+  }
   writing.report(0.2);
   writeVolumes(result, runOptions.until, folder);
   writing.report(0.4);

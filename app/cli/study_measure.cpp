@@ -26,6 +26,11 @@ struct Segmented {
   std::shared_ptr<const Volume<float>> phi;     ///< of the kept components
   std::shared_ptr<const Volume<float>> seeded;  ///< of those that hold a seed by hand
   double seconds = 0.0;
+  double maskLevelMm = 0.0;  ///< see maskLevelMm()
+
+  [[nodiscard]] Volume<std::uint8_t> mask(const Volume<float>& which, const Geometry& grid) const {
+    return maskOnGrid(which, grid, maskLevelMm);
+  }
 };
 
 Segmented segment(const Phantom& phantom, Parameters params, const Progress& progress) {
@@ -45,6 +50,7 @@ Segmented segment(const Phantom& phantom, Parameters params, const Progress& pro
     evolved = result.evolve->phi;
     out.seconds = result.totalSeconds;
   }
+    out.maskLevelMm = maskLevelMm(result, phantom.truth.geometry);
   const auto kept = [&](const SegmentationParams& which) {
     return withoutDropped(
         evolved, selectSegments(*evolved, which, params.seeds.points, progress.sub(0.0, 0.0)),
@@ -148,7 +154,7 @@ double overlapWithoutClutter(PhantomParams params, const Parameters& settings,
   const Segmented plain = segment(makePhantom(params), settings, progress);
   Measures m;
   m.fill(kNone);
-  measureMask(m, within(maskOnGrid(*plain.phi, truth.geometry), region), truth);
+  measureMask(m, within(plain.mask(*plain.phi, truth.geometry), region), truth);
   return at(m, Metric::Overlap);
 }
 
@@ -186,7 +192,7 @@ void measureAll(CaseResult& out, const PanelCase& what, const Parameters& settin
   at(m, Metric::Seconds) = result.seconds;
   const Progress rest = progress.sub(0.5, 1.0);
   const Geometry& g = phantom.truth.geometry;
-  Volume<std::uint8_t> mask = maskOnGrid(*result.phi, g);
+  Volume<std::uint8_t> mask = result.mask(*result.phi, g);
   const ComponentMeasures parts =
       measureComponents(mask, vesselVoxels(what.phantom, phantom), phantom.centreLines);
   at(m, Metric::Components) = static_cast<double>(parts.components);
@@ -207,7 +213,7 @@ void measureAll(CaseResult& out, const PanelCase& what, const Parameters& settin
     region = vesselRegion(phantom, field);
     at(m, Metric::Outside) = outsidePercent(mask, field);
     measureClutter(out, 0, mask, phantom);
-    const Volume<std::uint8_t> seeded = maskOnGrid(*result.seeded, g);
+    const Volume<std::uint8_t> seeded = result.mask(*result.seeded, g);
     at(m, Metric::OutsideSeeded) = outsidePercent(seeded, field);
     measureClutter(out, 1, seeded, phantom);
     mask = within(std::move(mask), *region);

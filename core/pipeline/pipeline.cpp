@@ -437,5 +437,13 @@ Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thr
   });
   return out;
 }
+double maskLevelMm(const RunResult& result, const Geometry& grid) {
+  const Parameters& p = result.params;
+  const Geometry& g = result.preprocessed->geometry;
+  const bool placed = p.segmentation.method == SegmentationMethod::LevelSet && p.lumen.enabled;
+  const bool same = g.spacing.isApprox(grid.spacing, 1e-6);
+  return placed && !same ? std::max(0.5 - p.lumen.level, 0.0) * g.voxelMm() : 0.0;
+}
+
 
 }  // namespace angiomesh

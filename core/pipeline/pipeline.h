@@ -171,6 +171,10 @@ class Pipeline {
 
 /// a and b as the evolve step takes them.
 Thresholds thresholdsFor(const VesselnessResult& vessels, const LevelSetParams& params);
+/// Spacing from which phi makes the mask on another grid than its own, mm: there a voxel that
+/// levelset.refineLevel counts among the vessel may have its centre so far outside the wall.
+double maskLevelMm(const RunResult& result, const Geometry& grid);
+
 
 /// p of eq. 3.21 at each voxel of the vesselness.
 Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thresholds);

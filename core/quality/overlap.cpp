@@ -150,7 +150,7 @@ OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<st
   return measures;
 }
 
-Volume<std::uint8_t> maskOnGrid(const Volume<float>& phi, const Geometry& grid) {
+Volume<std::uint8_t> maskOnGrid(const Volume<float>& phi, const Geometry& grid, double level) {
   Volume<std::uint8_t> mask(grid);
   const Eigen::Matrix3d toIndex = phi.geometry.physicalToIndexMatrix();
   const Eigen::Matrix3d step = toIndex * grid.direction * grid.spacing.asDiagonal();
@@ -167,7 +167,7 @@ Volume<std::uint8_t> maskOnGrid(const Volume<float>& phi, const Geometry& grid) 
           index[a] = snapped(index[a]);
           inVolume = inVolume && index[a] >= -0.5 && index[a] <= phi.geometry.size[a] - 0.5;
         }
-        if (inVolume && interpolateLinear(phi, index) < 0.0) mask.at(i, j, k) = 1;
+        if (inVolume && interpolateLinear(phi, index) < level) mask.at(i, j, k) = 1;
       }
     }
   });

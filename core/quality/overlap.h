@@ -31,9 +31,9 @@ VoxelRatios voxelRatios(const Volume<std::uint8_t>& result, const Volume<std::ui
 OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<std::uint8_t>& truth,
                              const Progress& progress = {});
 
-/// phi sampled trilinearly at the voxel centres of `grid`: 1 where < 0; 0 outside phi's volume
-/// (which ends half a voxel beyond its outermost voxel centres). Where a centre lies within 0.001
-/// voxel of one of phi's, phi's own value decides.
-Volume<std::uint8_t> maskOnGrid(const Volume<float>& phi, const Geometry& grid);
+/// phi sampled trilinearly at the voxel centres of `grid`: 1 where below `level`; 0 outside phi's
+/// volume (which ends half a voxel beyond its outermost voxel centres). Where a centre lies within
+/// 0.001 voxel of one of phi's, phi's own value decides.
+Volume<std::uint8_t> maskOnGrid(const Volume<float>& phi, const Geometry& grid, double level = 0.0);
 
 }  // namespace angiomesh
