@@ -121,6 +121,7 @@ void writeMeshes(const RunResult& result, const OutputFolder& folder) {
 int run(const RunCommandOptions& options, const Progress& progress) {
   const Parameters params = options.settings.parameters();
   RunOptions runOptions;
+  runOptions.keepResults = false;
   runOptions.until = stepOf(options.until);
   if (!options.truth.empty() && runOptions.until < Step::Evolve)
     throw InputError("there is nothing to compare before the step 'evolve'", "--truth",

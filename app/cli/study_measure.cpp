@@ -46,11 +46,12 @@ Segmented segment(const Phantom& phantom, Parameters params, const Progress& pro
     Pipeline pipeline(makeSource(phantom.image, "phantom"));
     RunOptions options;
     options.until = Step::Evolve;
+    options.keepResults = false;
     const RunResult result = pipeline.run(params, options, progress);
     evolved = result.evolve->phi;
     out.seconds = result.totalSeconds;
-  }
     out.maskLevelMm = maskLevelMm(result, phantom.truth.geometry);
+  }
   const auto kept = [&](const SegmentationParams& which) {
     return withoutDropped(
         evolved, selectSegments(*evolved, which, params.seeds.points, progress.sub(0.0, 0.0)),

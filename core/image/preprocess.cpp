@@ -147,6 +147,20 @@ Volume<float> sigmoid(const Volume<float>& image, double window, double level) {
   return out;
 }
 
+namespace {
+
+bool resamples(const PreprocessParams& params, const Geometry& geometry) {
+  return params.isotropic == Isotropic::On ||
+         (params.isotropic == Isotropic::Auto && wantsIsotropic(geometry));
+}
+
+}  // namespace
+
+bool leavesAlone(const PreprocessParams& params, const Geometry& geometry) {
+  return !params.roi && !params.clampLower && !params.clampUpper && !params.sigmoidEnabled &&
+         !params.curvatureFlowEnabled && !resamples(params, geometry);
+}
+
 Volume<float> preprocess(const Volume<float>& image, const PreprocessParams& params,
                          const Progress& progress) {
   Volume<float> out = params.roi ? cropToBox(image, *params.roi) : image;
@@ -157,9 +171,7 @@ Volume<float> preprocess(const Volume<float>& image, const PreprocessParams& par
     checkUsable(out, "preprocess.clamp");
   }
   progress.report(0.1);
-  const bool resample = params.isotropic == Isotropic::On ||
-                        (params.isotropic == Isotropic::Auto && wantsIsotropic(out.geometry));
-  if (resample) out = resampleIsotropic(out, progress);
+  if (resamples(params, out.geometry)) out = resampleIsotropic(out, progress);
   progress.report(0.4);
   if (params.sigmoidEnabled) {
     double window = params.sigmoidWindow.value_or(0.0);

@@ -47,6 +47,9 @@ Volume<float> sigmoid(const Volume<float>& image, double window, double level);
 Volume<float> clampIntensities(const Volume<float>& image, std::optional<double> lower,
                                std::optional<double> upper, int rimVoxels);
 
+/// Whether preprocess() would return such an image as it is.
+bool leavesAlone(const PreprocessParams& params, const Geometry& geometry);
+
 /// Region of interest, bounds of the intensity, resampling, sigmoid, curvature flow (ITK), in this
 /// order.
 Volume<float> preprocess(const Volume<float>& image, const PreprocessParams& params,

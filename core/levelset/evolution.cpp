@@ -40,15 +40,15 @@ struct LevelSetEvolution::State {
   int steadyChecks = 0;
   StopReason stop = StopReason::Running;
 
-  State(std::shared_ptr<const Volume<float>> v, const Thresholds& thresholds,
-        const Volume<float>& phi0, const LevelSetParams& p)
+  State(std::shared_ptr<const Volume<float>> v, const Thresholds& thresholds, Volume<float> phi0,
+        const LevelSetParams& p)
       : vesselness(std::move(v)),
         params(p),
         speed(*vesselness, thresholds, p.gamma, p.d, p.acrossCrests),
         startSide(phi0.geometry),
-        phi(phi0.geometry),
-        status(phi0.geometry) {
-    findActive(phi0);
+        phi(std::move(phi0)) {
+    findActive();
+    status = Volume<std::int8_t>(phi.geometry);
     build();
   }
 
@@ -68,7 +68,7 @@ struct LevelSetEvolution::State {
     if (p[2] + 1 < g.size[2]) visit(voxel + slice);
   }
 
-  void findActive(const Volume<float>& phi0);
+  void findActive();
   void build();
   void remember();
   void buildLayer(int s);
@@ -81,23 +81,23 @@ struct LevelSetEvolution::State {
 };
 
 /// Of two neighbours on either side of the surface, the nearer one is active (both at a tie).
-void LevelSetEvolution::State::findActive(const Volume<float>& phi0) {
-  const Index3& size = phi0.geometry.size;
-  const std::array<std::size_t, 3> stride{1, phi0.geometry.offset(0, 1, 0),
-                                          phi0.geometry.offset(0, 0, 1)};
+void LevelSetEvolution::State::findActive() {
+  const Index3& size = phi.geometry.size;
+  const std::array<std::size_t, 3> stride{1, phi.geometry.offset(0, 1, 0),
+                                          phi.geometry.offset(0, 0, 1)};
   std::vector<std::vector<std::pair<std::uint32_t, float>>> found(
       static_cast<std::size_t>(size[2]));
   parallelFor(0, found.size(), 1, [&](std::size_t k, std::size_t) {
     std::size_t voxel = k * stride[2];
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i, ++voxel) {
-        const float value = phi0.voxels[voxel];
+        const float value = phi.voxels[voxel];
         startSide.voxels[voxel] = static_cast<std::int8_t>(value < 0.0F ? -1 : 1);
         if (std::fabs(value) >= kFar) continue;
         const Index3 p{i, j, static_cast<int>(k)};
         bool active = false;
         const auto look = [&](std::size_t next) {
-          const float other = phi0.voxels[next];
+          const float other = phi.voxels[next];
           active |= (value < 0.0F) != (other < 0.0F) && std::fabs(value) <= std::fabs(other);
         };
         for (std::size_t a = 0; a < 3; ++a) {
@@ -334,9 +334,9 @@ void LevelSetEvolution::State::check() {
 }
 
 LevelSetEvolution::LevelSetEvolution(std::shared_ptr<const Volume<float>> vesselness,
-                                     const Thresholds& thresholds, const Volume<float>& phi0,
+                                     const Thresholds& thresholds, Volume<float> phi0,
                                      const LevelSetParams& params)
-    : state_(std::make_unique<State>(std::move(vesselness), thresholds, phi0, params)) {}
+    : state_(std::make_unique<State>(std::move(vesselness), thresholds, std::move(phi0), params)) {}
 
 LevelSetEvolution::~LevelSetEvolution() = default;
 LevelSetEvolution::LevelSetEvolution(LevelSetEvolution&&) noexcept = default;

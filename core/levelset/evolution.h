@@ -39,7 +39,7 @@ class LevelSetEvolution {
   /// @param vesselness p is taken from it, interpolated at the zero crossing   @param phi0 signed
   /// distance in working voxels near its zero set, same grid; negative inside
   LevelSetEvolution(std::shared_ptr<const Volume<float>> vesselness, const Thresholds& thresholds,
-                    const Volume<float>& phi0, const LevelSetParams& params);
+                    Volume<float> phi0, const LevelSetParams& params);
   ~LevelSetEvolution();
   LevelSetEvolution(LevelSetEvolution&&) noexcept;
   LevelSetEvolution& operator=(LevelSetEvolution&&) noexcept;

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <list>
 #include <thread>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -24,7 +25,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 3, 2, 2, 2};
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 1, 4, 2, 2, 2};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -61,13 +62,21 @@ VesselnessResult computeVesselness(const Volume<float>& image, const VesselnessP
   VesselnessParams fixed = params;
   fixed.c = result.c;
   fixed.sigmaMinMm = result.scalesMm.front();
-  const auto count = static_cast<double>(result.scalesMm.size());
-  result.multiScale = std::make_shared<const Volume<float>>(
-      vesselness(image, fixed, progress.sub(0.0, count / (count + 1.0))));
-  const double average = 0.5 * (result.scalesMm.front() + result.scalesMm.back());
-  result.singleScale = std::make_shared<const Volume<float>>(
-      vesselnessAtScale(image, average, fixed, result.c, progress.sub(count / (count + 1.0), 1.0)));
+  result.multiScale = std::make_shared<const Volume<float>>(vesselness(image, fixed, progress));
   return result;
+}
+
+/// The automatic ones from the vesselness at the middle scale, which nothing else needs.
+SeedsResult computeSeeds(const Volume<float>& image, const VesselnessResult& vessels,
+                         const Parameters& params, const Progress& progress) {
+  Volume<float> middle(image.geometry);
+  if (params.seeds.automatic) {
+    VesselnessParams fixed = params.vesselness;
+    fixed.sigmaMinMm = vessels.scalesMm.front();
+    const double average = 0.5 * (vessels.scalesMm.front() + vessels.scalesMm.back());
+    middle = vesselnessAtScale(image, average, fixed, vessels.c, progress);
+  }
+  return {findSeeds(middle, params.seeds)};
 }
 
 void postSnapshot(const LevelSetEvolution& evolution, const RunOptions& options,
@@ -136,31 +145,31 @@ EvolveResult evolveOtherwise(const Volume<float>& image, const SeedsResult& seed
   return result;
 }
 
-EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
+EvolveResult evolve(const Volume<float>& image, std::shared_ptr<const VesselnessResult> vessels,
                     const SeedsResult& seeds, const Parameters& params, const RunOptions& options,
                     const Progress& progress, std::vector<std::string>& warnings) {
   if (params.segmentation.method != SegmentationMethod::LevelSet)
     return evolveOtherwise(image, seeds, params, options, progress, warnings);
   const LevelSetParams& p = params.levelset;
   EvolveResult result;
-  result.thresholds = thresholdsFor(vessels, p);
+  result.thresholds = thresholdsFor(*vessels, p);
   if (result.thresholds.clamped)
     warnings.push_back("b was clamped to " + std::to_string(result.thresholds.b) +
                        ": eq. 3.20 lies outside levelset.bMin to levelset.bMax on this image");
-  const Volume<float>& v = *vessels.multiScale;
+  std::shared_ptr<const Volume<float>> v = vessels->multiScale;
+  vessels.reset();
   Volume<std::uint8_t> found;
   Volume<float> phi;
   {
     Volume<float> start;
     if (p.start == StartRule::Flood) {
-      found = floodVessels(v, result.thresholds.b, seeds.pointsLps, params.seeds.radiusVoxels,
+      found = floodVessels(*v, result.thresholds.b, seeds.pointsLps, params.seeds.radiusVoxels,
                            static_cast<std::size_t>(p.floodLeastVoxels));
-      start = floodStart(v, result.thresholds.b, found);
+      start = floodStart(*v, result.thresholds.b, found);
     } else {
-      start = fastMarchingStart(v.geometry, seeds.pointsLps, params.seeds.radiusVoxels);
+      start = fastMarchingStart(v->geometry, seeds.pointsLps, params.seeds.radiusVoxels);
     }
-    LevelSetEvolution evolution(vessels.multiScale, result.thresholds, start, p);
-    start = {};
+    LevelSetEvolution evolution(std::move(v), result.thresholds, std::move(start), p);
     result.stopReason = evolveWatched(evolution, options, progress.sub(0.0, 0.6));
     result.iterations = evolution.iterations();
     if (evolution.insideVoxels() == 0)
@@ -186,9 +195,11 @@ EvolveResult evolve(const Volume<float>& image, const VesselnessResult& vessels,
     for (std::size_t i = 0; i < found.voxels.size(); ++i)
       if (phi.voxels[i] < 0.0F && found.voxels[i] == 0) found.voxels[i] = 1;
   phi = {};
+  releaseFreedMemory();
   Volume<float> wall =
       refineLumen(image, found, params.lumen, params.vesselness.polarity, rest.sub(0.0, 0.5));
   found = {};
+  releaseFreedMemory();
   result.phi =
       std::make_shared<const Volume<float>>(redistance(std::move(wall), 5.0, rest.sub(0.5, 1.0)));
   return result;
@@ -253,6 +264,7 @@ struct Pipeline::State {
   Source source;
   mutable std::mutex mutex;
   std::array<std::list<Entry>, kStepCount> results;  ///< most recent first
+  bool keep = true;                                  ///< RunOptions::keepResults of this run
 
   const Entry* find(Step step, const std::string& key) {
     auto& list = results[static_cast<std::size_t>(step)];
@@ -292,7 +304,7 @@ struct Pipeline::State {
     report.seconds = secondsSince(start);
     report.cpuSeconds = cpuSeconds() - cpu;
     run.stages.push_back(report);
-    if (byHand) return value;
+    if (byHand || !keep) return value;
     const std::lock_guard lock(mutex);
     auto& list = results[static_cast<std::size_t>(step)];
     list.push_front({key, value, report});
@@ -333,6 +345,7 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   validate(params);
   const Clock::time_point start = Clock::now();
   const double cpu = cpuSeconds();
+  state_->keep = options.keepResults;
   RunResult run;
   run.params = params;
   run.source = state_->source;
@@ -354,22 +367,24 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
 
   if (!wanted(Step::Preprocess)) return finished();
   run.preprocessed = state_->obtain<Volume<float>>(Step::Preprocess, run.key, run, [&](Warnings&) {
+    if (leavesAlone(params.preprocess, run.source.image->geometry)) return run.source.image;
     return std::make_shared<const Volume<float>>(
         preprocess(*run.source.image, params.preprocess, progress.sub(0.0, 0.05)));
   });
   if (!wanted(Step::Vesselness)) return finished();
   run.vesselness = state_->obtain<VesselnessResult>(Step::Vesselness, run.key, run, [&](Warnings&) {
     return std::make_shared<const VesselnessResult>(
-        computeVesselness(*run.preprocessed, params.vesselness, progress.sub(0.05, 0.35)));
+        computeVesselness(*run.preprocessed, params.vesselness, progress.sub(0.05, 0.32)));
   });
   if (!wanted(Step::Seeds)) return finished();
   run.seeds = state_->obtain<SeedsResult>(Step::Seeds, run.key, run, [&](Warnings&) {
     return std::make_shared<const SeedsResult>(
-        SeedsResult{findSeeds(*run.vesselness->singleScale, params.seeds)});
+        computeSeeds(*run.preprocessed, *run.vesselness, params, progress.sub(0.32, 0.35)));
   });
   if (!wanted(Step::Evolve)) return finished();
   const auto evolveStep = [&](Warnings& warnings) {
-    return std::make_shared<const EvolveResult>(evolve(*run.preprocessed, *run.vesselness,
+    auto vessels = options.keepResults ? run.vesselness : std::exchange(run.vesselness, nullptr);
+    return std::make_shared<const EvolveResult>(evolve(*run.preprocessed, std::move(vessels),
                                                        *run.seeds, params, options,
                                                        progress.sub(0.35, 0.8), warnings));
   };
@@ -422,6 +437,14 @@ Source makeSource(Volume<float> image, const std::string& name) {
   return source;
 }
 
+double maskLevelMm(const RunResult& result, const Geometry& grid) {
+  const Parameters& p = result.params;
+  const Geometry& g = result.preprocessed->geometry;
+  const bool placed = p.segmentation.method == SegmentationMethod::LevelSet && p.lumen.enabled;
+  const bool same = g.spacing.isApprox(grid.spacing, 1e-6);
+  return placed && !same ? std::max(0.5 - p.lumen.level, 0.0) * g.voxelMm() : 0.0;
+}
+
 Thresholds thresholdsFor(const VesselnessResult& vessels, const LevelSetParams& params) {
   return thresholds(*vessels.multiScale, params.bRule, params.xi,
                     vessels.scalesMm.back() / vessels.scalesMm.front(), params.b, params.bMin,
@@ -437,13 +460,5 @@ Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thr
   });
   return out;
 }
-double maskLevelMm(const RunResult& result, const Geometry& grid) {
-  const Parameters& p = result.params;
-  const Geometry& g = result.preprocessed->geometry;
-  const bool placed = p.segmentation.method == SegmentationMethod::LevelSet && p.lumen.enabled;
-  const bool same = g.spacing.isApprox(grid.spacing, 1e-6);
-  return placed && !same ? std::max(0.5 - p.lumen.level, 0.0) * g.voxelMm() : 0.0;
-}
-
 
 }  // namespace angiomesh

@@ -34,8 +34,7 @@ std::string contentHash(const Volume<float>& image);
 Source makeSource(Volume<float> image, const std::string& name);
 
 struct VesselnessResult {
-  std::shared_ptr<const Volume<float>> multiScale;   ///< v, largest magnitude over the scales
-  std::shared_ptr<const Volume<float>> singleScale;  ///< v at sigma_avg, for the seeds
+  std::shared_ptr<const Volume<float>> multiScale;  ///< v, largest magnitude over the scales
   std::vector<double> scalesMm;
   double c = 0.0;
 };
@@ -86,8 +85,8 @@ struct StageReport {
   std::vector<std::string> warnings;
 };
 
-/// What a run produced; pointers are empty for steps after `until`. Everything is immutable and
-/// shared.
+/// What a run produced; pointers are empty for steps after `until` (see also
+/// RunOptions::keepResults). Everything is immutable and shared.
 struct RunResult {
   Parameters params;
   Source source;
@@ -142,6 +141,9 @@ struct RunOptions {
   std::shared_ptr<Mailbox<EvolutionSnapshot>> snapshots;  ///< empty: none are made
   double snapshotSeconds = 0.2;                           ///< least time between two
   std::shared_ptr<EvolutionControl> control;
+  /// Else the pipeline remembers no step's result, and that of the vesselness, which nothing after
+  /// the evolution needs, is empty if the run goes so far.
+  bool keepResults = true;
 };
 
 /// Runs the steps on one source and keeps their results by key: a step whose key is known is not
@@ -169,12 +171,12 @@ class Pipeline {
   std::unique_ptr<State> state_;
 };
 
-/// a and b as the evolve step takes them.
-Thresholds thresholdsFor(const VesselnessResult& vessels, const LevelSetParams& params);
 /// Spacing from which phi makes the mask on another grid than its own, mm: there a voxel that
 /// levelset.refineLevel counts among the vessel may have its centre so far outside the wall.
 double maskLevelMm(const RunResult& result, const Geometry& grid);
 
+/// a and b as the evolve step takes them.
+Thresholds thresholdsFor(const VesselnessResult& vessels, const LevelSetParams& params);
 
 /// p of eq. 3.21 at each voxel of the vesselness.
 Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thresholds);
