@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kBlock = 4;  // voxels
 constexpr double kSigmaBlocks = 2.0;
-constexpr int kSteps = 100;            // each adds 2/3 voxel^2
 constexpr float kPriorShare = 0.02F;   // of full weight
 constexpr double kPriorWeight = 0.02;  // voxels per block, of the mean over all
 
@@ -131,7 +130,7 @@ std::vector<float> localMean(const CellBand& band, const std::vector<float>& val
 
 std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
                              const std::vector<float>& value, const std::vector<float>& weight,
-                             const std::vector<float>& prior) {
+                             int steps, const std::vector<float>& prior) {
   // The set's cells by number. Those of a row around a cell have consecutive numbers here, too.
   std::vector<std::uint32_t> cells, number(band.size() + 1, 0);
   for (std::uint32_t c = 0; c < band.size(); ++c) {
@@ -166,7 +165,7 @@ std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
     const std::uint32_t c = cells[n];
     sum[n] = {weight[c] * value[c], weight[c]};
   }
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < steps; ++step) {
     parallelFor(0, cells.size(), 4096, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         Sum all{0.0F, 0.0F};
@@ -182,6 +181,7 @@ std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
     std::swap(sum, next);
   }
   std::vector<float> mean = prior;
+  if (steps == 0) return mean;
   for (std::size_t n = 0; n < cells.size(); ++n)
     mean[cells[n]] = (sum[n][0] + kPriorShare * prior[cells[n]]) / (sum[n][1] + kPriorShare);
   spreadOut(band, set, mean);

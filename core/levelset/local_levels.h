@@ -14,11 +14,11 @@ std::vector<float> localMean(const CellBand& band, const std::vector<float>& val
                              const std::vector<float>& weight);
 
 /// The mean of `value` along vessels: over the cells of `set` that are near each other by way of
-/// the set, each step to a 26-neighbour, at a standard deviation of about 8 voxels, by `weight`.
+/// the set, by `weight`: `steps` averages over a voxel and its 26-neighbours, each 2/3 voxel^2.
 /// Where there is little weight it is `prior`. Cells outside the set have the mean of their
 /// neighbours.
 std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
                              const std::vector<float>& value, const std::vector<float>& weight,
-                             const std::vector<float>& prior);
+                             int steps, const std::vector<float>& prior);
 
 }  // namespace angiomesh

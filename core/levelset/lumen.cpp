@@ -112,7 +112,8 @@ class Refiner {
     std::vector<char> vessel(band_.size());
     for (std::size_t c = 0; c < band_.size(); ++c)
       vessel[c] = static_cast<char>(band_.layer[c] == 0 || weight[c] > 0.0F);
-    lumen_ = meanAlong(band_, vessel, value_, weight, localMean(band_, value_, weight));
+    lumen_ = meanAlong(band_, vessel, value_, weight, params_.meanSteps,
+                       localMean(band_, value_, weight));
   }
 
   /// From where vessels were found: its inner voxels, or all of them where it is thin.

@@ -19,6 +19,9 @@ struct LumenParams {
   /// Weights of smoothing along and across the vessels, times the squared ratio of noise to
   /// contrast.
   double along = 14.0, across = 0.4;
+  /// Of averaging the lumen's brightness along the vessels, each 2/3 voxel^2; 0: what is near in
+  /// space alone counts.
+  int meanSteps = 100;
   double reachVoxels = 3.0;  ///< from what was found to where the wall is looked for
 };
 

@@ -291,6 +291,9 @@ void addLevelSet(Table& t) {
   t.real("levelset.refineAcross", MEMBER(lumen.across), 0.0, 1000.0, "",
          "smoothing across the vessels, times the squared ratio of noise to contrast")
       .idle = idle;
+  t.integer("levelset.refineMeanSteps", MEMBER(lumen.meanSteps), 0, 1000,
+            "how far the lumen's brightness is averaged along the vessels: steps of 2/3 voxel^2")
+      .idle = idle;
   t.real("levelset.refineReachVoxels", MEMBER(lumen.reachVoxels), 1.0, 10.0, "voxels",
          "from what the evolution found to where the wall is looked for")
       .idle = idle;

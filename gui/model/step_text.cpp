@@ -63,6 +63,7 @@ const std::map<std::string, QString>& labels() {
       {"levelset.refineLevel", QStringLiteral("Lumen level")},
       {"levelset.refineAlong", QStringLiteral("Smoothing along")},
       {"levelset.refineAcross", QStringLiteral("Smoothing across")},
+      {"levelset.refineMeanSteps", QStringLiteral("Lumen mean, steps")},
       {"levelset.refineReachVoxels", QStringLiteral("Reach of the wall")},
       {"levelset.toleranceDelta", QStringLiteral("Tolerance, delta")},
       {"segmentation.method", QStringLiteral("Method")},

@@ -241,13 +241,14 @@ class TestLumen : public QObject {
       weight[c] = vessel[c] == 0 ? 0.0F : 1.0F;
     }
     const std::vector<float> prior(band.size(), 140.0F);
-    const std::vector<float> mean = meanAlong(band, vessel, value, weight, prior);
+    const std::vector<float> mean = meanAlong(band, vessel, value, weight, 100, prior);
     for (std::size_t c = 0; c < band.size(); ++c) {
       const int j = band.geometry.indexOf(band.voxel[c])[1];
       QVERIFY(std::abs(mean[c] - (j < 20 ? 200.0F : 80.0F)) < 3.0F);
     }
     const std::vector<float> nothing(band.size(), 0.0F);
-    QCOMPARE(meanAlong(band, vessel, value, nothing, prior)[0], 140.0F);
+    QCOMPARE(meanAlong(band, vessel, value, nothing, 100, prior)[0], 140.0F);
+    QCOMPARE(meanAlong(band, vessel, value, weight, 0, prior), prior);
   }
 
   void floodsFromSeedsAndLargeParts() {
