@@ -206,10 +206,11 @@ void addStudy(CLI::App& program, Session& session) {
   addTableA(*study, session);
   addStudyPanel(*study, session);
   auto options = std::make_shared<FiguresOptions>();
-  CLI::App* command = study->add_subcommand("figures",
-                                            "Figures 3.3, A.1, A.2 and A.3: the segmentation; 4.1, "
-                                            "5.4, 5.5, 5.6, B.1 and B.2: the meshing (needs an X "
-                                            "display, a virtual one will do)");
+  CLI::App* command =
+      study->add_subcommand("figures",
+                            "Figures 3.3, 5.2, A.1, A.2 and A.3: the segmentation; 4.1, "
+                            "5.4, 5.5, 5.6, B.1 and B.2: the meshing (needs an X "
+                            "display, a virtual one will do)");
   command->add_option("PHI", options->input,
                       "Level set function or mask: the figures of the meshing alone, of it; a "
                       "phantom tree unless given");

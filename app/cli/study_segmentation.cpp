@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "app/cli/figure_pictures.h"
 #include "core/base/error.h"
@@ -14,7 +15,7 @@
 namespace angiomesh::cli {
 namespace {
 
-constexpr int kRuns = 8;  // one with the original measure, seven of the parameter rows
+constexpr int kRuns = 10;  // one with the original measure, two other methods, seven parameters
 
 struct Found {
   std::shared_ptr<const Volume<float>> phi;
@@ -86,6 +87,31 @@ SegmentationFigure measures(Segmenter& segmenter, const Parameters& params) {
   return figure;
 }
 
+/// The thesis has one form for Figures 5.2 and 5.3, on different scans.
+SegmentationFigure methods(Segmenter& segmenter, const Parameters& params) {
+  constexpr std::array<std::pair<SegmentationMethod, const char*>, 3> shown{
+      {{SegmentationMethod::GeodesicActiveContour, "geodesic active contour"},
+       {SegmentationMethod::ConfidenceConnected, "confidence connected"},
+       {SegmentationMethod::LevelSet, "level set"}}};
+  SegmentationFigure figure{"5.2",
+                            "Maximum intensity projections, and below them segmentation from the "
+                            "same seeds by geodesic active contour, confidence connected region "
+                            "growing and the level set (Figures 5.2 and 5.3)",
+                            {},
+                            {}};
+  std::vector<const Volume<float>*> phis;
+  for (const auto& [method, title] : shown) {
+    Parameters other = params;
+    other.segmentation.method = method;
+    const Found& found = segmenter.make(other);
+    phis.push_back(found.phi.get());
+    figure.panels.push_back(found.panel);
+    figure.panels.back().title = title;
+  }
+  figure.picture = projectionRows(segmenter.preprocessed(), phis);
+  return figure;
+}
+
 SegmentationFigure parameterRow(Segmenter& segmenter, const Parameters& params,
                                 const std::string& number, const std::string& name,
                                 double LevelSetParams::*member,
@@ -110,7 +136,7 @@ SegmentationFigure parameterRow(Segmenter& segmenter, const Parameters& params,
 }  // namespace
 
 const std::vector<std::string>& segmentationFigureNumbers() {
-  static const std::vector<std::string> numbers{"3.3", "A.1", "A.2", "A.3"};
+  static const std::vector<std::string> numbers{"3.3", "5.2", "A.1", "A.2", "A.3"};
   return numbers;
 }
 
@@ -121,6 +147,7 @@ std::vector<SegmentationFigure> segmentationFigures(const Volume<float>& image,
   Segmenter segmenter(image, truth, progress);
   std::vector<SegmentationFigure> figures;
   figures.push_back(measures(segmenter, params));
+  figures.push_back(methods(segmenter, params));
   figures.push_back(
       parameterRow(segmenter, params, "A.1", "gamma", &LevelSetParams::gamma, {0.6, 0.7, 0.8}));
   figures.push_back(

@@ -28,9 +28,10 @@ struct SegmentationFigure {
 /// The numbers of the figures that segmentationFigures() makes.
 const std::vector<std::string>& segmentationFigureNumbers();
 
-/// Figures 3.3 (the original measure, the modified one and the slice itself) and A.1 to A.3 (MIP of
-/// the image, then gamma, d and xi varied) of the thesis on one image. `truth` on the image's grid,
-/// or null. A front that shrinks to nothing is an empty panel.
+/// Figures 3.3 (the original measure, the modified one and the slice itself), 5.2 and 5.3 (MIP of
+/// the image, then geodesic active contour, confidence connected and the level set) and A.1 to A.3
+/// (MIP, then gamma, d and xi varied) of the thesis on one image. `truth` on the image's grid, or
+/// null. A front that shrinks to nothing is an empty panel.
 /// @throws InputError, NumericError, Cancelled
 std::vector<SegmentationFigure> segmentationFigures(const Volume<float>& image,
                                                     const Volume<std::uint8_t>* truth,

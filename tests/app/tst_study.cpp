@@ -146,7 +146,7 @@ class TestStudy : public QObject {
     QFile file(dir.filePath("figures/figures.json"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
-    QCOMPARE(json["figures"].toArray().size(), 4);
+    QCOMPARE(json["figures"].toArray().size(), 5);
     for (const QJsonValue& figure : json["figures"].toArray()) {
       QFile picture(dir.filePath("figures/" + figure["file"].toString()));
       QVERIFY(picture.open(QIODevice::ReadOnly));
@@ -159,6 +159,9 @@ class TestStudy : public QObject {
     QVERIFY(inside("A.2", 0) <= inside("A.2", 2));
     QVERIFY(inside("A.3", 0) >= inside("A.3", 2));
     QCOMPARE(inside("A.1", 1), inside("3.3", 1));
+    QVERIFY(inside("5.2", 0) > 0);
+    QVERIFY(inside("5.2", 1) > 0);
+    QCOMPARE(inside("5.2", 2), inside("3.3", 1));
     QVERIFY(!panel(json, "A.1", 1).contains("overlap"));
   }
 
