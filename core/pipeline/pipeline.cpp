@@ -69,14 +69,11 @@ VesselnessResult computeVesselness(const Volume<float>& image, const VesselnessP
 /// The automatic ones from the vesselness at the middle scale, which nothing else needs.
 SeedsResult computeSeeds(const Volume<float>& image, const VesselnessResult& vessels,
                          const Parameters& params, const Progress& progress) {
-  Volume<float> middle(image.geometry);
-  if (params.seeds.automatic) {
-    VesselnessParams fixed = params.vesselness;
-    fixed.sigmaMinMm = vessels.scalesMm.front();
-    const double average = 0.5 * (vessels.scalesMm.front() + vessels.scalesMm.back());
-    middle = vesselnessAtScale(image, average, fixed, vessels.c, progress);
-  }
-  return {findSeeds(middle, params.seeds)};
+  if (!params.seeds.automatic) return {findSeeds(Volume<float>(image.geometry), params.seeds)};
+  VesselnessParams fixed = params.vesselness;
+  fixed.sigmaMinMm = vessels.scalesMm.front();
+  const double average = 0.5 * (vessels.scalesMm.front() + vessels.scalesMm.back());
+  return {findSeeds(vesselnessAtScale(image, average, fixed, vessels.c, progress), params.seeds)};
 }
 
 void postSnapshot(const LevelSetEvolution& evolution, const RunOptions& options,

@@ -171,8 +171,8 @@ class Pipeline {
   std::unique_ptr<State> state_;
 };
 
-/// Spacing from which phi makes the mask on another grid than its own, mm: there a voxel that
-/// levelset.refineLevel counts among the vessel may have its centre so far outside the wall.
+/// For maskOnGrid(), mm: on another grid than the working one a voxel that levelset.refineLevel
+/// counts among the vessel may have its centre so far outside the wall; on the same grid 0.
 double maskLevelMm(const RunResult& result, const Geometry& grid);
 
 /// a and b as the evolve step takes them.
