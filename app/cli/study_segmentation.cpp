@@ -39,10 +39,12 @@ class Segmenter {
     preprocessed_ = pipeline_.run(params, until, part.sub(0.0, 0.5)).preprocessed;
     until.until = Step::Evolve;
     Found found;
+    double level = 0.0;
     try {
       const RunResult run = pipeline_.run(params, until, part.sub(0.5, 1.0));
       found.phi = run.evolve->phi;
       found.panel.iterations = run.evolve->iterations;
+      if (truth_) level = maskLevelMm(run, truth_->geometry);
     } catch (const NumericError&) {
       // The front shrank to nothing: a panel like any other.
       found.phi = std::make_shared<const Volume<float>>(preprocessed_->geometry, 1.0F);
@@ -51,7 +53,8 @@ class Segmenter {
     found.panel.components = sizes.size();
     for (const std::size_t size : sizes) found.panel.insideVoxels += size;
     if (truth_)
-      found.panel.overlap = voxelRatios(maskOnGrid(*found.phi, truth_->geometry), *truth_).overlap;
+      found.panel.overlap =
+          voxelRatios(maskOnGrid(*found.phi, truth_->geometry, level), *truth_).overlap;
     return made_.emplace(key, std::move(found)).first->second;
   }
 

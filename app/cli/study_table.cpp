@@ -59,7 +59,8 @@ std::vector<Row> rowsOf(const Phantom& tree, Parameters params, const Progress& 
         Volume<std::uint8_t> found(tree.truth.geometry);
         try {
           const RunResult run = pipeline.run(params, until, part);
-          found = maskOnGrid(*run.evolve->phi, tree.truth.geometry);
+          const Geometry& grid = tree.truth.geometry;
+          found = maskOnGrid(*run.evolve->phi, grid, maskLevelMm(run, grid));
         } catch (const NumericError&) {
           // The front shrank to nothing: a row like any other.
         }
