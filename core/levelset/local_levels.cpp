@@ -131,6 +131,7 @@ std::vector<float> localMean(const CellBand& band, const std::vector<float>& val
 std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
                              const std::vector<float>& value, const std::vector<float>& weight,
                              int steps, const std::vector<float>& prior) {
+  if (steps == 0) return prior;
   // The set's cells by number. Those of a row around a cell have consecutive numbers here, too.
   std::vector<std::uint32_t> cells, number(band.size() + 1, 0);
   for (std::uint32_t c = 0; c < band.size(); ++c) {
@@ -181,7 +182,6 @@ std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
     std::swap(sum, next);
   }
   std::vector<float> mean = prior;
-  if (steps == 0) return mean;
   for (std::size_t n = 0; n < cells.size(); ++n)
     mean[cells[n]] = (sum[n][0] + kPriorShare * prior[cells[n]]) / (sum[n][1] + kPriorShare);
   spreadOut(band, set, mean);
