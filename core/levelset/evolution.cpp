@@ -27,8 +27,6 @@ struct LevelSetEvolution::State {
   std::shared_ptr<const Volume<float>> vesselness;
   LevelSetParams params;
   FrontSpeed speed;
-  Volume<std::int8_t> startSide;  ///< 0 active, else the sign of phi
-  std::vector<std::pair<std::uint32_t, float>> startActive;
   Volume<float> phi;
   Volume<std::int8_t> status;                        ///< 0 active, +-1, +-2, +-3 far
   std::array<std::vector<std::uint32_t>, 5> layers;  ///< [status + 2]
@@ -45,10 +43,8 @@ struct LevelSetEvolution::State {
       : vesselness(std::move(v)),
         params(p),
         speed(*vesselness, thresholds, p.gamma, p.d, p.acrossCrests),
-        startSide(phi0.geometry),
-        phi(std::move(phi0)) {
-    findActive();
-    status = Volume<std::int8_t>(phi.geometry);
+        phi(std::move(phi0)),
+        status(phi.geometry) {
     build();
   }
 
@@ -68,7 +64,7 @@ struct LevelSetEvolution::State {
     if (p[2] + 1 < g.size[2]) visit(voxel + slice);
   }
 
-  void findActive();
+  std::vector<std::pair<std::uint32_t, float>> findActive();
   void build();
   void remember();
   void buildLayer(int s);
@@ -80,8 +76,9 @@ struct LevelSetEvolution::State {
   void check();
 };
 
-/// Of two neighbours on either side of the surface, the nearer one is active (both at a tie).
-void LevelSetEvolution::State::findActive() {
+/// Active voxels with their values, and the status of all voxels, far but for those. Of two
+/// neighbours on either side of the surface, the nearer one is active (both at a tie).
+std::vector<std::pair<std::uint32_t, float>> LevelSetEvolution::State::findActive() {
   const Index3& size = phi.geometry.size;
   const std::array<std::size_t, 3> stride{1, phi.geometry.offset(0, 1, 0),
                                           phi.geometry.offset(0, 0, 1)};
@@ -92,7 +89,7 @@ void LevelSetEvolution::State::findActive() {
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i, ++voxel) {
         const float value = phi.voxels[voxel];
-        startSide.voxels[voxel] = static_cast<std::int8_t>(value < 0.0F ? -1 : 1);
+        status.voxels[voxel] = value < 0.0F ? -kFarStatus : kFarStatus;
         if (std::fabs(value) >= kFar) continue;
         const Index3 p{i, j, static_cast<int>(k)};
         bool active = false;
@@ -105,30 +102,26 @@ void LevelSetEvolution::State::findActive() {
           if (p[a] + 1 < size[a]) look(voxel + stride[a]);
         }
         if (!active) continue;
-        startSide.voxels[voxel] = 0;
+        status.voxels[voxel] = 0;
         found[k].emplace_back(static_cast<std::uint32_t>(voxel), std::clamp(value, -0.5F, 0.5F));
       }
   });
-  for (const auto& slice : found) startActive.insert(startActive.end(), slice.begin(), slice.end());
+  std::vector<std::pair<std::uint32_t, float>> active;
+  for (const auto& slice : found) active.insert(active.end(), slice.begin(), slice.end());
+  return active;
 }
 
 void LevelSetEvolution::State::build() {
-  for (auto& list : layers) list.clear();
+  const std::vector<std::pair<std::uint32_t, float>> active = findActive();
   parallelFor(0, phi.voxels.size(), kVoxelGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      status.voxels[i] = static_cast<std::int8_t>(kFarStatus * startSide.voxels[i]);
-      phi.voxels[i] = static_cast<float>(startSide.voxels[i]) * kFar;
-    }
+    for (std::size_t i = first; i < last; ++i) phi.voxels[i] = status.voxels[i] < 0 ? -kFar : kFar;
   });
-  for (const auto& [voxel, value] : startActive) {
+  for (const auto& [voxel, value] : active) {
     layer(0).push_back(voxel);
     phi.voxels[voxel] = value;
   }
   for (const int s : {-1, 1, -2, 2}) buildLayer(s);
   remember();
-  iterations = 0;
-  change = -1.0;
-  steadyChecks = 0;
   stop = layer(0).empty() ? StopReason::Converged : StopReason::Running;
 }
 
@@ -275,9 +268,8 @@ void LevelSetEvolution::State::enter(std::array<std::vector<std::uint32_t>, 5>& 
 
 void LevelSetEvolution::State::iterate(const Progress& progress) {
   const double most = computeChanges(progress);
-  // Half a voxel at most keeps the layers right; the second bound stops a front that has all but
-  // settled from being thrown about.
-  const double timeStep = most > 0.0 ? std::min(0.5 / most, 1.0) : 1.0;
+  // The second bound stops a front that has all but settled from being thrown about.
+  const double timeStep = most > 0.0 ? std::min(params.stepVoxels / most, 1.0) : 1.0;
   moveActive(timeStep);
 
   std::array<std::vector<std::uint32_t>, 5> entering;
@@ -358,8 +350,6 @@ int LevelSetEvolution::step(int wanted, const Progress& progress) {
   }
   return done;
 }
-
-void LevelSetEvolution::restart() { state_->build(); }
 
 StopReason LevelSetEvolution::stopReason() const { return state_->stop; }
 int LevelSetEvolution::iterations() const { return state_->iterations; }

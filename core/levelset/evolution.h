@@ -20,6 +20,7 @@ struct LevelSetParams {
   int floodLeastVoxels = 30;  ///< parts of this size need no seed
   double gamma = 0.7, d = 0.2, xi = 20.0;
   bool acrossCrests = true;  ///< the front moves where upwind differences vanish, too
+  double stepVoxels = 0.5;   ///< no value changes by more in an iteration; at most 0.5
   std::optional<double> b;   ///< empty: by bRule
   ThresholdRule bRule = ThresholdRule::Contrast;
   double bMin = 0.05, bMax = 0.15;
@@ -47,8 +48,6 @@ class LevelSetEvolution {
   /// Runs at most `iterations` steps; ends early once converged() (checked every
   /// params.checkEvery). Returns the number done. @throws Cancelled
   int step(int iterations, const Progress& progress = {});
-
-  void restart();
 
   [[nodiscard]] bool converged() const { return stopReason() != StopReason::Running; }
   [[nodiscard]] StopReason stopReason() const;

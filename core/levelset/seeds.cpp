@@ -146,8 +146,14 @@ std::vector<Eigen::Vector3d> findSeeds(const Volume<float>& single, const SeedPa
   if (params.automatic) {
     const double wanted = params.topPercent / 100.0 * static_cast<double>(single.voxels.size());
     const auto count = static_cast<std::size_t>(std::max(1.0, std::floor(wanted + 0.5)));
-    for (const std::size_t voxel : brightestVoxels(single, count))
-      seeds.push_back(g.toPhysical(asVector(g.indexOf(voxel))));
+    std::vector<std::size_t> voxels = brightestVoxels(single, count);
+    const auto best = std::max_element(
+        voxels.begin(), voxels.end(),
+        [&](std::size_t a, std::size_t b) { return single.voxels[a] < single.voxels[b]; });
+    const auto least =
+        voxels.empty() ? 0.0F : std::min(static_cast<float>(params.least), single.voxels[*best]);
+    for (const std::size_t voxel : voxels)
+      if (single.voxels[voxel] >= least) seeds.push_back(g.toPhysical(asVector(g.indexOf(voxel))));
   }
   for (std::size_t i = 0; i + 2 < params.points.size(); i += 3) {
     const Eigen::Vector3d point(params.points[i], params.points[i + 1], params.points[i + 2]);

@@ -11,7 +11,9 @@ namespace angiomesh {
 struct SeedParams {
   bool automatic = true;
   double topPercent =
-      0.05;  ///< of all voxels with positive vesselness at the single scale sigma_avg
+      0.05;            ///< of all voxels with positive vesselness at the single scale sigma_avg
+  double least = 0.1;  ///< and at least so much, but for the best one: the share may exceed what
+                       ///< is vessel
   double radiusVoxels = 1.0;   ///< of the starting spheres, working voxels
   std::vector<double> points;  ///< x,y,z,... LPS mm: seeds by hand, added to the automatic ones
 };

@@ -231,6 +231,9 @@ void addLevelSet(Table& t) {
   t.real("seeds.topPercent", MEMBER(seeds.topPercent), 1e-4, 10.0, "%",
          "share of the voxels that become seeds, highest single-scale vesselness first")
       .logarithmic = true;
+  t.real("seeds.least", MEMBER(seeds.least), 0.0, 1.0, "",
+         "vesselness of an automatic seed at least, but for the best one: topPercent may be more "
+         "than there is of vessels");
   t.real("seeds.radiusVoxels", MEMBER(seeds.radiusVoxels), 0.5, 20.0, "voxels",
          "radius of the starting spheres, working voxels");
   t.points("seeds.points", MEMBER(seeds.points),
@@ -257,6 +260,9 @@ void addLevelSet(Table& t) {
   t.boolean("levelset.acrossCrests", MEMBER(levelset.acrossCrests),
             "the front moves in vessels and gaps one voxel wide too, where upwind differences "
             "vanish");
+  t.real("levelset.stepVoxels", MEMBER(levelset.stepVoxels), 0.01, 0.5, "voxels",
+         "how far the front moves in an iteration at most: about half a voxel it flickers about "
+         "steep walls, a sixth comes to rest");
   Field& xi = t.real("levelset.xi", MEMBER(levelset.xi), 0.1, 500.0, "",
                      "scales the threshold b: larger segments less");
   xi.main = xi.logarithmic = true;

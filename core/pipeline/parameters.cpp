@@ -308,8 +308,10 @@ Parameters preset(std::string_view name) {
                      "use one of " + joined(presetNames()));
   params.vesselness.scaleRule = ScaleRule::Difference;
   params.vesselness.contrast = ContrastRule::Range;
+  params.seeds.least = 0.0;
   params.levelset.start = StartRule::Seeds;
   params.levelset.acrossCrests = false;
+  params.levelset.stepVoxels = 0.1667;
   params.levelset.maxIterations = 5000;
   params.levelset.checkEvery = 100;
   params.levelset.bRule = ThresholdRule::Average;

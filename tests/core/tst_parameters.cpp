@@ -91,12 +91,21 @@ class TestParameters : public QObject {
     std::set<std::string> different;
     for (const Field& field : parameterFields())
       if (field.get(own) != field.get(thesis)) different.insert(field.key);
-    const std::set<std::string> expected{
-        "vesselness.scaleRule", "vesselness.contrast",    "levelset.bRule",
-        "levelset.start",       "levelset.maxIterations", "levelset.checkEvery",
-        "levelset.refine",      "levelset.acrossCrests",  "surface.spline",
-        "surface.border",       "smooth.method",          "surface.etaCompensated",
-        "surface.edgesAround"};
+    const std::set<std::string> expected{"vesselness.scaleRule",
+                                         "vesselness.contrast",
+                                         "levelset.bRule",
+                                         "levelset.start",
+                                         "levelset.maxIterations",
+                                         "levelset.checkEvery",
+                                         "levelset.refine",
+                                         "levelset.acrossCrests",
+                                         "surface.spline",
+                                         "levelset.stepVoxels",
+                                         "seeds.least",
+                                         "surface.border",
+                                         "smooth.method",
+                                         "surface.etaCompensated",
+                                         "surface.edgesAround"};
     QVERIFY(different == expected);
     QVERIFY_EXCEPTION_THROWN(preset("thesys"), InputError);
   }

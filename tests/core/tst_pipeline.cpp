@@ -102,7 +102,7 @@ class TestPipeline : public QObject {
       else if (field.kind == FieldKind::Integer)
         value = static_cast<std::int64_t>(field.maximum);
       else
-        value = field.maximum;
+        value = value == FieldValue(field.maximum) ? field.minimum : field.maximum;
       if (field.choices.size() == 1) continue;
       field.put(changed, value);
       QVERIFY2(pipeline.key(Step::Quality, changed) != pipeline.key(Step::Quality, base),
