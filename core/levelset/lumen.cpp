@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <queue>
 #include <set>
 #include <utility>
 
+#include "core/base/large_pages.h"
 #include "core/base/parallel.h"
 #include "core/levelset/axis_smoothing.h"
 #include "core/levelset/cell_band.h"
@@ -73,11 +75,11 @@ class Refiner {
   }
 
   Volume<float> run(const Progress& progress) {
+    axes_ = vesselAxes(image_, band_, progress);
     value_.resize(band_.size());
     for (std::size_t c = 0; c < band_.size(); ++c)
       value_[c] = sign_ * image_.voxels[band_.voxel[c]];
     firstLevels();
-    axes_ = vesselAxes(image_, band_, progress);
     progress.report(0.4);
     smooth(progress);
     progress.report(0.8);
@@ -85,6 +87,9 @@ class Refiner {
     for (int round = 0; round < 2; ++round) lumenAgain();
     grow();
     bridge();
+    axes_ = {};  // room for what follows
+    part_ = joined_ = {};
+    releaseFreedMemory();
     fillCavities();
     progress.report(1.0);
     return result();
@@ -166,6 +171,7 @@ class Refiner {
       along[c] = static_cast<float>(params_.along * ratio * ratio);
       across[c] = static_cast<float>(params_.across * ratio * ratio);
     }
+    value_ = {};  // before its successor is made
     value_ = smoothAlongAxes(image_, band_, axes_, along, across, progress);
     for (float& v : value_) v *= sign_;
   }
@@ -175,8 +181,7 @@ class Refiner {
   /// is as bright as the lumen, else it stays outside.
   void grow() {
     labelCores();
-    joined_.resize(band_.size() + 1);
-    for (std::uint32_t i = 0; i < joined_.size(); ++i) joined_[i] = i;
+    joined_ = eachItself(part_);
     inside_.assign(band_.size(), 0);
     between_.assign(band_.size(), 0);
     BrightestFirst open;
@@ -207,22 +212,33 @@ class Refiner {
     for (std::size_t c = 0; c < band_.size(); ++c)
       rest[c] = static_cast<char>(band_.layer[c] == 0 && queued[c] == 0 && excess(c) > 0.0F);
     const std::vector<std::uint32_t> more = partsOf(band_, rest);
-    const std::uint32_t most = *std::max_element(part_.begin(), part_.end());
+    const auto most = static_cast<std::uint32_t>(joined_.size()) - 1;
     for (std::size_t c = 0; c < band_.size(); ++c)
       if (more[c] != 0) part_[c] = most + more[c];
-    for (std::uint32_t i = static_cast<std::uint32_t>(joined_.size()); i <= most + band_.size();
-         ++i)
-      joined_.push_back(i);
+    const std::vector<std::uint32_t> all = eachItself(part_);
+    joined_.insert(joined_.end(), all.begin() + most + 1, all.end());
     growAll();
   }
 
   /// Numbers the cores; specks are none.
   void labelCores() {
     part_ = partsOf(band_, core_);
-    std::vector<std::uint32_t> size(band_.size() + 1, 0);
+    std::vector<std::uint32_t> size(labelsOf(part_), 0);
     for (const std::uint32_t p : part_) ++size[p];
     for (std::size_t c = 0; c < band_.size(); ++c)
       if (size[part_[c]] < kLeastCore) part_[c] = 0;
+  }
+
+  /// The number of labels, 0 included.
+  static std::size_t labelsOf(const std::vector<std::uint32_t>& parts) {
+    return *std::max_element(parts.begin(), parts.end()) + std::size_t{1};
+  }
+
+  /// All labels in order: no part has been joined.
+  static std::vector<std::uint32_t> eachItself(const std::vector<std::uint32_t>& parts) {
+    std::vector<std::uint32_t> all(labelsOf(parts));
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
   }
 
   std::uint32_t root(std::uint32_t part) {
@@ -312,7 +328,7 @@ class Refiner {
     apart_ = std::move(apart);
     std::vector<std::uint32_t> grownAs = std::move(part_);
     part_ = partsOf(band_, inside_);
-    for (std::uint32_t i = 0; i < joined_.size(); ++i) joined_[i] = i;
+    joined_ = eachItself(part_);
     return grownAs;
   }
 

@@ -28,13 +28,15 @@ struct Foot {
   float bend = 0.0F;       ///< curvature in the direction last walked, per working voxel
 };
 
-/// A foot as a voxel keeps it, in half the space.
+/// A foot as a voxel keeps it, in a third of the space.
 struct KeptFoot {
-  Eigen::Vector3f offset;  ///< from the voxel's centre, working voxels
-  std::array<std::int16_t, 3> normal;
+  /// From the voxel's centre, working voxels times ClosestPoints::offsetScale_: 1e-4 voxel at
+  /// worst.
+  std::array<std::int16_t, 3> offset, normal;
   std::int16_t bend;
 };
-constexpr float kNormalScale = 32767.0F, kBendScale = 16000.0F;  // |bend| <= 2
+constexpr float kLargest = 32767.0F;
+constexpr float kNormalScale = kLargest, kBendScale = 16000.0F;  // |bend| <= 2
 
 /// Feet by number, in chunks: growing neither moves nor doubles them.
 class Feet {
@@ -60,6 +62,7 @@ class ClosestPoints {
         field_(phi, SplineKind::InterpolatingBspline),
         reach_(bandVoxels + kBeyond) {
     for (int a = 0; a < 3; ++a) step_[a] = geometry_.spacing[a] / geometry_.voxelMm();
+    offsetScale_ = kLargest / static_cast<float>(std::max(reach_, step_.maxCoeff()) + 1.0);
   }
 
   void findCrossings(const Volume<float>& phi, const Progress& progress);
@@ -78,8 +81,12 @@ class ClosestPoints {
     const Index3 p = geometry_.indexOf(voxel);
     return {1.0 * p[0], 1.0 * p[1], 1.0 * p[2]};
   }
+  [[nodiscard]] Eigen::Vector3f offset(std::size_t n) const {
+    const auto& kept = feet_[n].offset;
+    return Eigen::Vector3f(kept[0], kept[1], kept[2]) / offsetScale_;
+  }
   [[nodiscard]] double distance(std::size_t n) const {
-    return static_cast<double>(feet_[n].offset.norm());
+    return static_cast<double>(offset(n).norm());
   }
   [[nodiscard]] double distance(const Eigen::Vector3d& x, const Eigen::Vector3d& point) const {
     return step_.cwiseProduct(x - point).norm();
@@ -96,6 +103,7 @@ class ClosestPoints {
   Geometry geometry_;
   SplineField field_;
   double reach_;
+  float offsetScale_ = 1.0F;
   Eigen::Vector3d step_;  ///< working voxels per voxel along each axis
   Volume<std::int32_t> slot_;
   BigVector<std::uint32_t> voxels_;
@@ -105,10 +113,13 @@ class ClosestPoints {
 
 KeptFoot ClosestPoints::kept(const Foot& foot, const Eigen::Vector3d& x) const {
   KeptFoot k;
-  k.offset = step_.cwiseProduct(foot.point - x).cast<float>();
-  for (std::size_t a = 0; a < 3; ++a)
-    k.normal[a] = static_cast<std::int16_t>(
-        std::lround(foot.normal[static_cast<Eigen::Index>(a)] * kNormalScale));
+  const Eigen::Vector3f offset = step_.cwiseProduct(foot.point - x).cast<float>();
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    k.offset[a] = static_cast<std::int16_t>(
+        std::lround(std::clamp(offset[axis] * offsetScale_, -kLargest, kLargest)));
+    k.normal[a] = static_cast<std::int16_t>(std::lround(foot.normal[axis] * kNormalScale));
+  }
   k.bend = static_cast<std::int16_t>(std::lround(foot.bend * kBendScale));
   return k;
 }
@@ -189,15 +200,15 @@ bool ClosestPoints::bestOfNeighbours(std::size_t voxel, double within, Foot& foo
   forBox(p, [&](std::size_t next, int i, int j, int k) {
     const std::int32_t slot = slot_.voxels[next];
     if (slot == kNone || slot == kFresh) return;
-    const Eigen::Vector3f offset = feet_[static_cast<std::size_t>(slot)].offset +
-                                   step.cwiseProduct(Eigen::Vector3f(static_cast<float>(i - p[0]),
-                                                                     static_cast<float>(j - p[1]),
-                                                                     static_cast<float>(k - p[2])));
-    const float d = offset.squaredNorm();
+    const Eigen::Vector3f away = offset(static_cast<std::size_t>(slot)) +
+                                 step.cwiseProduct(Eigen::Vector3f(static_cast<float>(i - p[0]),
+                                                                   static_cast<float>(j - p[1]),
+                                                                   static_cast<float>(k - p[2])));
+    const float d = away.squaredNorm();
     if (d < least) {
       least = d;
       best = slot;
-      to = offset;
+      to = away;
     }
   });
   if (best == kNone || best == slot_.voxels[voxel]) return false;
