@@ -19,7 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kBarSize = 256;  // of the trees that the bars are for
-constexpr const char* kAblationRows = "tree-n20,tree-n60,drift-n20,close,thick,tiny,low-contrast";
+constexpr const char* kAblationRows =
+    "tree-n20,tree-n60,drift-n20,close,thick,tiny,low-contrast,tube-r0.75-n60-oblique";
 
 struct PanelOptions {
   ParameterOptions settings;
@@ -51,6 +52,7 @@ const std::vector<Departure>& departures() {
       {"refineAcross = 0", nullptr, {{"levelset.refineAcross", "0"}}},
       {"refineMeanSteps = 0", nullptr, {{"levelset.refineMeanSteps", "0"}}},
       {"acrossCrests off", nullptr, {{"levelset.acrossCrests", "false"}}},
+      {"seeds.least = 0", nullptr, {{"seeds.least", "0"}}},
       {"floodLeastVoxels = 1000000", nullptr, {{"levelset.floodLeastVoxels", "1000000"}}},
       {"b by eq. 3.20", nullptr, {{"levelset.bRule", "average"}}},
       {"c by the range", nullptr, {{"vesselness.contrast", "range"}}},
