@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segments.h"
+#include "core/quality/best_threshold.h"
 #include "core/quality/overlap.h"
 #include "core/quality/vessel_measures.h"
 
@@ -220,6 +221,8 @@ void measureAll(CaseResult& out, const PanelCase& what, const Parameters& settin
     mask = within(std::move(mask), *region);
   }
   measureMask(m, mask, phantom.truth);
+  if (what.phantom.kind == PhantomKind::Tree && what.phantom.noiseSigma > 0.0 && !region)
+    at(m, Metric::BestThreshold) = bestThreshold(phantom.image, phantom.truth).overlap;
   measureWall(m, *result.phi, what.phantom, phantom, region ? &*region : nullptr, rest);
   if (region)
     at(m, Metric::OverlapLoss) =

@@ -15,6 +15,7 @@ namespace angiomesh::cli {
 /// What is measured of a segmented phantom, in the order of panelMetrics().
 enum class Metric {
   Overlap,
+  BestThreshold,
   Sensitivity,
   Precision,
   MeanDistance,
@@ -37,7 +38,7 @@ enum class Metric {
   OutsideSeeded,
   Seconds
 };
-constexpr std::size_t kMetrics = 22;
+constexpr std::size_t kMetrics = 23;
 
 /// How the measures of a row's cases make that of the row.
 enum class Summary { Mean, Worst, Sum };

@@ -122,7 +122,9 @@ std::string head(const std::vector<std::size_t>& columns, const std::vector<std:
 }
 
 constexpr const char* kLegend =
-    "Lengths in voxels of the smallest spacing. wall: distance from the result's zero set to the "
+    "Lengths in voxels of the smallest spacing. best threshold: the greatest overlap that any "
+    "threshold reaches after any Gaussian up to 1 voxel, both chosen with the truth. wall: "
+    "distance from the result's zero set to the "
     "exact wall. radius bias: sqrt(V / (pi length)) over the middle 80 % of a tube less its "
     "radius; to image: less that of the noise-free image, whose 2 x 2 x 2 subvoxels make a tube "
     "along an axis up to 0.1 voxel thicker or thinner; each the worst of the cases. bias r a-b: "

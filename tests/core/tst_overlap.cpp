@@ -5,6 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/quality/best_threshold.h"
 #include "core/quality/overlap.h"
 
 using namespace angiomesh;
@@ -181,6 +183,33 @@ class TestOverlap : public QObject {
           const bool inside = g.contains(i + 4, j + 3, k + 2) && phi.at(i + 4, j + 3, k + 2) < 0.0F;
           QCOMPARE(mask.at(i, j, k), static_cast<std::uint8_t>(inside ? 1 : 0));
         }
+  }
+
+  void noThresholdOfAnyGaussianIsBetterThanTheBestOne() {
+    const Geometry g = gridOf({40, 40, 40});
+    const Volume<float> phi = ballField(g, Vector3d(19.0, 20.0, 20.5), 9.0);
+    const Volume<std::uint8_t> truth = insideMask(phi);
+    Volume<float> image(g);
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+      image.voxels[i] = truth.voxels[i] != 0 ? 80.0F : -20.0F;
+    const BestThreshold clean = bestThreshold(image, truth);
+    QCOMPARE(clean.overlap, 100.0);
+    QCOMPARE(clean.sigmaVoxels, 0.0);
+    QVERIFY(clean.threshold > -20.0 && clean.threshold <= 80.0);
+
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+      image.voxels[i] += 40.0F * static_cast<float>(randomNormal(7, i));
+    const auto overlapAbove = [&](double threshold) {
+      Volume<std::uint8_t> mask(g);
+      for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+        mask.voxels[i] = image.voxels[i] > static_cast<float>(threshold) ? 1 : 0;
+      return compareMasks(mask, truth).overlap;
+    };
+    const BestThreshold noisy = bestThreshold(image, truth);
+    QVERIFY(noisy.sigmaVoxels > 0.0);
+    for (double threshold = -60.0; threshold <= 120.0; threshold += 10.0)
+      QVERIFY(overlapAbove(threshold) < noisy.overlap - 5.0);
+    QVERIFY(noisy.overlap < 100.0);
   }
 
   void aBallIsFoundOnAnotherGrid() {
