@@ -205,6 +205,13 @@ void addShapes(std::vector<PanelRow>& rows) {
                       {{"oblique", params}},
                       {noFalseOnes()}});
     }
+  PhantomParams params = shapeParams(PhantomKind::Tube, kShapeSide, 20.0, 20.0);
+  params.axis = {0.3, 0.2, 1.0};
+  rows.push_back({"tube-r20-n20",
+                  "shapes",
+                  "tube of radius 20, noise 20",
+                  {{"oblique", params}},
+                  {within(Metric::RadiusBias, 0.1), noFalseOnes()}});
 }
 
 /// The radiologist's four complaints about the thesis's results.

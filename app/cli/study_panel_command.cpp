@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kBarSize = 256;  // of the trees that the bars are for
 constexpr const char* kAblationRows =
-    "tree-n20,tree-n60,drift-n20,close,thick,tiny,low-contrast,tube-r0.75-n60-oblique";
+    "tree-n20,tree-n60,drift-n20,close,thick,tiny,low-contrast,tube-r0.75-n60-oblique,tube-r20-n20";
 
 struct PanelOptions {
   ParameterOptions settings;
@@ -56,6 +56,7 @@ const std::vector<Departure>& departures() {
       {"floodLeastVoxels = 1000000", nullptr, {{"levelset.floodLeastVoxels", "1000000"}}},
       {"b by eq. 3.20", nullptr, {{"levelset.bRule", "average"}}},
       {"c by the range", nullptr, {{"vesselness.contrast", "range"}}},
+      {"scalesFromImage off", nullptr, {{"vesselness.scalesFromImage", "false"}}},
       {"scales by eq. 5.1", nullptr, {{"vesselness.scaleRule", "difference"}}},
       {"Frangi's measure", nullptr, {{"vesselness.measure", "frangi"}}},
       {"printed method", "thesis", {}},

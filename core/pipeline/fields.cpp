@@ -199,10 +199,18 @@ void addVesselness(Table& t) {
       t.real("vesselness.sigmaMinMm", MEMBER(vesselness.sigmaMinMm), 0.01, 100.0, "mm",
              "smallest scale: about the radius of the thinnest vessel; auto: 1 working voxel");
   low.main = low.logarithmic = true;
-  Field& high =
-      t.real("vesselness.sigmaMaxMm", MEMBER(vesselness.sigmaMaxMm), 0.01, 100.0, "mm",
-             "largest scale: about the radius of the thickest vessel; auto: 6 working voxels");
+  Field& high = t.real(
+      "vesselness.sigmaMaxMm", MEMBER(vesselness.sigmaMaxMm), 0.01, 100.0, "mm",
+      "largest scale: about the radius of the thickest vessel; auto: 6 working voxels, or by "
+      "scalesFromImage");
   high.main = high.logarithmic = true;
+  t.boolean(
+       "vesselness.scalesFromImage", MEMBER(vesselness.scalesFromImage),
+       "an automatic sigmaMaxMm is half of the radius of the thickest bright thing, where that "
+       "is more than 6 working voxels; 15 at most")
+      .idle = [](const Parameters& p) {
+    return p.vesselness.sigmaMaxMm ? "of an automatic sigmaMaxMm alone" : "";
+  };
   t.integer("vesselness.scales", MEMBER(vesselness.scales), 1, 32,
             "number of scales, evenly spaced in log(sigma); auto: by scaleRule");
   t.choice(

@@ -307,6 +307,7 @@ Parameters preset(std::string_view name) {
     throw InputError("there is no preset '" + std::string(name) + "'", "preset",
                      "use one of " + joined(presetNames()));
   params.vesselness.scaleRule = ScaleRule::Difference;
+  params.vesselness.scalesFromImage = false;
   params.vesselness.contrast = ContrastRule::Range;
   params.seeds.least = 0.0;
   params.levelset.start = StartRule::Seeds;

@@ -17,6 +17,7 @@
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/redistance.h"
 #include "core/pipeline/segments.h"
+#include "core/vesselness/thickest.h"
 
 namespace angiomesh {
 namespace {
@@ -25,7 +26,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 1, 2, 5, 2, 2, 2};
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 2, 2, 5, 2, 2, 2};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -55,11 +56,11 @@ double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 VesselnessResult computeVesselness(const Volume<float>& image, const VesselnessParams& params,
                                    const Progress& progress) {
   VesselnessResult result;
-  result.scalesMm = scalesMm(params, image.geometry);
+  VesselnessParams fixed = withScalesFromImage(params, image);
+  result.scalesMm = scalesMm(fixed, image.geometry);
   result.c = contrastC(params, image);
   if (!(result.c > 0.0))
     throw InputError("the image has no contrast", "vesselness.c", "give vesselness.c by hand");
-  VesselnessParams fixed = params;
   fixed.c = result.c;
   fixed.sigmaMinMm = result.scalesMm.front();
   result.multiScale = std::make_shared<const Volume<float>>(vesselness(image, fixed, progress));

@@ -22,6 +22,7 @@ enum class ContrastRule {
 
 struct VesselnessParams {
   std::optional<double> sigmaMinMm, sigmaMaxMm;  ///< empty: 1 and 6 working voxels
+  bool scalesFromImage = true;                   ///< see withScalesFromImage()
   std::optional<int> scales;                     ///< empty: by scaleRule
   ScaleRule scaleRule = ScaleRule::Ratio;
   VesselMeasure measure = VesselMeasure::Modified;

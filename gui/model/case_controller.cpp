@@ -193,7 +193,8 @@ FieldValue CaseController::suggestedValue(const Field& field) const {
   if (field.key == "vesselness.sigmaMinMm") {
     value = std::min(voxel, v.sigmaMaxMm.value_or(voxel));
   } else if (field.key == "vesselness.sigmaMaxMm") {
-    value = std::max(6.0 * voxel, v.sigmaMinMm.value_or(voxel));
+    value = shown_.vesselness ? shown_.vesselness->scalesMm.back()
+                              : std::max(6.0 * voxel, v.sigmaMinMm.value_or(voxel));
   } else if (field.key == "vesselness.k") {
     value = 2.0 * v.sigmaMinMm.value_or(voxel);
   } else if (field.key == "vesselness.scales") {

@@ -40,6 +40,7 @@ const std::map<std::string, QString>& labels() {
       {"preprocess.clamp.rimVoxels", QStringLiteral("Rim of bone")},
       {"preprocess.sigmoid.enabled", QStringLiteral("Sigmoid mapping")},
       {"vesselness.sigmaMinMm", QStringLiteral("Thinnest vessel")},
+      {"vesselness.scalesFromImage", QStringLiteral("Scales from the image")},
       {"vesselness.sigmaMaxMm", QStringLiteral("Thickest vessel")},
       {"vesselness.k", QStringLiteral("k")},
       {"preprocess.sigmoid.window", QStringLiteral("Sigmoid window")},

@@ -102,6 +102,7 @@ class TestParameters : public QObject {
                                          "surface.spline",
                                          "levelset.stepVoxels",
                                          "seeds.least",
+                                         "vesselness.scalesFromImage",
                                          "surface.border",
                                          "smooth.method",
                                          "surface.etaCompensated",

@@ -8,9 +8,11 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/phantom/phantom.h"
 #include "core/vesselness/gauss_kernel.h"
 #include "core/vesselness/row_kernels.h"
 #include "core/vesselness/speed.h"
+#include "core/vesselness/thickest.h"
 #include "core/vesselness/vesselness.h"
 #include "tests/core/analytic.h"
 
@@ -237,6 +239,37 @@ class TestVesselness : public QObject {
     QVERIFY_EXCEPTION_THROWN(thresholds(Volume<float>(cube(3), 0.0F), ThresholdRule::Contrast, 20.0,
                                         6.0, {}, 0.05, 0.15),
                              NumericError);
+  }
+
+  void theLargestScaleFollowsTheThickestVessel() {
+    const auto tube = [](double radius, double noise, const Eigen::Vector3d& spacing) {
+      PhantomParams params;
+      params.kind = PhantomKind::Tube;
+      params.spacingMm = spacing;
+      params.size = {100, 100, static_cast<int>(48 * spacing[0] / spacing[2])};
+      params.radius = radius;
+      params.noiseSigma = noise;
+      return makePhantom(params).image;
+    };
+    for (const double noise : {0.0, 20.0, 60.0}) {
+      const Volume<float> thick = tube(20.0, noise, {0.5, 0.5, 0.5});
+      const double radius = thickestRadiusMm(thick, Polarity::Bright) / 0.5;
+      QVERIFY2(radius > 15.5 && radius < 20.5, std::to_string(radius).c_str());
+      const auto sigma = withScalesFromImage({}, thick).sigmaMaxMm;
+      QVERIFY(sigma && std::fabs(*sigma - 0.25 * radius) < 1e-9);
+      Volume<float> dark = thick;
+      for (float& value : dark.voxels) value = -value;
+      QCOMPARE(thickestRadiusMm(dark, Polarity::Dark), thickestRadiusMm(thick, Polarity::Bright));
+      const double flat = thickestRadiusMm(tube(20.0, noise, {0.5, 0.5, 1.5}), Polarity::Bright);
+      QVERIFY2(flat > 0.5 * 15.5 && flat < 0.5 * 20.5, std::to_string(flat).c_str());
+      const auto usual = withScalesFromImage({}, tube(8.0, noise, {0.5, 0.5, 0.5})).sigmaMaxMm;
+      QVERIFY(usual && *usual == 3.0);
+    }
+    VesselnessParams given;
+    given.sigmaMaxMm = 2.5;
+    QCOMPARE(*withScalesFromImage(given, tube(20.0, 0.0, {0.5, 0.5, 0.5})).sigmaMaxMm, 2.5);
+    const Volume<float> even(cube(20), 7.0F);
+    QCOMPARE(thickestRadiusMm(even, Polarity::Bright), 0.0);
   }
 
   void cancelIsPassedOn() {
