@@ -8,7 +8,7 @@ namespace angiomesh {
 /// Radius in mm of the largest ball that fits into what lies beyond half-way between the median and
 /// the 99.9th percentile (0.1th for dark vessels) of the image averaged over blocks of about four
 /// working voxels: of the thickest vessel, or of whatever is as bright and thicker; up to a block
-/// too small. 0 when nothing, or everything, is so bright.
+/// too small; 46 working voxels at most. 0 when nothing, or everything, is so bright.
 double thickestRadiusMm(const Volume<float>& image, Polarity polarity);
 
 /// The parameters with sigmaMaxMm by the image, where it was left open: half of the thickest radius
