@@ -268,7 +268,8 @@ void LevelSetEvolution::State::enter(std::array<std::vector<std::uint32_t>, 5>& 
 
 void LevelSetEvolution::State::iterate(const Progress& progress) {
   const double most = computeChanges(progress);
-  // The second bound stops a front that has all but settled from being thrown about.
+  // Half a voxel, the largest step, keeps the layers right. The second bound stops a front that has
+  // all but settled from being thrown about.
   const double timeStep = most > 0.0 ? std::min(params.stepVoxels / most, 1.0) : 1.0;
   moveActive(timeStep);
 
