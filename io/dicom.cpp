@@ -2,139 +2,234 @@
 #include "io/dicom.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 #include "io/dicom_series.h"
+#include "io/slice_orientation.h"
 
 namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<DicomSeries> seriesOf(const fs::path& path, const Progress& progress,
-                                  std::vector<std::string>& warnings) {
-  std::vector<DicomSeries> series = scanDicom(path, progress, warnings);
-  if (!series.empty()) return series;
-  if (!fs::is_directory(path))
+using Stacks = std::vector<std::shared_ptr<const DicomStack>>;
+
+const char* const kChoose = "choose one with --series and its UID or the end of it";
+/// Fewer slices are a localizer or a single picture, not a volume.
+constexpr std::size_t kLeastSlices = 3;
+
+Stacks stacksOf(const fs::path& path, const Progress& progress,
+                std::vector<std::string>& warnings) {
+  Stacks stacks;
+  for (DicomSeries& series : scanDicom(path, progress, warnings))
+    for (DicomStack& stack : splitSeries(std::move(series)))
+      stacks.push_back(std::make_shared<const DicomStack>(std::move(stack)));
+  if (!stacks.empty()) return stacks;
+  std::error_code error;
+  if (!fs::is_directory(path, error))
     throw InputError("the DICOM file holds no image", path.string(), "give a file with an image");
-  for (const auto& entry : fs::directory_iterator(path))
-    if (entry.is_directory())
-      throw InputError("the folder itself holds no DICOM image", path.string(),
-                       "give the subfolder that holds the series");
-  throw InputError("the folder holds no DICOM image", path.string(),
+  throw InputError("there is no DICOM image in the folder or below it", path.string(),
                    "give the folder that holds the series");
 }
 
-/// The shortest ending, of 8 characters at least, that only this series' UID has.
-std::string shortUid(const DicomSeries& one, const std::vector<DicomSeries>& all) {
-  for (std::size_t length = 8; length < one.uid.size(); ++length) {
-    std::string ending = one.uid.substr(one.uid.size() - length);
+/// The shortest ending, of 8 characters at least, that only this volume's id has.
+std::string shortId(const DicomStack& one, const Stacks& all) {
+  const std::string id = one.id();
+  for (std::size_t length = std::min<std::size_t>(8, id.size()); length < id.size(); ++length) {
+    std::string ending = id.substr(id.size() - length);
     if (std::count_if(all.begin(), all.end(),
-                      [&](const DicomSeries& other) { return other.uid.ends_with(ending); }) == 1)
+                      [&](const auto& other) { return other->id().ends_with(ending); }) == 1)
       return ending;
   }
-  return one.uid;
+  return id;
 }
 
-std::string listOf(const std::vector<DicomSeries>& all) {
+std::string lineOf(const DicomStack& stack, const Stacks& all) {
+  std::string line =
+      shortId(stack, all) + " \"" + stack.description.substr(0, 40) + "\" " + stack.modality + " ";
+  if (stack.frames.empty()) return line + "damaged";
+  const DicomFile& file = stack.fileOf(stack.frames.front());
+  line += std::to_string(file.columns) + " x " + std::to_string(file.rows) + " x " +
+          std::to_string(stack.frames.size());
+  return stack.label.empty() ? line : line + ", " + stack.label;
+}
+
+std::string listOf(const Stacks& all) {
   const std::size_t shown = std::min<std::size_t>(all.size(), 12);
   std::string list;
-  for (std::size_t i = 0; i < shown; ++i) {
-    const DicomSeries& one = all[i];
-    const DicomFrame& frame = one.frames.front();
-    list += (i == 0 ? "" : "; ") + shortUid(one, all) + " \"" + one.description.substr(0, 40) +
-            "\" " + one.modality + " " + std::to_string(frame.columns) + " x " +
-            std::to_string(frame.rows) + " x " + std::to_string(one.frames.size());
-  }
+  for (std::size_t i = 0; i < shown; ++i) list += (i == 0 ? "" : "; ") + lineOf(*all[i], all);
   if (shown < all.size()) list += "; and " + std::to_string(all.size() - shown) + " more";
   return list;
 }
 
-DicomSeries choose(std::vector<DicomSeries> all, const std::string& uid, const fs::path& path) {
-  if (uid.empty()) {
-    if (all.size() == 1) return std::move(all.front());
-    throw InputError(
-        "the folder holds " + std::to_string(all.size()) + " series (" + listOf(all) + ")",
-        path.string(), "choose one with --series and its UID or the end of it");
-  }
-  std::vector<std::size_t> fitting;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].uid == uid) return std::move(all[i]);
-    if (all[i].uid.ends_with(uid)) fitting.push_back(i);
-  }
-  if (fitting.size() == 1) return std::move(all[fitting.front()]);
-  throw InputError((fitting.empty() ? "there is no series " : "several series end in ") + uid +
-                       " (" + listOf(all) + ")",
-                   path.string(), "choose one with --series and its UID or the end of it");
+/// Slices that ought to be a volume, whatever may be wrong with them.
+bool isVolume(const DicomStack& stack) {
+  if (stack.frames.empty()) return true;  // a damaged series: nobody knows
+  const DicomFrame& first = stack.frames.front();
+  return stack.frames.size() >= kLeastSlices && first.placed && stack.fileOf(first).samples == 1;
 }
 
-InputInfo infoOf(const DicomSeries& series) {
+std::string seriesWord(const Stacks& all) {
+  std::set<std::string> uids;
+  for (const auto& stack : all) uids.insert(stack->uid);
+  return uids.size() == all.size() ? " series"
+                                   : " volumes in " + std::to_string(uids.size()) + " series";
+}
+
+std::shared_ptr<const DicomStack> chooseAlone(const Stacks& all, const fs::path& path,
+                                              std::vector<std::string>& warnings) {
+  if (all.size() == 1) return all.front();
+  std::vector<std::size_t> volumes;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (isVolume(*all[i])) volumes.push_back(i);
+  if (volumes.size() == 1) {
+    warnings.push_back("of " + std::to_string(all.size()) + seriesWord(all) +
+                       " all but one hold fewer than " + std::to_string(kLeastSlices) +
+                       " slices with a position and were left out");
+    return all[volumes.front()];
+  }
+  throw InputError(
+      "there are " + std::to_string(all.size()) + seriesWord(all) + " (" + listOf(all) + ")",
+      path.string(), kChoose);
+}
+
+std::shared_ptr<const DicomStack> choose(const Stacks& all, const std::string& id,
+                                         const fs::path& path, std::vector<std::string>& warnings) {
+  if (id.empty()) return chooseAlone(all, path, warnings);
+  Stacks fitting;
+  for (const auto& stack : all) {
+    if (stack->id() == id) return stack;
+    if (stack->id().ends_with(id) || stack->uid.ends_with(id)) fitting.push_back(stack);
+  }
+  if (fitting.size() == 1) return fitting.front();
+  throw InputError((fitting.empty() ? "there is no series " + id + " ("
+                                    : std::to_string(fitting.size()) + seriesWord(fitting) +
+                                          " fit " + id + " (") +
+                       listOf(fitting.empty() ? all : fitting) + ")",
+                   path.string(), kChoose);
+}
+
+InputInfo infoOf(const DicomStack& stack, const StackGrid& grid) {
   InputInfo info;
   info.format = "DICOM";
-  info.modality = series.modality;
-  info.pixelType = series.pixelType;
-  info.seriesUid = series.uid;
-  info.seriesDescription = series.description;
-  info.files = series.files;
-  const DicomFrame& middle = series.frames[series.frames.size() / 2];
-  info.window = middle.window;
-  info.level = middle.level;
+  info.modality = stack.modality;
+  info.seriesUid = stack.id();
+  info.seriesDescription = stack.description;
+  if (!stack.label.empty())
+    info.seriesDescription += (info.seriesDescription.empty() ? "" : ", ") + stack.label;
+  info.seriesNumber = stack.number;
+  info.date = stack.date;
+  info.findings = grid.findings;
+  info.files = static_cast<int>(stack.files.size());
+  if (stack.frames.empty()) return info;
+  const DicomFrame& middle = stack.frames[stack.frames.size() / 2];
+  const PixelLayout& layout = stack.fileOf(middle).layout;
+  info.pixelType = (layout.isSigned ? "int" : "uint") + std::to_string(layout.allocated);
+  info.windows = middle.windows;
+  if (middle.placed) info.orientation = orientationText(middle.alongRow, middle.alongColumn);
   return info;
 }
 
-void readPixels(const DicomSeries& series, Volume<float>& image, const Progress& progress) {
-  // Frames of one file are decoded together, and put where the sorting wants them.
-  std::map<fs::path, std::vector<std::size_t>> slicesOfFile;
-  for (std::size_t slice = 0; slice < series.frames.size(); ++slice)
-    slicesOfFile[series.frames[slice].file].push_back(slice);
-  std::size_t done = 0;
-  for (const auto& [file, slices] : slicesOfFile) {
-    progress.report(static_cast<double>(done++) / static_cast<double>(slicesOfFile.size()));
-    const DicomFrame& any = series.frames[slices.front()];
-    const std::vector<float> stored = decodeDicomFile(any);
-    const std::size_t pixels = pixelsOf(any);
-    for (const std::size_t slice : slices) {
-      const DicomFrame& frame = series.frames[slice];
-      const float* from = stored.data() + static_cast<std::size_t>(frame.index) * pixels;
-      float* to = image.voxels.data() + slice * pixels;
-      for (std::size_t i = 0; i < pixels; ++i)
-        to[i] = static_cast<float>(frame.slope * static_cast<double>(from[i]) + frame.intercept);
-    }
+std::string adviceFor(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::MissingSlices:
+    case FindingKind::UnevenSpacing:
+      return "add the missing slices, or have the series resampled with --uneven-slices resample";
+    case FindingKind::DuplicatePosition:
+      return "take the slice that does not belong to the volume out of the folder";
+    case FindingKind::GantryTilt:
+      return "resample the series to an upright stack with another program";
+    case FindingKind::SingleSlice:
+      return "give the folder that holds the whole series";
+    case FindingKind::DamagedFile:
+      return "copy the file again, or take it out of the folder";
+    case FindingKind::ColourImage:
+      return "give a series with one value per pixel";
+    default:
+      return "give a series of slices (MR or CT) as the scanner wrote it";
   }
+}
+
+[[noreturn]] void refuse(const StackGrid& grid, const fs::path& path) {
+  const Finding& worst = *grid.refusal();
+  std::string what = screenText(worst);
+  for (const Finding& finding : grid.findings)
+    if (&finding != &worst && (finding.refuses || finding.kind == FindingKind::MixedSize ||
+                               finding.kind == FindingKind::MixedOrientation ||
+                               finding.kind == FindingKind::MixedSpacing))
+      what += "; also, " + screenText(finding);
+  if (worst.kind == FindingKind::DamagedFile)
+    throw IoError(what, path.string(), adviceFor(worst.kind));
+  if (canBeEvenedOut(worst.kind))
+    throw UnevenSlicesError(what, path.string(), adviceFor(worst.kind));
+  throw InputError(what, path.string(), adviceFor(worst.kind));
+}
+
+/// `slices` holds one slice per frame; each slice of the result is one of them or between two.
+Volume<float> blend(const Volume<float>& slices, const StackGrid& grid) {
+  Volume<float> image(grid.geometry);
+  const std::size_t pixels = static_cast<std::size_t>(grid.geometry.size[0]) *
+                             static_cast<std::size_t>(grid.geometry.size[1]);
+  for (std::size_t k = 0; k < grid.slices.size(); ++k) {
+    const auto [first, weight] = grid.slices[k];
+    const float* a = slices.voxels.data() + first * pixels;
+    const float* b = weight > 0.0 ? a + pixels : a;
+    float* to = image.voxels.data() + k * pixels;
+    for (std::size_t i = 0; i < pixels; ++i)
+      to[i] = static_cast<float>((1.0 - weight) * static_cast<double>(a[i]) +
+                                 weight * static_cast<double>(b[i]));
+  }
+  return image;
 }
 
 }  // namespace
 
-LoadedImage readDicom(const fs::path& path, const std::string& seriesUid,
-                      const Progress& progress) {
-  progress.phase("reading");
-  std::vector<std::string> warnings;
-  DicomSeries series = choose(seriesOf(path, progress.sub(0.0, 0.3), warnings), seriesUid, path);
+LoadedImage readDicomStack(const std::shared_ptr<const DicomStack>& stack, bool evenOut,
+                           const fs::path& path, const Progress& progress) {
+  const StackGrid grid = gridOfStack(*stack, evenOut);
+  if (grid.refusal() != nullptr) refuse(grid, path);
   LoadedImage loaded;
-  const Geometry geometry = stackFrames(series, path.string(), warnings);
-  loaded.info = infoOf(series);
-  loaded.info.warnings = std::move(warnings);
-  loaded.image = Volume<float>(geometry);
-  readPixels(series, loaded.image, progress.sub(0.3, 0.9));
+  loaded.info = infoOf(*stack, grid);
+  Geometry frames = grid.geometry;
+  frames.size[2] = static_cast<int>(stack->frames.size());
+  Volume<float> image(frames);
+  const std::size_t padded = readFrames(*stack, image, progress);
+  if (padded > 0)
+    loaded.info.findings.push_back(
+        {FindingKind::PaddedValues,
+         false,
+         std::to_string(padded) + " voxels of padding were set to the smallest value of the image",
+         {},
+         {}});
+  const bool plain = grid.slices.size() == stack->frames.size() &&
+                     std::all_of(grid.slices.begin(), grid.slices.end(),
+                                 [](const SliceBlend& slice) { return slice.weight == 0.0; });
+  loaded.image = plain ? std::move(image) : blend(image, grid);
   return loaded;
 }
 
-std::vector<ImageSummary> describeDicom(const fs::path& path) {
+LoadedImage readDicom(const fs::path& path, const ReadOptions& options, const Progress& progress) {
+  progress.phase("reading");
+  std::vector<std::string> warnings;
+  const Stacks all = stacksOf(path, progress.sub(0.0, 0.3), warnings);
+  const auto stack = choose(all, options.series, path, warnings);
+  LoadedImage loaded = readDicomStack(stack, options.evenOut, path, progress.sub(0.3, 0.9));
+  loaded.info.warnings.insert(loaded.info.warnings.begin(), warnings.begin(), warnings.end());
+  return loaded;
+}
+
+std::vector<ImageSummary> describeDicom(const fs::path& path, const Progress& progress) {
   std::vector<ImageSummary> summaries;
   std::vector<std::string> common;
-  for (DicomSeries& series : seriesOf(path, {}, common)) {
+  for (const auto& stack : stacksOf(path, progress, common)) {
+    const StackGrid grid = gridOfStack(*stack, false);
     ImageSummary summary;
-    const DicomFrame first = series.frames.front();
-    std::vector<std::string> warnings = common;
-    try {
-      summary.geometry = stackFrames(series, {}, warnings);
-    } catch (const InputError& error) {
-      summary.geometry.size = {first.columns, first.rows, static_cast<int>(series.frames.size())};
-      warnings.push_back(std::string("not a usable volume: ") + error.what());
-    }
-    summary.info = infoOf(series);
-    summary.info.warnings = std::move(warnings);
+    summary.geometry = grid.geometry;
+    summary.info = infoOf(*stack, grid);
+    summary.info.warnings = common;
+    summary.stack = stack;
     summaries.push_back(std::move(summary));
   }
   return summaries;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,17 @@
 
 namespace angiomesh {
 
-/// One series out of a folder, or one file. `seriesUid` may be empty when there is only one series.
-/// @throws IoError, InputError, Cancelled
-LoadedImage readDicom(const std::filesystem::path& path, const std::string& seriesUid,
+/// One series out of a folder and all below it, or one file. `options.series` may be empty when
+/// only one series makes a volume. @throws IoError, InputError, UnevenSlicesError, Cancelled
+LoadedImage readDicom(const std::filesystem::path& path, const ReadOptions& options,
                       const Progress& progress);
 
-/// One entry per series, by series UID.
-std::vector<ImageSummary> describeDicom(const std::filesystem::path& path);
+/// A volume that describeDicom() listed. @throws as readDicom()
+LoadedImage readDicomStack(const std::shared_ptr<const DicomStack>& stack, bool evenOut,
+                           const std::filesystem::path& path, const Progress& progress);
+
+/// One entry per series, or per volume where a series holds several, by series UID.
+std::vector<ImageSummary> describeDicom(const std::filesystem::path& path,
+                                        const Progress& progress);
 
 }  // namespace angiomesh

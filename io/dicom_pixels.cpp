@@ -4,10 +4,21 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <map>
+#include <mutex>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "io/dicom_series.h"
 #include "io/itk_image.h"
 
@@ -15,6 +26,12 @@ namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Takes the stored values of the n-th wanted frame, as words of the layout's size or as numbers.
+struct FrameSink {
+  std::function<void(std::size_t n, const unsigned char* words)> words;
+  std::function<void(std::size_t n, const float* values)> values;
+};
 
 void registerCodecs() {
   static const bool done = [] {
@@ -31,90 +48,288 @@ void registerCodecs() {
                 "copy the file again");
 }
 
-struct Layout {
-  Uint16 allocated = 16, stored = 16, high = 15, isSigned = 0;
+std::size_t frameBytes(const DicomFile& file) {
+  return file.pixels() * static_cast<std::size_t>(file.layout.allocated / 8);
+}
+
+/// A descriptor that is closed with the object.
+class OpenFile {
+ public:
+  explicit OpenFile(const fs::path& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  [[nodiscard]] std::uint64_t size() const {
+    struct stat state {};
+    return ::fstat(descriptor_, &state) == 0 ? static_cast<std::uint64_t>(state.st_size) : 0;
+  }
+  [[nodiscard]] bool read(std::uint64_t at, void* to, std::size_t count) const {
+    auto* bytes = static_cast<unsigned char*>(to);
+    while (count > 0) {
+      const ssize_t got = ::pread(descriptor_, bytes, count, static_cast<off_t>(at));
+      if (got <= 0) return false;
+      bytes += got;
+      at += static_cast<std::uint64_t>(got);
+      count -= static_cast<std::size_t>(got);
+    }
+    return true;
+  }
+
+ private:
+  int descriptor_;
 };
 
-/// Value of `stored` bits that end at bit `high`, with its sign.
-template <class Word>
-float valueOf(Word word, const Layout& layout) {
-  const std::uint64_t bits =
-      static_cast<std::uint64_t>(word) >> static_cast<unsigned>(layout.high + 1 - layout.stored);
-  const std::uint64_t mask = (std::uint64_t{1} << layout.stored) - 1;
-  const std::uint64_t value = bits & mask;
-  const bool negative = layout.isSigned != 0 && (value >> (layout.stored - 1U)) != 0;
-  return negative ? static_cast<float>(static_cast<std::int64_t>(value) -
-                                       static_cast<std::int64_t>(mask) - 1)
-                  : static_cast<float>(value);
+/// Where uncompressed pixels begin when they are the last element of the file, else 0.
+std::uint64_t pixelsAtEnd(const OpenFile& open, const DicomFile& file) {
+  const std::uint64_t bytes = frameBytes(file) * static_cast<std::uint64_t>(file.frames);
+  const std::uint64_t length = bytes + bytes % 2;
+  const std::uint64_t size = open.size();
+  constexpr std::uint64_t kExplicit = 12;  // tag, VR, two bytes of nothing, length
+  std::array<unsigned char, kExplicit> head{};
+  if (length > 0xfffffffeU || size < length + 132 ||
+      !open.read(size - length - kExplicit, head.data(), head.size()))
+    return 0;
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, head.data() + at, sizeof(value));
+    return value;
+  };
+  constexpr std::uint32_t kPixelData = 0x00107fe0;  // (7fe0,0010) as it lies in the file
+  const bool isExplicit =
+      number(0) == kPixelData && (head[4] == 'O' && head[5] != 'V') && number(8) == length;
+  const bool isImplicit = number(4) == kPixelData && number(8) == length;
+  return isExplicit || isImplicit ? size - length : 0;
 }
 
-template <class Word>
-void unpack(const Word* words, const Layout& layout, std::vector<float>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = valueOf(words[i], layout);
+bool readNative(const DicomFile& file, const std::vector<int>& frames, const FrameSink& sink) {
+  const PixelLayout& layout = file.layout;
+  if (layout.encapsulated || layout.deflated || layout.bigEndian) return false;
+  const OpenFile open(file.path);
+  const std::uint64_t start = pixelsAtEnd(open, file);
+  if (start == 0) return false;
+  std::vector<unsigned char> words(frameBytes(file));
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    const std::uint64_t at =
+        start + static_cast<std::uint64_t>(frames[n]) * static_cast<std::uint64_t>(words.size());
+    if (!open.read(at, words.data(), words.size())) damaged(file.path, "it cannot be read");
+    sink.words(n, words.data());
+  }
+  return true;
 }
 
-Layout layoutOf(DcmDataset& data, const fs::path& file) {
-  Layout layout;
-  if (data.findAndGetUint16(DCM_BitsAllocated, layout.allocated).bad() ||
-      (layout.allocated != 8 && layout.allocated != 16 && layout.allocated != 32))
-    throw InputError("BitsAllocated is not 8, 16 or 32", file.filename().string(),
+/// Frame by frame, so that a long multi-frame object is never in memory as a whole; false when
+/// DCMTK's codec does not do this.
+bool readCompressed(DcmDataset& data, const DicomFile& file, const std::vector<int>& frames,
+                    const FrameSink& sink) {
+  DcmElement* element = nullptr;
+  if (data.findAndGetElement(DCM_PixelData, element).bad() || element == nullptr)
+    damaged(file.path, "no pixel data");
+  Uint32 bytes = 0;
+  if (element->getUncompressedFrameSize(&data, bytes).bad()) return false;
+  const std::size_t wanted = frameBytes(file);
+  if (bytes < wanted || bytes > wanted + 1) return false;
+  std::vector<unsigned char> words(wanted + 1 + (wanted + 1) % 2);
+  Uint32 fragment = 0;
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    OFString colour;
+    if (n > 0 && frames[n] != frames[n - 1] + 1) fragment = 0;
+    if (element
+            ->getUncompressedFrame(&data, static_cast<Uint32>(frames[n]), fragment, words.data(),
+                                   static_cast<Uint32>(words.size()), colour)
+            .bad()) {
+      if (n == 0) return false;
+      damaged(file.path, "frame " + std::to_string(frames[n] + 1));
+    }
+    sink.words(n, words.data());
+  }
+  return true;
+}
+
+/// All frames at once, through DCMTK's own conversion.
+void readWhole(DcmDataset& data, const DicomFile& file, const std::vector<int>& frames,
+               const FrameSink& sink) {
+  const E_TransferSyntax syntax = data.getOriginalXfer();
+  const OFCondition status = data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr);
+  if (status.bad()) {
+    if (!file.layout.encapsulated) damaged(file.path, status.text());
+    throw InputError(std::string("cannot decompress ") + DcmXfer(syntax).getXferName() + " (" +
+                         status.text() + ")",
+                     file.path.filename().string(), "decompress the series with another program");
+  }
+  DcmElement* element = nullptr;
+  if (data.findAndGetElement(DCM_PixelData, element).bad() || element == nullptr)
+    damaged(file.path, "no pixel data");
+  const std::size_t bytes = frameBytes(file) * static_cast<std::size_t>(file.frames);
+  if (element->getLength() < bytes)
+    damaged(file.path,
+            std::to_string(element->getLength()) + " of " + std::to_string(bytes) + " bytes");
+  Uint8* bytes8 = nullptr;
+  Uint16* words16 = nullptr;
+  const unsigned char* start = nullptr;
+  if (file.layout.allocated == 8 && element->getUint8Array(bytes8).good())
+    start = bytes8;
+  else if (element->getUint16Array(words16).good())
+    start = reinterpret_cast<const unsigned char*>(words16);  // 8 bit: two pixels in a word
+  if (start == nullptr) damaged(file.path, "no pixels");
+  for (std::size_t n = 0; n < frames.size(); ++n)
+    sink.words(n, start + static_cast<std::size_t>(frames[n]) * frameBytes(file));
+}
+
+void readFile(const DicomFile& file, const std::vector<int>& frames, const FrameSink& sink) {
+  const int allocated = file.layout.allocated;
+  if (allocated != 8 && allocated != 16 && allocated != 32)
+    throw InputError("BitsAllocated is not 8, 16 or 32", file.path.filename().string(),
                      "convert the series with another program");
-  if (data.findAndGetUint16(DCM_BitsStored, layout.stored).bad() || layout.stored < 1 ||
-      layout.stored > layout.allocated)
-    layout.stored = layout.allocated;
-  if (data.findAndGetUint16(DCM_HighBit, layout.high).bad() || layout.high + 1 < layout.stored ||
-      layout.high >= layout.allocated)
-    layout.high = static_cast<Uint16>(layout.stored - 1);
-  if (data.findAndGetUint16(DCM_PixelRepresentation, layout.isSigned).bad()) layout.isSigned = 0;
-  return layout;
+  if (readNative(file, frames, sink)) return;
+  if (file.layout.jpeg2000) {
+    const std::vector<float> all =
+        itkReadDicomPixels(file.path, file.pixels() * static_cast<std::size_t>(file.frames));
+    for (std::size_t n = 0; n < frames.size(); ++n)
+      sink.values(n, all.data() + static_cast<std::size_t>(frames[n]) * file.pixels());
+    return;
+  }
+  registerCodecs();
+  DcmFileFormat format;
+  const OFCondition status = format.loadFile(file.path.c_str());
+  if (status.bad()) damaged(file.path, status.text());
+  DcmDataset& data = *format.getDataset();
+  if (file.layout.encapsulated && readCompressed(data, file, frames, sink)) return;
+  readWhole(data, file, frames, sink);
+}
+
+struct Rescale {
+  double slope, intercept;
+  std::optional<std::array<int, 2>> padding;
+};
+
+/// What a conversion met beside plain values.
+struct Padding {
+  std::size_t voxels = 0;
+  float smallest = std::numeric_limits<float>::infinity();  ///< of the others
+};
+
+template <class Value>
+void rescale(const Value& valueAt, std::size_t count, const Rescale& how, float* to,
+             Padding& padding) {
+  for (std::size_t i = 0; i < count; ++i)
+    to[i] = static_cast<float>(how.slope * static_cast<double>(valueAt(i)) + how.intercept);
+  if (!how.padding) return;
+  const auto [from, until] = *how.padding;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto stored = static_cast<std::int64_t>(valueAt(i));
+    if (stored >= from && stored <= until) {
+      to[i] = std::numeric_limits<float>::quiet_NaN();
+      ++padding.voxels;
+    } else {
+      padding.smallest = std::min(padding.smallest, to[i]);
+    }
+  }
+}
+
+/// Value of `stored` bits that end at bit `high`, with its sign.
+template <class Word, class Wide>
+void rescaleWords(const unsigned char* words, std::size_t count, const PixelLayout& layout,
+                  const Rescale& how, float* to, Padding& padding) {
+  // Shifted up to the top and down again: the sign comes along, foreign bits above go.
+  const auto bits = static_cast<int>(8 * sizeof(Wide));
+  const int up = bits - 1 - layout.high;
+  const int down = bits - layout.stored;
+  const auto valueAt = [&](std::size_t i) {
+    Word word;
+    std::memcpy(&word, words + i * sizeof(Word), sizeof(Word));
+    return static_cast<Wide>(
+        static_cast<Wide>(static_cast<std::make_unsigned_t<Wide>>(word) << up) >> down);
+  };
+  rescale(valueAt, count, how, to, padding);
+}
+
+void convertFrame(const DicomFile& file, const DicomFrame& frame, const unsigned char* words,
+                  float* to, Padding& padding) {
+  const PixelLayout& layout = file.layout;
+  const Rescale how{frame.slope, frame.intercept, layout.padding};
+  const std::size_t count = file.pixels();
+  if (layout.allocated == 8 && layout.isSigned)
+    rescaleWords<std::uint8_t, std::int32_t>(words, count, layout, how, to, padding);
+  else if (layout.allocated == 8)
+    rescaleWords<std::uint8_t, std::uint32_t>(words, count, layout, how, to, padding);
+  else if (layout.allocated == 16 && layout.isSigned)
+    rescaleWords<std::uint16_t, std::int32_t>(words, count, layout, how, to, padding);
+  else if (layout.allocated == 16)
+    rescaleWords<std::uint16_t, std::uint32_t>(words, count, layout, how, to, padding);
+  else if (layout.isSigned)
+    rescaleWords<std::uint32_t, std::int32_t>(words, count, layout, how, to, padding);
+  else
+    rescaleWords<std::uint32_t, std::uint32_t>(words, count, layout, how, to, padding);
+}
+
+/// Reads the frames `wanted` (numbers of stack.frames), all of one file, to where `place` says.
+Padding readFramesOfFile(const DicomStack& stack, std::vector<std::size_t> wanted,
+                         const std::function<float*(std::size_t)>& place) {
+  std::sort(wanted.begin(), wanted.end(), [&](std::size_t a, std::size_t b) {
+    return stack.frames[a].index < stack.frames[b].index;
+  });
+  const DicomFile& file = stack.fileOf(stack.frames[wanted.front()]);
+  std::vector<int> indices;
+  for (const std::size_t w : wanted) indices.push_back(stack.frames[w].index);
+  Padding padding;
+  FrameSink sink;
+  sink.words = [&](std::size_t n, const unsigned char* words) {
+    convertFrame(file, stack.frames[wanted[n]], words, place(wanted[n]), padding);
+  };
+  sink.values = [&](std::size_t n, const float* values) {
+    const DicomFrame& frame = stack.frames[wanted[n]];
+    rescale([&](std::size_t i) { return values[i]; }, file.pixels(),
+            {frame.slope, frame.intercept, file.layout.padding}, place(wanted[n]), padding);
+  };
+  readFile(file, indices, sink);
+  return padding;
+}
+
+void fillPadding(float* values, std::size_t count, float with) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (std::isnan(values[i])) values[i] = with;
+}
+
+float fillingOf(const Padding& padding) {
+  return std::isfinite(padding.smallest) ? padding.smallest : 0.0F;
 }
 
 }  // namespace
 
-std::vector<float> decodeDicomFile(const DicomFrame& frame) {
-  registerCodecs();
-  const fs::path& file = frame.file;
-  const std::size_t count = pixelsOf(frame) * static_cast<std::size_t>(frame.framesInFile);
-  DcmFileFormat format;
-  OFCondition status = format.loadFile(file.c_str());
-  if (status.bad()) damaged(file, status.text());
-  DcmDataset& data = *format.getDataset();
-  const E_TransferSyntax syntax = data.getOriginalXfer();
-  if (syntax == EXS_JPEG2000 || syntax == EXS_JPEG2000LosslessOnly ||
-      syntax == EXS_JPEG2000Multicomponent || syntax == EXS_JPEG2000MulticomponentLosslessOnly)
-    return itkReadDicomPixels(file, count);
-  status = data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr);
-  if (status.bad()) {
-    if (!DcmXfer(syntax).isEncapsulated()) damaged(file, status.text());
-    throw InputError(std::string("cannot decompress ") + DcmXfer(syntax).getXferName() + " (" +
-                         status.text() + ")",
-                     file.filename().string(), "decompress the series with another program");
-  }
-  DcmElement* pixels = nullptr;
-  if (data.findAndGetElement(DCM_PixelData, pixels).bad() || pixels == nullptr)
-    damaged(file, "no pixel data");
-  const Layout layout = layoutOf(data, file);
-  const std::size_t bytes = count * (layout.allocated / 8U);
-  const std::size_t present = pixels->getLength();
-  if (present < bytes)
-    damaged(file, std::to_string(present) + " of " + std::to_string(bytes) + " bytes");
-  std::vector<float> values(count);
-  Uint8* bytes8 = nullptr;
-  Uint16* words16 = nullptr;
-  if (layout.allocated == 8 && pixels->getUint8Array(bytes8).good() && bytes8 != nullptr)
-    unpack(bytes8, layout, values);
-  else if (layout.allocated == 8 && pixels->getUint16Array(words16).good() && words16 != nullptr)
-    // Two pixels in a word, as OW stores them.
-    unpack(reinterpret_cast<const Uint8*>(words16), layout, values);
-  else if (layout.allocated == 16 && pixels->getUint16Array(words16).good() && words16 != nullptr)
-    unpack(words16, layout, values);
-  else if (layout.allocated == 32 && pixels->getUint16Array(words16).good() && words16 != nullptr)
-    for (std::size_t i = 0; i < count; ++i)
-      values[i] = valueOf(static_cast<std::uint32_t>(words16[2 * i]) |
-                              (static_cast<std::uint32_t>(words16[2 * i + 1]) << 16U),
-                          layout);
-  else
-    damaged(file, "no pixels");
+std::size_t readFrames(const DicomStack& stack, Volume<float>& image, const Progress& progress) {
+  std::vector<std::vector<std::size_t>> framesOfFile(stack.files.size());
+  for (std::size_t f = 0; f < stack.frames.size(); ++f)
+    framesOfFile[stack.frames[f].file].push_back(f);
+  const std::size_t pixels = stack.fileOf(stack.frames.front()).pixels();
+  Padding all;
+  std::mutex mutex;
+  std::atomic<std::size_t> done{0};
+  parallelFor(0, framesOfFile.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      progress.report(static_cast<double>(done++) / static_cast<double>(framesOfFile.size()));
+      if (framesOfFile[i].empty()) continue;
+      const Padding padding = readFramesOfFile(
+          stack, framesOfFile[i], [&](std::size_t f) { return image.voxels.data() + f * pixels; });
+      if (!stack.files[i].layout.padding) continue;
+      const std::lock_guard lock(mutex);
+      all.voxels += padding.voxels;
+      all.smallest = std::min(all.smallest, padding.smallest);
+    }
+  });
+  if (all.voxels > 0) fillPadding(image.voxels.data(), image.voxels.size(), fillingOf(all));
+  return all.voxels;
+}
+
+std::vector<float> readFrame(const DicomStack& stack, const DicomFrame& frame) {
+  std::vector<float> values(stack.fileOf(frame).pixels());
+  const auto number = static_cast<std::size_t>(&frame - stack.frames.data());
+  const Padding padding =
+      readFramesOfFile(stack, {number}, [&](std::size_t) { return values.data(); });
+  if (padding.voxels > 0) fillPadding(values.data(), values.size(), fillingOf(padding));
   return values;
 }
 

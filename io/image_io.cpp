@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/image_io.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <system_error>
@@ -26,12 +27,12 @@ bool isFolder(const fs::path& path) {
   return fs::is_directory(path, error);
 }
 
-LoadedImage read(const fs::path& path, const std::string& seriesUid, const Progress& progress) {
+LoadedImage read(const fs::path& path, const ReadOptions& options, const Progress& progress) {
   progress.check();
-  if (isFolder(path)) return readDicom(path, seriesUid, progress);
+  if (isFolder(path)) return readDicom(path, options, progress);
   const ImageFormat format = imageFormat(path);
-  if (format == ImageFormat::Dicom) return readDicom(path, seriesUid, progress);
-  if (!seriesUid.empty())
+  if (format == ImageFormat::Dicom) return readDicom(path, options, progress);
+  if (!options.series.empty())
     throw InputError("a series is chosen, but this is not DICOM", path.string(),
                      "leave the series out");
   HeaderFacts facts = checkHeader(path, format, true);
@@ -67,9 +68,43 @@ void write(const Volume<T>& volume, const fs::path& path) {
 
 }  // namespace
 
-LoadedImage readImage(const fs::path& path, const std::string& seriesUid,
+std::array<double, 2> DisplayWindow::range() const {
+  // PS3.3 C.11.2.1.2.1: the plain linear function is off by half a step and one step.
+  if (function == "LINEAR" && width > 1.0)
+    return {level - 0.5 - 0.5 * (width - 1.0), level - 0.5 + 0.5 * (width - 1.0)};
+  return {level - 0.5 * width, level + 0.5 * width};
+}
+
+std::vector<std::string> reportWarnings(const InputInfo& info) {
+  std::vector<std::string> texts = info.warnings;
+  for (const Finding& finding : info.findings) texts.push_back(finding.text);
+  return texts;
+}
+
+std::vector<std::string> screenWarnings(const InputInfo& info) {
+  std::vector<std::string> texts = info.warnings;
+  for (const Finding& finding : info.findings) texts.push_back(screenText(finding));
+  return texts;
+}
+
+const Finding* ImageSummary::refusal() const {
+  const auto found = std::find_if(info.findings.begin(), info.findings.end(),
+                                  [](const Finding& finding) { return finding.refuses; });
+  return found != info.findings.end() ? &*found : nullptr;
+}
+
+LoadedImage readImage(const fs::path& path, const ReadOptions& options, const Progress& progress) {
+  LoadedImage loaded = read(path, options, progress);
+  checkUsable(loaded.image, path.string());
+  progress.report(1.0);
+  return loaded;
+}
+
+LoadedImage readImage(const ImageSummary& entry, const fs::path& path, bool evenOut,
                       const Progress& progress) {
-  LoadedImage loaded = read(path, seriesUid, progress);
+  if (!entry.stack) return readImage(path, {}, progress);
+  progress.phase("reading");
+  LoadedImage loaded = readDicomStack(entry.stack, evenOut, path, progress.sub(0.0, 0.9));
   checkUsable(loaded.image, path.string());
   progress.report(1.0);
   return loaded;
@@ -88,14 +123,14 @@ Volume<std::uint8_t> readMask(const fs::path& path) {
   return mask;
 }
 
-std::vector<ImageSummary> describeImages(const fs::path& path) {
-  if (isFolder(path)) return describeDicom(path);
+std::vector<ImageSummary> describeImages(const fs::path& path, const Progress& progress) {
+  if (isFolder(path)) return describeDicom(path, progress);
   const ImageFormat format = imageFormat(path);
-  if (format == ImageFormat::Dicom) return describeDicom(path);
+  if (format == ImageFormat::Dicom) return describeDicom(path, progress);
   HeaderFacts facts = checkHeader(path, format, false);
   ImageSummary summary = itkDescribe(path, format);
   addFacts(summary.info, std::move(facts));
-  return {summary};
+  return {std::move(summary)};
 }
 
 void writeVolume(const Volume<float>& volume, const fs::path& path) { write(volume, path); }

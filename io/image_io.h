@@ -1,51 +1,94 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/image/projection.h"
 #include "core/image/volume.h"
+#include "io/finding.h"
 
 namespace angiomesh {
+
+struct DicomStack;
+
+/// A window that a file proposes, as stated in it (DICOM PS3.3 C.11.2).
+struct DisplayWindow {
+  double width = 0.0, level = 0.0;
+  std::string function = "LINEAR";  ///< or LINEAR_EXACT, SIGMOID
+  std::string name;
+
+  /// Values that are drawn black and white.
+  [[nodiscard]] std::array<double, 2> range() const;
+};
 
 /// What `info` says of an input, beside the volume. Nothing here identifies a patient.
 struct InputInfo {
   std::string format;     ///< "MetaImage", "NRRD", "NIfTI", "DICOM"
   std::string modality;   ///< "MR", "CT", "" when the file does not say
   std::string pixelType;  ///< "int16" ...
-  std::string seriesUid;  ///< DICOM only
-  std::string seriesDescription;
+  // DICOM only:
+  std::string seriesUid;  ///< with "/2" behind it for the second volume of several in a series
+  std::string seriesDescription, seriesNumber;
+  std::string date;         ///< YYYY-MM-DD, of the series or the acquisition
+  std::string orientation;  ///< "axial", "oblique coronal" ...
+  std::vector<Finding> findings;
   int files = 1;
-  std::optional<double> window, level;  ///< from the file
-  std::vector<std::string> warnings;
+  std::vector<DisplayWindow> windows;  ///< from the file
+  std::vector<std::string> warnings;   ///< hold no name of a file
 };
+
+/// Warnings and the texts of findings that do not refuse, for a report: no name of a file.
+std::vector<std::string> reportWarnings(const InputInfo& info);
+/// The same for the screen.
+std::vector<std::string> screenWarnings(const InputInfo& info);
 
 struct LoadedImage {
   Volume<float> image;
   InputInfo info;
 };
 
+struct ReadOptions {
+  std::string series;    ///< UID of a DICOM series, or the end of it; "/2" for a part of it
+  bool evenOut = false;  ///< missing or uneven DICOM slices: resample instead of refusing
+};
+
 /// Reads .mha/.mhd, .nrrd/.nhdr, .nii/.nii.gz (any pixel type, any direction; NIfTI turned to LPS),
-/// one DICOM file, or a folder that holds one DICOM series (`seriesUid` chooses among several).
-/// Checked by checkUsable().
+/// one DICOM file, or a folder in or below which a DICOM series lies (`series` chooses among
+/// several). Checked by checkUsable().
 /// @throws IoError (missing, unreadable, truncated), InputError (not 3D, not an image, constant,
-/// NaN, several series)
-LoadedImage readImage(const std::filesystem::path& path, const std::string& seriesUid = {},
+/// NaN, several series), UnevenSlicesError
+LoadedImage readImage(const std::filesystem::path& path, const ReadOptions& options = {},
                       const Progress& progress = {});
 
 /// As readImage() but without checkUsable(), for masks: a mask may be constant.
 Volume<std::uint8_t> readMask(const std::filesystem::path& path);
 
-/// Geometry, format and pixel type from the headers, for `info`; DICOM folders give one entry per
-/// series.
+/// Geometry, format and pixel type from the headers; DICOM folders give one entry per series.
 struct ImageSummary {
   Geometry geometry;
   InputInfo info;
+  std::shared_ptr<const DicomStack> stack;  ///< DICOM only
+
+  /// The finding for which no volume can be made of it, or null.
+  [[nodiscard]] const Finding* refusal() const;
 };
-std::vector<ImageSummary> describeImages(const std::filesystem::path& path);
+std::vector<ImageSummary> describeImages(const std::filesystem::path& path,
+                                         const Progress& progress = {});
+
+/// Reads an entry of a DICOM folder without looking through the folder again.
+/// @throws as readImage()
+LoadedImage readImage(const ImageSummary& entry, const std::filesystem::path& path, bool evenOut,
+                      const Progress& progress = {});
+
+/// The middle slice of a DICOM entry, in the window of the file or the 1st to the 99.8th
+/// percentile, pixels square, the longer side `size` pixels. Empty when it cannot be read.
+Picture thumbnail(const ImageSummary& entry, int size);
 
 /// Writes by extension (.mha, .nrrd, .nii, .nii.gz; compressed) to a temporary name, then renames.
 /// @throws IoError (no such folder, no permission, disk full): nothing is left behind

@@ -22,19 +22,47 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
+/// The findings of a DICOM series: without names of files in JSON, which may be kept.
+Json findingsOf(const InputInfo& info) {
+  Json list = Json::array();
+  for (const Finding& finding : info.findings) {
+    Json entry{{"kind", findingWord(finding.kind)}, {"text", finding.text}};
+    if (!finding.slices.empty()) entry["slices"] = finding.slices;
+    entry["usable"] = !finding.refuses;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json windowsOf(const InputInfo& info) {
+  Json list = Json::array();
+  for (const DisplayWindow& window : info.windows) {
+    Json entry{{"width", window.width}, {"level", window.level}, {"function", window.function}};
+    if (!window.name.empty()) entry["name"] = window.name;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 Json describe(const Geometry& g, const InputInfo& info) {
   const auto list = [](const auto& v) { return Json{v[0], v[1], v[2]}; };
   Json block{{"format", info.format}, {"pixel_type", info.pixelType}};
-  if (!info.modality.empty()) block["modality"] = info.modality;
-  if (!info.seriesUid.empty()) block["series_uid"] = info.seriesUid;
-  if (!info.seriesDescription.empty()) block["series_description"] = info.seriesDescription;
+  const auto text = [&](const char* key, const std::string& value) {
+    if (!value.empty()) block[key] = value;
+  };
+  text("modality", info.modality);
+  text("series_uid", info.seriesUid);
+  text("series_description", info.seriesDescription);
+  text("series_number", info.seriesNumber);
+  text("date", info.date);
+  text("orientation", info.orientation);
   block["files"] = info.files;
   block["size"] = g.size;
   block["spacing_mm"] = list(g.spacing);
   block["origin_mm"] = list(g.origin);
   for (int row = 0; row < 3; ++row) block["direction"].push_back(list(g.direction.row(row)));
-  if (info.window) block["window"] = *info.window;
-  if (info.level) block["level"] = *info.level;
+  if (!info.windows.empty()) block["windows"] = windowsOf(info);
+  if (!info.findings.empty()) block["findings"] = findingsOf(info);
   return block;
 }
 
@@ -44,13 +72,16 @@ void printDescription(const Json& block) {
     std::printf("%.6g, %.6g, %.6g\n", v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
   };
   std::printf("format     %s, %s", text("format").c_str(), text("pixel_type").c_str());
-  if (block.contains("modality")) std::printf(", %s", text("modality").c_str());
+  for (const char* key : {"modality", "orientation", "date"})
+    if (block.contains(key)) std::printf(", %s", text(key).c_str());
   const int files = block.at("files").get<int>();
   if (files > 1) std::printf(", %d files", files);
   std::printf("\n");
   if (block.contains("series_uid")) std::printf("series     %s\n", text("series_uid").c_str());
-  if (block.contains("series_description"))
-    std::printf("           %s\n", text("series_description").c_str());
+  if (block.contains("series_number") || block.contains("series_description"))
+    std::printf("           %s\n", (block.value("series_number", std::string()) + "  " +
+                                    block.value("series_description", std::string()))
+                                       .c_str());
   const Json& size = block.at("size");
   std::printf("size       %d x %d x %d voxels\n", size[0].get<int>(), size[1].get<int>(),
               size[2].get<int>());
@@ -65,30 +96,50 @@ void printDescription(const Json& block) {
   if (block.contains("range"))
     std::printf("range      %.6g .. %.6g\n", block["range"][0].get<double>(),
                 block["range"][1].get<double>());
+  for (const Json& window : block.value("windows", Json::array()))
+    std::printf("window     %g, level %g  %s\n", window["width"].get<double>(),
+                window["level"].get<double>(), window.value("name", std::string()).c_str());
 }
 
 struct InfoOptions {
-  std::string input, series;
+  ReadOptions reading;
+  std::string input;
   bool json = false;
 };
 
-int info(const InfoOptions& options, const Progress& progress) {
-  std::vector<ImageSummary> summaries = describeImages(options.input);
-  std::vector<std::string> warnings;
-  std::vector<Json> blocks;
-  for (const ImageSummary& summary : summaries) {
-    if (!options.series.empty() && summary.info.seriesUid != options.series) continue;
-    blocks.push_back(describe(summary.geometry, summary.info));
-    const auto& more = summary.info.warnings;
-    warnings.insert(warnings.end(), more.begin(), more.end());
-  }
-  if (blocks.empty())
+bool isWanted(const ImageSummary& entry, const std::string& series) {
+  const std::string& id = entry.info.seriesUid;
+  return id.ends_with(series) || id.substr(0, id.find('/')).ends_with(series);
+}
+
+std::vector<ImageSummary> wantedEntries(const InfoOptions& options, const Progress& progress) {
+  std::vector<ImageSummary> entries = describeImages(options.input, progress);
+  std::vector<ImageSummary> wanted;
+  for (ImageSummary& entry : entries)
+    if (isWanted(entry, options.reading.series)) wanted.push_back(std::move(entry));
+  if (wanted.empty())
     throw InputError("no such series", options.input, "list the series without --series");
-  if (blocks.size() == 1) {
-    const LoadedImage loaded = readImage(options.input, options.series, progress);
+  return wanted;
+}
+
+int info(const InfoOptions& options, const Progress& progress) {
+  const std::vector<ImageSummary> entries = wantedEntries(options, progress.sub(0.0, 0.4));
+  std::vector<std::string> warnings = entries.front().info.warnings;
+  std::vector<Json> blocks;
+  for (const ImageSummary& entry : entries) blocks.push_back(describe(entry.geometry, entry.info));
+  InputInfo single = entries.front().info;
+  const bool readable =
+      single.findings.empty() || options.reading.evenOut || entries.front().refusal() == nullptr;
+  if (blocks.size() == 1 && readable) {
+    const LoadedImage loaded =
+        readImage(entries.front(), options.input, options.reading.evenOut, progress.sub(0.4, 1.0));
+    single = loaded.info;
+    single.warnings.insert(single.warnings.begin(), warnings.begin(), warnings.end());
+    if (!entries.front().stack) single.warnings = loaded.info.warnings;
+    warnings = single.warnings;
+    blocks.front() = describe(loaded.image.geometry, loaded.info);
     const std::array<float, 2> range = valueRange(loaded.image);
     blocks.front()["range"] = {range[0], range[1]};
-    warnings = loaded.info.warnings;
   }
   if (options.json) {
     Json report{{"schema", 1}, {"warnings", warnings}};
@@ -99,8 +150,12 @@ int info(const InfoOptions& options, const Progress& progress) {
     std::printf("%s\n", report.dump(2).c_str());
     return Done;
   }
-  for (const Json& block : blocks) {
-    printDescription(block);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    printDescription(blocks[i]);
+    const InputInfo& shown = blocks.size() == 1 ? single : entries[i].info;
+    for (const Finding& finding : shown.findings)
+      std::printf("%s %s: %s\n", finding.refuses ? "NO VOLUME " : "note      ",
+                  findingWord(finding.kind).c_str(), screenText(finding).c_str());
     if (blocks.size() > 1) std::printf("\n");
   }
   for (const std::string& warning : warnings) printWarning(warning);
@@ -168,7 +223,8 @@ int phantom(PhantomOptions options, const Progress& progress) {
 }
 
 struct ConvertOptions {
-  std::string input, output, series, unit = "mm", frame = "lps";
+  ReadOptions reading;
+  std::string input, output, unit = "mm", frame = "lps";
 };
 
 bool isMeshName(const fs::path& path) {
@@ -192,8 +248,8 @@ int convert(const ConvertOptions& options, const Progress& progress) {
     writeMesh(readMesh(options.input), options.output, write);
     return Done;
   }
-  const LoadedImage loaded = readImage(options.input, options.series, progress);
-  for (const std::string& warning : loaded.info.warnings) printWarning(warning);
+  const LoadedImage loaded = readImage(options.input, options.reading, progress);
+  printWarnings(loaded.info);
   if (loaded.info.pixelType == "uint8" && fitsBytes(loaded.image)) {
     Volume<std::uint8_t> bytes(loaded.image.geometry);
     std::transform(loaded.image.voxels.begin(), loaded.image.voxels.end(), bytes.voxels.begin(),
@@ -211,7 +267,7 @@ void addInfo(CLI::App& program, Session& session) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand("info", "Geometry, range and series of an input");
   command->add_option("INPUT", options->input, "Image file or DICOM folder")->required();
-  command->add_option("--series", options->series, "UID of one series of a DICOM folder");
+  addReading(*command, options->reading);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &session] {
     session.action = [options, &session] { return info(*options, session.progress); };
@@ -265,7 +321,7 @@ void addConvert(CLI::App& program, Session& session) {
   command->add_option("INPUT", options->input, "Volume or mesh")->required();
   command->add_option("-o,--output", options->output, "File to write; its name tells the format")
       ->required();
-  command->add_option("--series", options->series, "UID of one series of a DICOM folder");
+  addReading(*command, options->reading);
   command->add_option("--unit", options->unit, "Of a mesh: mm or m")
       ->check(CLI::IsMember({"mm", "m"}));
   command->add_option("--frame", options->frame, "Of a mesh: lps or ras")

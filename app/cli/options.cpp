@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "app/cli/session.h"
 #include "core/base/error.h"
 #include "io/files.h"
 
@@ -88,6 +89,22 @@ std::vector<std::string> joinNumbers(int argc, char** argv) {
     arguments.push_back(std::move(argument));
   }
   return arguments;
+}
+
+void addReading(CLI::App& command, ReadOptions& options) {
+  command.add_option("--series", options.series,
+                     "Of a DICOM folder: the UID of a series, or the end of it");
+  command
+      .add_option_function<std::string>(
+          "--uneven-slices",
+          [&options](const std::string& text) { options.evenOut = text == "resample"; },
+          "Where DICOM slices are missing or uneven: stop, or resample them to an even distance")
+      ->check(CLI::IsMember({"stop", "resample"}))
+      ->default_str("stop");
+}
+
+void printWarnings(const InputInfo& info) {
+  for (const std::string& warning : screenWarnings(info)) printWarning(warning);
 }
 
 }  // namespace angiomesh::cli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/pipeline/parameters.h"
+#include "io/image_io.h"
 
 namespace angiomesh::cli {
 
@@ -35,5 +36,11 @@ void addPlaces(CLI::App& command, ParameterOptions& options);
 
 /// "--seed -1,2,3" as "--seed=-1,2,3", so that numbers with a minus are not taken for options.
 std::vector<std::string> joinNumbers(int argc, char** argv);
+
+/// Adds --series and --uneven-slices.
+void addReading(CLI::App& command, ReadOptions& options);
+
+/// Prints what reading had to say, with the names of files.
+void printWarnings(const InputInfo& info);
 
 }  // namespace angiomesh::cli

@@ -32,7 +32,8 @@ const std::vector<std::string> kRunFiles{"preprocessed.nrrd", "vesselness.nrrd",
 
 struct RunCommandOptions {
   ParameterOptions settings;
-  std::string input, output, series, until = "quality", truth;
+  ReadOptions reading;
+  std::string input, output, until = "quality", truth;
   bool force = false;
 };
 
@@ -57,10 +58,11 @@ Loaded load(const RunCommandOptions& options, const Progress& progress) {
   progress.phase("load");
   const auto start = std::chrono::steady_clock::now();
   const double cpu = processorSeconds();
-  LoadedImage loaded = readImage(options.input, options.series, progress);
+  LoadedImage loaded = readImage(options.input, options.reading, progress);
   Loaded result;
   result.stage.step = Step::Load;
-  result.stage.warnings = loaded.info.warnings;
+  printWarnings(loaded.info);
+  result.stage.warnings = reportWarnings(loaded.info);
   result.source = makeSource(std::move(loaded.image), "input");
   result.stage.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -131,7 +133,6 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   std::optional<Volume<std::uint8_t>> truth;
   if (!options.truth.empty()) truth = readMask(options.truth);
   const Loaded loaded = load(options, progress.sub(0.0, kLoaded));
-  for (const std::string& warning : loaded.stage.warnings) printWarning(warning);
   Pipeline pipeline(loaded.source);
   RunResult result = pipeline.run(params, runOptions, progress.sub(kLoaded, kComputed));
   addLoadStage(result, loaded.stage);
@@ -167,7 +168,7 @@ void addRun(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("run", "The whole pipeline: an image in, a mesh out");
   command->add_option("INPUT", options->input, "Image file or DICOM folder")->required();
   command->add_option("-o,--output", options->output, "Folder to write")->required();
-  command->add_option("--series", options->series, "UID of one series of a DICOM folder");
+  addReading(*command, options->reading);
   addSettings(*command, options->settings);
   addPlaces(*command, options->settings);
   command->add_option("--until", options->until,

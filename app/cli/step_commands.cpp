@@ -18,14 +18,15 @@ namespace {
 
 struct StepOptions {
   ParameterOptions settings;
-  std::string input, output, series, phi, method;
+  ReadOptions reading;
+  std::string input, output, phi, method;
 };
 
 RunResult runUntil(Step step, const StepOptions& options, const Progress& progress) {
   Parameters params = options.settings.parameters();
   if (!options.method.empty()) setFieldFromText(params, "segmentation.method", options.method);
-  LoadedImage loaded = readImage(options.input, options.series, progress.sub(0.0, 0.05));
-  for (const std::string& warning : loaded.info.warnings) printWarning(warning);
+  LoadedImage loaded = readImage(options.input, options.reading, progress.sub(0.0, 0.05));
+  printWarnings(loaded.info);
   Pipeline pipeline(makeSource(std::move(loaded.image), "input"));
   RunOptions runOptions;
   runOptions.until = step;
@@ -79,7 +80,7 @@ std::shared_ptr<StepOptions> addStep(CLI::App& program, Session& session, const 
 
 void addImageOptions(CLI::App& program, const char* name, StepOptions& options) {
   CLI::App* command = program.get_subcommand(name);
-  command->add_option("--series", options.series, "UID of one series of a DICOM folder");
+  addReading(*command, options.reading);
   addPlaces(*command, options.settings);
 }
 

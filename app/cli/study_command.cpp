@@ -31,7 +31,8 @@ constexpr std::uint64_t kNoiseSeed = 1;
 constexpr double kImageNoise = 60.0;  // of the thesis's synthetic image in these figures
 
 struct FiguresOptions {
-  std::string input, image, series, output;
+  ReadOptions reading;
+  std::string input, image, output;
   ParameterOptions settings;  ///< of the segmentations
   int size = 96;
   double noise = 0.1;
@@ -108,8 +109,8 @@ std::string segmentation(const FiguresOptions& options, const OutputFolder& fold
   if (options.image.empty()) {
     tree = thesisTree(options.size, kNoiseSeed, kImageNoise);
   } else {
-    loaded = readImage(options.image, options.series);
-    for (const std::string& warning : loaded.info.warnings) printWarning(warning);
+    loaded = readImage(options.image, options.reading);
+    printWarnings(loaded.info);
   }
   std::string table =
       "| figure | panel | voxels inside | components | iterations | overlap, % |\n"
@@ -216,7 +217,7 @@ void addStudy(CLI::App& program, Session& session) {
                       "phantom tree unless given");
   command->add_option("--image", options->image,
                       "Image: the figures of the segmentation alone, of it");
-  command->add_option("--series", options->series,
+  command->add_option("--series", options->reading.series,
                       "Series UID, where the image is a DICOM folder "
                       "that holds several");
   options->settings.presetName = "thesis";

@@ -145,7 +145,7 @@ void CaseController::finishLoad() {
                             .arg(job->info().modality.empty()
                                      ? QString()
                                      : tr(", ") + QString::fromStdString(job->info().modality)));
-    for (const std::string& warning : job->info().warnings) {
+    for (const std::string& warning : screenWarnings(job->info())) {
       say(Severity::Warning, QString::fromStdString(warning));
     }
     Q_EMIT caseChanged();

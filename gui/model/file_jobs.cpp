@@ -70,16 +70,14 @@ void LoadJob::load() {
   } else {
     LoadedImage loaded = readImage(path_, {}, progress_.sub(0.0, 0.8));
     info_ = std::move(loaded.info);
-    for (std::string& warning : info_.warnings) {
-      warning = withoutPath(warning, path_, name_);
-    }
     progress_.check();
     source = makeSource(std::move(loaded.image), name_);
   }
   progress_.report(0.9);
-  if (info_.window && info_.level && *info_.window > 0.0) {
-    window_ = *info_.window;
-    level_ = *info_.level;
+  if (!info_.windows.empty()) {
+    const auto [low, high] = info_.windows.front().range();
+    window_ = high - low;
+    level_ = 0.5 * (low + high);
   } else {
     const std::vector<double> range = percentiles(*source.image, {0.01, 0.998});
     const auto extremes = valueRange(*source.image);

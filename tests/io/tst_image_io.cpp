@@ -255,7 +255,7 @@ class TestImageIo : public QObject {
          "ElementDataFile = LOCAL\n" +
              rawVoxels<float>());
     QCOMPARE(readImage(folder / "v.mha").info.warnings.size(), std::size_t{1});
-    QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.mha", "1.2.3"), InputError);
+    QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.mha", {"1.2.3", false}), InputError);
   }
 
   void badInputIsRefusedInOneLine_data() {
