@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/outward.h"
+
+#include <QTest>
+
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+using namespace angiomesh::shapes;
+
+namespace {
+
+TriMesh inward(TriMesh mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+TriMesh ball(double radius, const Eigen::Vector3d& centre) {
+  TriMesh mesh = icosphere(2);
+  for (auto& p : mesh.points) p = centre + radius * p;
+  return mesh;
+}
+
+TriMesh together(const std::vector<TriMesh>& meshes) {
+  TriMesh all;
+  for (const TriMesh& mesh : meshes) append(all, mesh);
+  return all;
+}
+
+}  // namespace
+
+class TestOutward : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void partsAreTurnedByTheirVolume() {
+    const Eigen::Vector3d far(0, 0, 300);
+    TriMesh mesh = together(
+        {ball(1.0, far), inward(torus(12, 8, 5.0, 1.0)), inward(moved(cube(), {20, 0, 0}))});
+    const TriMesh wanted =
+        together({ball(1.0, far), torus(12, 8, 5.0, 1.0), moved(cube(), {20, 0, 0})});
+    const OutwardTurn turn = turnOutward(mesh);
+    QCOMPARE(turn.closedParts, std::size_t{3});
+    QCOMPARE(turn.turnedParts, std::size_t{2});
+    // Turned triangles begin at the same corner, so only the sense may differ.
+    QVERIFY(mesh.triangles == wanted.triangles);
+    QCOMPARE(turnOutward(mesh).turnedParts, std::size_t{0});
+  }
+
+  void cavitiesStayCavities() {
+    const Eigen::Vector3d c(100.0, -50.0, 10.0);
+    const TriMesh shell = together(
+        {ball(5.0, c), inward(ball(2.0, c)), inward(ball(1.0, c + Eigen::Vector3d(3.4, 0, 0)))});
+    TriMesh mesh = shell;
+    QCOMPARE(turnOutward(mesh).turnedParts, std::size_t{0});
+    mesh = inward(shell);
+    QCOMPARE(turnOutward(mesh).turnedParts, std::size_t{3});
+    QVERIFY(mesh.triangles == shell.triangles);
+    // A body of its own inside another, such as a lumen in its wall.
+    const TriMesh bodies = together({ball(2.0, c), ball(5.0, c)});
+    mesh = inward(bodies);
+    turnOutward(mesh);
+    QVERIFY(mesh.triangles == bodies.triangles);
+  }
+
+  void partsInTheHollowOfAnotherAreNotInsideIt() {
+    // The ball lies in the hole of the torus: inside its box, outside its surface.
+    TriMesh mesh = together({torus(24, 12, 5.0, 1.0), inward(ball(1.0, {0.3, 0.2, 0.1}))});
+    QCOMPARE(turnOutward(mesh).turnedParts, std::size_t{1});
+    QVERIFY(mesh.triangles == together({torus(24, 12, 5.0, 1.0), ball(1.0, {0, 0, 0})}).triangles);
+  }
+
+  void raysThroughEdgesAndVerticesCountOnce() {
+    // Points of the inner cubes lie on the diagonals, edges and vertices of the outer one, seen
+    // along z.
+    for (const double x : {0.0, 1.0, 1.5, 2.0})
+      for (const double y : {0.0, 1.0, 1.5, 2.0}) {
+        TriMesh outer = cube();
+        for (auto& p : outer.points) p = 4.0 * p - Eigen::Vector3d(0, 0, 1);
+        const TriMesh mesh = together({outer, inward(moved(cube(), {x, y, 0.25}))});
+        TriMesh turned = inward(mesh);
+        QCOMPARE(turnOutward(turned).turnedParts, std::size_t{2});
+        QVERIFY(turned.triangles == mesh.triangles);
+      }
+  }
+
+  void whatIsNotClosedIsLeftAlone() {
+    TriMesh open = inward(openTube(8, 5, 1.0));
+    TriMesh torn = inward(cube());
+    std::swap(torn.triangles[0][1], torn.triangles[0][2]);
+    for (TriMesh* mesh : {&open, &torn}) {
+      const TriMesh before = *mesh;
+      const OutwardTurn turn = turnOutward(*mesh);
+      QCOMPARE(turn.closedParts, std::size_t{0});
+      QVERIFY(mesh->triangles == before.triangles);
+    }
+    TriMesh nothing;
+    QCOMPARE(turnOutward(nothing).turnedParts, std::size_t{0});
+  }
+
+  void closednessIsTwoTrianglesAtEachEdge() {
+    QVERIFY(isClosed(cube()));
+    QVERIFY(!isClosed(openTube(8, 5, 1.0)));
+    QVERIFY(!isClosed({}));
+    TriMesh pierced = cube();
+    pierced.triangles.pop_back();
+    QVERIFY(!isClosed(pierced));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestOutward)
+#include "tst_outward.moc"
