@@ -3,196 +3,219 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
+#include <limits>
 
 #include "core/base/error.h"
+#include "core/quality/triangle_shape.h"
+#include "core/surface/outward.h"
+#include "core/surface/wall.h"
 #include "io/files.h"
+#include "io/mesh_place.h"
+#include "io/point_merger.h"
 #include "io/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
-using Points = std::vector<Eigen::Vector3d>;
 
-const char* const kExtensions = "end the name in .ply, .stl, .obj or .vtp";
-
-std::string extensionOf(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+std::string counted(std::size_t number, const char* one, const char* many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
 }
 
-/// LPS mm to the frame and unit, or back: the turn by 180 degrees about z is its own inverse and
-/// keeps the faces' orientation.
-void convertPoints(Points& points, Frame frame, double factor) {
-  const double flip = frame == Frame::Ras ? -factor : factor;
-  for (Eigen::Vector3d& p : points) p = Eigen::Vector3d(flip * p.x(), flip * p.y(), factor * p.z());
-}
-
-template <class T>
-void append(std::string& bytes, T value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
-/// A key goes into one line of a header: anything else than printable ASCII is dropped.
-std::string cleanKey(const std::string& key) {
-  std::string clean;
-  for (const char c : key)
-    if (c > ' ' && c < 127) clean += c;
-  return clean;
-}
-
-std::string plyBytes(const TriMesh& mesh, const MeshWriteOptions& options) {
-  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment Angiomesh\n";
-  bytes += "comment SPACE=" + frameWord(options.frame) + "\n";
-  bytes += "comment UNIT=" + unitWord(options.unit) + "\n";
-  if (!options.key.empty()) bytes += "comment KEY=" + cleanKey(options.key) + "\n";
-  bytes += "element vertex " + std::to_string(mesh.points.size()) + "\n";
-  bytes += "property double x\nproperty double y\nproperty double z\n";
-  bytes += "element face " + std::to_string(mesh.triangles.size()) + "\n";
-  bytes += "property list uchar int vertex_indices\nend_header\n";
-  bytes.reserve(bytes.size() + mesh.points.size() * 24 + mesh.triangles.size() * 13);
-  for (const Eigen::Vector3d& p : mesh.points)
-    for (int a = 0; a < 3; ++a) append(bytes, p[a]);
-  for (const auto& triangle : mesh.triangles) {
-    append(bytes, std::uint8_t{3});
-    for (const std::uint32_t corner : triangle) append(bytes, static_cast<std::int32_t>(corner));
-  }
-  return bytes;
-}
-
-std::string stlBytes(const TriMesh& mesh, const MeshWriteOptions& options) {
-  // Readers take a file that begins with "solid" for ASCII.
-  std::string bytes =
-      "Angiomesh SPACE=" + frameWord(options.frame) + " UNIT=" + unitWord(options.unit);
-  if (!options.key.empty()) bytes += " KEY=" + cleanKey(options.key);
-  bytes.resize(80, ' ');
-  append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
-  bytes.reserve(84 + 50 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.points[t[0]];
-    const Eigen::Vector3d normal =
-        (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).stableNormalized();
-    for (int i = 0; i < 3; ++i) append(bytes, static_cast<float>(normal[i]));
-    for (const std::uint32_t corner : t)
-      for (int i = 0; i < 3; ++i) append(bytes, static_cast<float>(mesh.points[corner][i]));
-    append(bytes, std::uint16_t{0});
-  }
-  return bytes;
-}
-
-std::string objBytes(const TriMesh& mesh, const MeshWriteOptions& options) {
-  std::string bytes = "# Angiomesh\n# SPACE=" + frameWord(options.frame) + "\n";
-  bytes += "# UNIT=" + unitWord(options.unit) + "\n";
-  if (!options.key.empty()) bytes += "# KEY=" + cleanKey(options.key) + "\n";
-  char number[32];
-  for (const Eigen::Vector3d& p : mesh.points) {
-    bytes += 'v';
-    for (int a = 0; a < 3; ++a) {
-      // The shortest text that reads back as the same double.
-      const auto end = std::to_chars(number, number + sizeof(number), p[a]);
-      bytes += ' ';
-      bytes.append(number, end.ptr);
-    }
-    bytes += '\n';
-  }
-  for (const auto& t : mesh.triangles) {
-    bytes += 'f';
-    for (const std::uint32_t corner : t) bytes += ' ' + std::to_string(corner + 1);
-    bytes += '\n';
-  }
-  return bytes;
-}
-
-}  // namespace
-
-std::string frameWord(Frame frame) { return frame == Frame::Ras ? "RAS" : "LPS"; }
-
-std::string unitWord(LengthUnit unit) { return unit == LengthUnit::Metre ? "m" : "mm"; }
-
-void readFrameAndUnit(const std::string& text, PolygonMesh& mesh) {
-  const auto word = [&](const std::string& name) {
-    const std::size_t at = text.find(name + "=");
-    if (at == std::string::npos) return std::string();
-    const std::size_t first = at + name.size() + 1;
-    std::size_t last = first;
-    while (last < text.size() && std::isalpha(static_cast<unsigned char>(text[last])) != 0) ++last;
-    return text.substr(first, last - first);
-  };
-  if (const std::string frame = word("SPACE"); !frame.empty())
-    mesh.frame = frame == "RAS" ? Frame::Ras : Frame::Lps;
-  if (const std::string unit = word("UNIT"); !unit.empty())
-    mesh.unit = unit == "m" ? LengthUnit::Metre : LengthUnit::Millimetre;
-}
-
-void writeMesh(const TriMesh& mesh, const fs::path& path, const MeshWriteOptions& options) {
-  const std::string extension = extensionOf(path);
+/// Refuses what the format of the name does not have.
+void checkOptions(const std::string& extension, const MeshWriteOptions& options,
+                  const fs::path& path) {
   if (extension != ".ply" && extension != ".stl" && extension != ".obj" && extension != ".vtp")
-    throw InputError("cannot tell the mesh format from the name", path.string(), kExtensions);
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t corner : triangle)
-      if (corner >= mesh.points.size())
-        throw InputError("a triangle names a point that does not exist", path.string(),
-                         "mesh the volume again");
-  TriMesh moved = mesh;
-  convertPoints(moved.points, options.frame, options.unit == LengthUnit::Metre ? 1e-3 : 1.0);
+    throw InputError("cannot tell the mesh format from the name", path.string(),
+                     "end the name in .ply, .stl, .obj or .vtp");
+  const bool ascii = options.encoding == MeshEncoding::Ascii;
+  if (ascii && extension == ".vtp")
+    throw InputError("VTP is not written as ASCII text", path.string(), "choose .ply or .stl");
+  if ((options.normals || options.quality) && extension != ".ply" && extension != ".vtp")
+    throw InputError("normals and quality are written to PLY and VTP files alone", path.string(),
+                     "choose .ply or .vtp, or leave them out");
+  if (!options.parts.empty() && (extension != ".stl" || !ascii))
+    throw InputError("named parts are written to ASCII STL files alone", path.string(),
+                     "choose an ASCII .stl, or leave the parts out");
+}
+
+/// Says what the single precision of a binary STL file does to the mesh.
+void checkSinglePrecision(const TriMesh& mesh, const fs::path& path,
+                          std::vector<std::string>& warnings) {
+  for (const Eigen::Vector3d& p : mesh.points)
+    if (p.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max())
+      throw InputError("the mesh has coordinates beyond single precision", path.string(),
+                       "write .ply, .obj or .vtp");
+  std::size_t collapsed = 0;
+  const auto area = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                       const Eigen::Vector3d& c) { return (b - a).cross(c - a).norm(); };
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    if (area(inSinglePrecision(a), inSinglePrecision(b), inSinglePrecision(c)) == 0.0 &&
+        area(a, b, c) > 0.0)
+      ++collapsed;
+  }
+  std::vector<Eigen::Vector3d> exact, rounded;
+  PointMerger exactMerger(exact), roundedMerger(rounded);
+  for (const Eigen::Vector3d& p : mesh.points) {
+    const Eigen::Vector3d q = inSinglePrecision(p);
+    exactMerger.add(p.x(), p.y(), p.z());
+    roundedMerger.add(q.x(), q.y(), q.z());
+  }
+  const std::size_t lost = exact.size() - rounded.size();
+  if (collapsed == 0 && lost == 0) return;
+  warnings.push_back(counted(collapsed, "triangle loses its area", "triangles lose their area") +
+                     " and " + counted(lost, "point falls", "points fall") +
+                     " onto another in the single precision of a binary STL file: write an ASCII "
+                     "STL, PLY, OBJ or VTP file instead");
+}
+
+void writeFile(const WritableMesh& mesh, const std::string& extension, const fs::path& path) {
   if (extension == ".vtp") {
     writeAtomically(path, [&](const fs::path& temporary) {
       try {
-        writeVtp(moved, temporary, options);
+        writeVtp(mesh, temporary);
       } catch (const IoError&) {
         throw IoError("cannot write the mesh", path.string(),
                       "check that the folder may be written to and has free space");
       }
     });
-    return;
+  } else if (extension == ".ply") {
+    writeText(path, plyBytes(mesh));
+  } else if (extension == ".stl") {
+    writeText(path,
+              mesh.options.encoding == MeshEncoding::Ascii ? stlText(mesh, path) : stlBytes(mesh));
+  } else {
+    writeText(path, objBytes(mesh));
   }
-  if (extension == ".ply")
-    writeText(path, plyBytes(moved, options));
-  else if (extension == ".stl")
-    writeText(path, stlBytes(moved, options));
-  else
-    writeText(path, objBytes(moved, options));
 }
 
-TriMesh readMesh(const fs::path& path) {
+PolygonMesh readPolygons(const fs::path& path) {
   const std::string bytes = readText(path);
   if (bytes.empty()) throw IoError("the file is empty", path.string(), "copy or download it again");
-  const std::string extension = extensionOf(path);
-  PolygonMesh mesh;
-  if (extension == ".ply")
-    mesh = readPly(bytes, path);
-  else if (extension == ".stl")
-    mesh = readStl(bytes, path);
-  else if (extension == ".obj")
-    mesh = readObj(bytes, path);
-  else if (extension == ".vtp" || extension == ".vtk")
-    mesh = readVtkPolyData(bytes, path);
-  else
-    throw InputError("not a mesh file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+  const std::string extension = meshExtension(path);
+  if (extension == ".ply") return readPly(bytes, path);
+  if (extension == ".stl") return readStl(bytes, path);
+  if (extension == ".obj") return readObj(bytes, path);
+  if (extension == ".vtp" || extension == ".vtk") return readVtkPolyData(bytes, path);
+  throw InputError("not a mesh file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+}
+
+/// Ears are cut in a time that grows with the square of the corners: seconds for this many. Faces
+/// of fewer than a hundred corners are not counted.
+constexpr double kMostSquaredCorners = 1e8;
+constexpr std::size_t kFewCorners = 100;
+
+void checkPolygons(const PolygonMesh& mesh, const fs::path& path) {
   if (mesh.polygons.empty())
     throw InputError("the file holds no faces", path.string(), "give a surface mesh");
-  for (const auto& polygon : mesh.polygons)
+  double squares = 0.0;
+  for (const auto& polygon : mesh.polygons) {
+    if (const auto corners = static_cast<double>(polygon.size()); polygon.size() >= kFewCorners)
+      squares += corners * corners;
+    if (squares > kMostSquaredCorners)
+      throw InputError(
+          "faces have too many corners (one has " + std::to_string(polygon.size()) + ")",
+          path.string(), "cut them into triangles with another program");
     for (const std::uint32_t corner : polygon)
       if (corner >= mesh.points.size())
         throw InputError("a face names a point that does not exist", path.string(),
                          "write the mesh again with another program");
+  }
   for (const Eigen::Vector3d& p : mesh.points)
     if (!p.allFinite())
       throw InputError("the mesh holds coordinates that are not finite numbers", path.string(),
                        "write the mesh again with another program");
-  convertPoints(mesh.points, mesh.frame, mesh.unit == LengthUnit::Metre ? 1e3 : 1.0);
-  TriMesh result;
-  result.triangles = triangulate(mesh);
-  result.points = std::move(mesh.points);
-  return result;
 }
+
+/// Frame and unit: the user's word, else the header's, else LPS and mm.
+void settlePlace(const MeshHeader& header, const MeshReadOptions& options, const fs::path& path,
+                 LoadedMesh& loaded) {
+  const std::string& two = header.contradiction;
+  if (two.starts_with("SPACE") ? !options.frame : !two.empty() && !options.unit)
+    throw InputError("the header says both " + two, path.string(),
+                     "correct the header, or say which is true");
+  loaded.frameStated = header.frame.has_value();
+  loaded.unitStated = header.unit.has_value();
+  loaded.key = header.key;
+  loaded.frame = options.frame.value_or(header.frame.value_or(Frame::Lps));
+  loaded.unit = options.unit.value_or(header.unit.value_or(LengthUnit::Millimetre));
+  const auto overruled = [&](const std::string& said, const std::string& taken) {
+    if (said != taken)
+      loaded.warnings.push_back("the header says " + said + ", " + taken + " is taken as asked, " +
+                                path.string());
+  };
+  if (header.frame) overruled(frameWord(*header.frame), frameWord(loaded.frame));
+  if (header.unit) overruled(unitWord(*header.unit), unitWord(loaded.unit));
+  for (const std::string& statement : header.unknown)
+    loaded.warnings.push_back("the header says " + statement +
+                              ", which is not known: " + frameWord(loaded.frame) + " and " +
+                              unitWord(loaded.unit) + " are taken, " + path.string());
+}
+
+/// Parts of triangles out of parts of polygons.
+std::vector<MeshPart> partsOfTriangles(const PolygonMesh& mesh) {
+  std::vector<MeshPart> parts;
+  std::size_t polygon = 0, triangle = 0;
+  const auto advance = [&](std::size_t to) {
+    for (; polygon < to; ++polygon) triangle += mesh.polygons[polygon].size() - 2;
+    return triangle;
+  };
+  for (const MeshPart& part : mesh.parts) {
+    const std::size_t first = advance(part.first);
+    parts.push_back({part.name, first, advance(part.first + part.count) - first});
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::vector<std::string> writeMesh(const TriMesh& mesh, const fs::path& path,
+                                   const MeshWriteOptions& options) {
+  const std::string extension = meshExtension(path);
+  checkOptions(extension, options, path);
+  try {
+    checkMesh(mesh);
+  } catch (const InputError& error) {
+    throw InputError(error.what(), path.string(), "mesh the volume again");
+  }
+  std::vector<std::string> warnings;
+  WritableMesh moved{mesh, {}, {}, options};
+  if (const std::size_t turned = turnOutward(moved.mesh).turnedParts; turned > 0)
+    warnings.push_back(counted(turned, "closed part of the mesh was", "closed parts were") +
+                       " inside out and turned round in the file");
+  toFilePlace(moved.mesh.points, options.frame, options.unit);
+  if (extension == ".stl" && options.encoding == MeshEncoding::Binary)
+    checkSinglePrecision(moved.mesh, path, warnings);
+  if (options.normals) moved.normals = vertexNormals(moved.mesh);
+  if (options.quality) {
+    const auto& points = moved.mesh.points;
+    for (const auto& t : moved.mesh.triangles)
+      moved.quality.push_back(triangleShape(points[t[0]], points[t[1]], points[t[2]]).radiusRatio);
+  }
+  writeFile(moved, extension, path);
+  return warnings;
+}
+
+LoadedMesh loadMesh(const fs::path& path, const MeshReadOptions& options) {
+  PolygonMesh polygons = readPolygons(path);
+  checkPolygons(polygons, path);
+  LoadedMesh loaded;
+  settlePlace(polygons.header, options, path, loaded);
+  toPatientPlace(polygons.points, loaded.frame, loaded.unit);
+  loaded.mesh.triangles = triangulate(polygons);
+  loaded.parts = partsOfTriangles(polygons);
+  loaded.mesh.points = std::move(polygons.points);
+  loaded.hasNormals = polygons.hasNormals;
+  loaded.hasQuality = polygons.hasQuality;
+  if (const std::size_t turned = turnOutward(loaded.mesh).turnedParts; turned > 0)
+    loaded.warnings.push_back(counted(turned, "closed part of the mesh was", "closed parts were") +
+                              " inside out and turned round, " + path.string());
+  return loaded;
+}
+
+TriMesh readMesh(const fs::path& path) { return loadMesh(path).mesh; }
 
 }  // namespace angiomesh

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/surface/tri_mesh.h"
 
@@ -10,23 +13,80 @@ namespace angiomesh {
 
 enum class LengthUnit { Millimetre, Metre };
 enum class Frame { Lps, Ras };
+enum class MeshEncoding { Binary, Ascii };
+
+/// "LPS" and "RAS", "mm" and "m": the words of the files' headers.
+std::string frameWord(Frame frame);
+std::string unitWord(LengthUnit unit);
+
+/// Successive triangles with a name: one solid of an ASCII STL file.
+struct MeshPart {
+  std::string name;
+  std::size_t first = 0, count = 0;
+};
 
 struct MeshWriteOptions {
   LengthUnit unit = LengthUnit::Millimetre;
   Frame frame = Frame::Lps;
-  std::string key;  ///< pipeline key, written into the header comment where the format has one
+  std::string key = {};                          ///< pipeline key, written into the header comment
+  MeshEncoding encoding = MeshEncoding::Binary;  ///< of PLY and STL; OBJ is always text
+  bool normals = false;  ///< PLY and VTP: unit normals of the vertices, 0 where no triangle is
+  bool quality = false;  ///< PLY and VTP: `quality` of each face, 2 * inradius / circumradius
+  /// ASCII STL: the solids; together all triangles, each once. Empty: one solid, "surface". In
+  /// names, what is no printable ASCII becomes '_'; the same name again gets a number.
+  std::vector<MeshPart> parts = {};
 };
 
-/// Writes binary .ply (float64 vertices), binary .stl, .obj or .vtp by extension, to a temporary
-/// name, then renames. Unit and frame are stated in the header. Faces keep their outward
-/// orientation in either frame.
-/// @throws IoError; nothing is left behind
-void writeMesh(const TriMesh& mesh, const std::filesystem::path& path,
-               const MeshWriteOptions& options = {});
+/// Writes .ply (float64 vertices), .stl, .obj or .vtp by extension, to a temporary name, then
+/// renames. Frame and unit are stated in the header, the frame as 3D Slicer reads it. Text holds
+/// the shortest numbers that read back as the same double (ASCII STL: at least 9 digits), so that
+/// equal points stay equal and others do not. Closed parts that face inward are turned round in the
+/// file, see turnOutward().
+/// @returns warnings: parts that were turned round; triangles that lose their area, and points that
+/// fall together, in the single precision of a binary STL file (which is written nevertheless)
+/// @throws InputError: the mesh is not usable, parts that overlap or leave triangles out, an option
+/// that the format does not have   @throws IoError; nothing is left behind
+std::vector<std::string> writeMesh(const TriMesh& mesh, const std::filesystem::path& path,
+                                   const MeshWriteOptions& options = {});
+
+/// What the user knows better than the file.
+struct MeshReadOptions {
+  std::optional<Frame> frame;
+  std::optional<LengthUnit> unit;
+};
+
+struct LoadedMesh {
+  TriMesh mesh;                                  ///< LPS, mm, closed parts facing outward
+  Frame frame = Frame::Lps;                      ///< of the file
+  LengthUnit unit = LengthUnit::Millimetre;      ///< of the file
+  bool frameStated = false, unitStated = false;  ///< in its header
+  std::string key;                               ///< of the pipeline, empty: none stated
+  bool hasNormals = false, hasQuality = false;
+  std::vector<MeshPart> parts;  ///< the solids of an ASCII STL file
+  std::vector<std::string> warnings;
+};
 
 /// Reads .ply, .stl, .obj, .vtp or legacy .vtk; points equal bit for bit are merged (STL), polygons
-/// are triangulated. LPS mm unless the header states otherwise (then converted). @throws IoError,
-/// InputError
+/// are triangulated, and closed parts that face inward are turned round, with a warning. LPS and mm
+/// unless the header or `options` say otherwise. @throws IoError, InputError
+LoadedMesh loadMesh(const std::filesystem::path& path, const MeshReadOptions& options = {});
+
+/// The mesh of loadMesh().
 TriMesh readMesh(const std::filesystem::path& path);
+
+/// What a written file holds, as read back.
+struct MeshFileFacts {
+  std::size_t vertices = 0, triangles = 0;
+  bool closed = false;
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< of the bounding box, in `unit`
+  LengthUnit unit = LengthUnit::Millimetre;
+  Frame frame = Frame::Lps;
+};
+
+/// Reads again what writeMesh() made of `mesh` and compares: vertices (merged, STL), triangles,
+/// bounding box within the numbers' precision, closedness, frame, unit, normals, quality and parts.
+/// @throws IoError with the figures when the file holds something else
+MeshFileFacts checkMeshFile(const TriMesh& mesh, const std::filesystem::path& path,
+                            const MeshWriteOptions& options = {});
 
 }  // namespace angiomesh

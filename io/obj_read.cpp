@@ -19,12 +19,14 @@ PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path)
     TextScanner scan(text);
     const std::string_view kind = scan.word();
     if (kind.starts_with('#')) {
-      readFrameAndUnit(std::string(text), mesh);
+      mesh.header.read(text);
     } else if (kind == "v") {
       Eigen::Vector3d p;
       for (int a = 0; a < 3; ++a)
         if (!scan.number(p[a])) throw broken(number);
       mesh.points.push_back(p);
+    } else if (kind == "vn") {
+      mesh.hasNormals = true;
     } else if (kind == "f") {
       std::vector<std::uint32_t> polygon;
       for (std::string_view corner = scan.word(); !corner.empty(); corner = scan.word()) {

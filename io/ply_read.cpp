@@ -66,7 +66,7 @@ Header readHeader(TextScanner& lines, PolygonMesh& mesh, const fs::path& path) {
                                                         : Encoding::LittleEndian;
       hasFormat = true;
     } else if (key == "comment" || key == "obj_info") {
-      readFrameAndUnit(std::string(text), mesh);
+      mesh.header.read(text);
     } else if (key == "element") {
       Element element;
       element.name = scan.word();
@@ -90,6 +90,21 @@ Header readHeader(TextScanner& lines, PolygonMesh& mesh, const fs::path& path) {
   throwTruncated(path);
 }
 
+/// Refuses an element of more rows than the rest of the file can hold, before any is read.
+void checkCount(const Element& element, Encoding encoding, std::size_t rest, const fs::path& path) {
+  std::size_t row = 0;
+  for (const Property& property : element.properties)
+    // In text, a number takes a digit and a blank.
+    row += encoding == Encoding::Ascii
+               ? 2
+               : bytesOf(property.countType == Scalar::None ? property.type : property.countType);
+  if (row > 0 && element.count > (rest + 1) / row)
+    throw IoError("the mesh file is truncated or damaged (" + std::to_string(element.count) +
+                      " rows of '" + element.name + "' announced, " + std::to_string(rest) +
+                      " bytes left)",
+                  path.string(), "copy it again or write it with another program");
+}
+
 /// The numbers behind the header, one after the other.
 class Body {
  public:
@@ -97,6 +112,7 @@ class Body {
       : text_(text), encoding_(encoding), path_(path) {}
 
   double next(Scalar type) { return takeNumber(text_, encoding_, type, path_); }
+  [[nodiscard]] std::size_t rest() const { return text_.rest().size(); }
 
  private:
   TextScanner text_;
@@ -135,7 +151,8 @@ void readRows(const Element& element, Body& body, PolygonMesh* mesh, const fs::p
       const bool corners =
           mesh != nullptr && (property.name == "vertex_indices" || property.name == "vertex_index");
       const double count = body.next(property.countType);
-      if (!(count >= 0.0) || (corners && count < 3.0)) throwTruncated(path);
+      const auto rest = static_cast<double>(body.rest());
+      if (!(count >= 0.0) || count > rest || (corners && count < 3.0)) throwTruncated(path);
       std::vector<std::uint32_t> polygon;
       for (double c = 0.0; c < count; ++c) {
         const double value = body.next(property.type);
@@ -159,10 +176,14 @@ PolygonMesh readPly(const std::string& bytes, const fs::path& path) {
       return false;
     };
     if (element.properties.empty()) continue;
+    checkCount(element, header.encoding, body.rest(), path);
+    if (element.name == "vertex" || element.name == "face")
+      mesh.hasQuality = mesh.hasQuality || has("quality");
     if (element.name == "vertex") {
       if (!has("x") || !has("y") || !has("z")) broken(path, "a vertex without x, y, z");
       for (const Property& property : element.properties)
         if (property.countType != Scalar::None) broken(path, "a list in a vertex");
+      mesh.hasNormals = has("nx") && has("ny") && has("nz");
       readVertices(element, body, mesh);
     } else {
       readRows(element, body, element.name == "face" ? &mesh : nullptr, path);

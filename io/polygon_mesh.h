@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/surface/tri_mesh.h"
+#include "io/mesh_header.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh {
@@ -16,15 +17,10 @@ namespace angiomesh {
 struct PolygonMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::vector<std::uint32_t>> polygons;
-  Frame frame = Frame::Lps;
-  LengthUnit unit = LengthUnit::Millimetre;
+  std::vector<MeshPart> parts;  ///< of polygons
+  MeshHeader header;
+  bool hasNormals = false, hasQuality = false;
 };
-
-/// Takes "SPACE=RAS" and "UNIT=m" out of a header or comment; SPACE is the word that 3D Slicer
-/// writes and reads.
-void readFrameAndUnit(const std::string& text, PolygonMesh& mesh);
-std::string frameWord(Frame frame);
-std::string unitWord(LengthUnit unit);
 
 /// @throws IoError (truncated), InputError (not such a file)
 PolygonMesh readPly(const std::string& bytes, const std::filesystem::path& path);
@@ -34,11 +30,24 @@ PolygonMesh readLegacyVtk(const std::string& bytes, const std::filesystem::path&
 /// .vtp and legacy .vtk, by content.
 PolygonMesh readVtkPolyData(const std::string& bytes, const std::filesystem::path& path);
 
-/// Cuts polygons with more than three corners into triangles. Indices must be in range.
+/// Cuts polygons with more than three corners into triangles, n - 2 for n corners. Indices must be
+/// in range.
 std::vector<std::array<std::uint32_t, 3>> triangulate(const PolygonMesh& mesh);
 
-/// `mesh` already in the frame and unit of the options. Not atomic. @throws IoError
-void writeVtp(const TriMesh& mesh, const std::filesystem::path& path,
-              const MeshWriteOptions& options);
+/// A mesh in the frame and unit of the options, with what they ask for.
+struct WritableMesh {
+  TriMesh mesh;
+  std::vector<Eigen::Vector3d> normals;  ///< of vertices; empty: not wanted
+  std::vector<double> quality;           ///< of triangles; empty: not wanted
+  const MeshWriteOptions& options;
+};
+
+std::string plyBytes(const WritableMesh& mesh);
+/// @throws InputError: parts that overlap or leave triangles out
+std::string stlText(const WritableMesh& mesh, const std::filesystem::path& path);
+std::string stlBytes(const WritableMesh& mesh);
+std::string objBytes(const WritableMesh& mesh);
+/// Not atomic. @throws IoError
+void writeVtp(const WritableMesh& mesh, const std::filesystem::path& path);
 
 }  // namespace angiomesh

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <cstring>
-#include <unordered_map>
 
 #include "core/base/error.h"
+#include "io/point_merger.h"
 #include "io/polygon_mesh.h"
 #include "io/text_scanner.h"
 
@@ -13,40 +13,9 @@ namespace {
 constexpr std::size_t kHeader = 84;
 constexpr std::size_t kRecord = 50;
 
-struct PointHash {
-  std::size_t operator()(const std::array<double, 3>& p) const {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const double x : p) {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &x, sizeof(bits));
-      hash = (hash ^ bits) * 0x9e3779b97f4a7c15U;
-      hash ^= hash >> 29U;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-};
-
-/// Gives equal points one number: an STL file repeats each point in every triangle.
-class PointMerger {
- public:
-  explicit PointMerger(std::vector<Eigen::Vector3d>& points) : points_(points) {}
-
-  std::uint32_t add(double x, double y, double z) {
-    // + 0.0 makes -0 and 0 the same bits.
-    const std::array<double, 3> key{x + 0.0, y + 0.0, z + 0.0};
-    const auto [entry, isNew] = index_.emplace(key, static_cast<std::uint32_t>(points_.size()));
-    if (isNew) points_.emplace_back(key[0], key[1], key[2]);
-    return entry->second;
-  }
-
- private:
-  std::vector<Eigen::Vector3d>& points_;
-  std::unordered_map<std::array<double, 3>, std::uint32_t, PointHash> index_;
-};
-
 PolygonMesh readBinary(const std::string& bytes, std::uint32_t count) {
   PolygonMesh mesh;
-  readFrameAndUnit(bytes.substr(0, 80), mesh);
+  mesh.header.read(std::string_view(bytes).substr(0, 80));
   PointMerger merger(mesh.points);
   mesh.polygons.reserve(count);
   for (std::size_t t = 0; t < count; ++t) {
@@ -60,6 +29,12 @@ PolygonMesh readBinary(const std::string& bytes, std::uint32_t count) {
   return mesh;
 }
 
+/// The first word after "solid", unless it is a statement such as SPACE=LPS.
+std::string nameOf(std::string_view line) {
+  const std::string_view name = TextScanner(line).word();
+  return name.find('=') == std::string_view::npos ? std::string(name) : std::string();
+}
+
 PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& path) {
   const auto broken = [&]() -> IoError {
     return {"the STL text is truncated or damaged", path.string(), "copy or download it again"};
@@ -67,7 +42,6 @@ PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& pat
   PolygonMesh mesh;
   PointMerger merger(mesh.points);
   TextScanner scan(bytes);
-  readFrameAndUnit(std::string(scan.line()), mesh);
   bool ended = false;
   std::vector<std::uint32_t> face;
   while (!scan.done()) {
@@ -79,14 +53,20 @@ PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& pat
       if (!scan.number(x) || !scan.number(y) || !scan.number(z)) throw broken();
       face.push_back(merger.add(x, y, z));
     } else if (word == "endfacet") {
-      if (face.size() < 3) throw broken();
+      if (face.size() < 3 || mesh.parts.empty()) throw broken();
       mesh.polygons.push_back(face);
+      ++mesh.parts.back().count;
       face.clear();
     } else if (word == "endsolid") {
       ended = true;
       scan.line();
     } else if (word == "facet") {
       ended = false;
+    } else if (word == "solid") {
+      // Any word may be in a name, so the line is taken as a whole.
+      const std::string_view line = scan.line();
+      mesh.header.read(line);
+      mesh.parts.push_back({nameOf(line), mesh.polygons.size(), 0});
     }
   }
   if (!ended || !face.empty()) throw broken();

@@ -36,6 +36,8 @@ class LegacyReader {
       } else if (word == "FIELD") {
         skipField();
       } else if (word == "POINT_DATA" || word == "CELL_DATA") {
+        mesh_.hasNormals = text_.rest().find("\nNORMALS ") != std::string_view::npos;
+        mesh_.hasQuality = text_.rest().find("\nSCALARS quality ") != std::string_view::npos;
         break;
       } else {
         throwTruncated(path_);
@@ -50,7 +52,7 @@ class LegacyReader {
   void readHeader() {
     const std::string_view first = text_.line();
     newCells_ = first.find("Version 5") != std::string_view::npos;
-    readFrameAndUnit(std::string(text_.line()), mesh_);
+    mesh_.header.read(text_.line());
     const std::string_view encoding = text_.word();
     if (encoding != "ASCII" && encoding != "BINARY") throwTruncated(path_);
     encoding_ = encoding == "ASCII" ? Encoding::Ascii : Encoding::BigEndian;

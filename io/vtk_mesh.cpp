@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolygon.h>
@@ -85,6 +88,14 @@ vtkSmartPointer<vtkPoints> toVtk(const std::vector<Eigen::Vector3d>& from) {
   return points;
 }
 
+vtkSmartPointer<vtkFloatArray> namedArray(const char* name, int components, std::size_t tuples) {
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  return array;
+}
+
 template <class Polygon>
 void addPolygon(vtkCellArray* cells, const Polygon& polygon) {
   cells->InsertNextCell(static_cast<int>(polygon.size()));
@@ -130,13 +141,34 @@ PolygonMesh fromVtk(vtkPolyData* data) {
     }
     appendCells(triangles, mesh);
   }
-  readFrameAndUnit("SPACE=" + fieldText(data, "SPACE") + " UNIT=" + fieldText(data, "UNIT"), mesh);
+  for (const char* name : {"SPACE", "UNIT", "KEY"})
+    mesh.header.read(std::string(name) + "=" + fieldText(data, name));
+  mesh.hasNormals = data->GetPointData()->GetNormals() != nullptr;
+  mesh.hasQuality = data->GetCellData()->HasArray("quality") != 0 ||
+                    data->GetPointData()->HasArray("quality") != 0;
   return mesh;
 }
 
 /// The list of the cells' beginnings comes from the file too.
 void checkCells(vtkPolyData* data, const fs::path& path) {
   if (!data->GetPolys()->IsValid() || !data->GetStrips()->IsValid()) throwTruncated(path);
+}
+
+/// Whether the file can hold as many points and cells as its pieces announce: VTK reserves memory
+/// for them first. zlib packs no more than 1032 bytes into one.
+bool countsAreCredible(const std::string& xml) {
+  const bool packed = xml.substr(0, 1000).find("compressor=") != std::string::npos;
+  const double most = static_cast<double>(xml.size()) * (packed ? 1032.0 : 1.0);
+  for (std::size_t at = xml.find("NumberOf"); at != std::string::npos;
+       at = xml.find("NumberOf", at)) {
+    at = xml.find_first_of("=>", at);
+    if (at == std::string::npos || xml[at] == '>' || at + 2 >= xml.size()) continue;
+    double count = 0.0;
+    const std::size_t end = std::min(xml.find(xml[at + 1], at + 2), xml.size());
+    TextScanner number(std::string_view(xml).substr(at + 2, end - at - 2));
+    if (!number.number(count) || !(count >= 0.0) || count > most) return false;
+  }
+  return true;
 }
 
 /// VTK's reader crashes on an array of a type that it does not know.
@@ -161,7 +193,8 @@ PolygonMesh readXml(const std::string& bytes, const fs::path& path) {
   if (bytes.substr(0, 1000).find("PolyData") == std::string::npos)
     throw InputError("the VTK file does not hold a surface", path.string(),
                      "give a .vtp file (PolyData)");
-  if (bytes.rfind("</VTKFile>") == std::string::npos || !arrayTypesAreKnown(bytes))
+  if (bytes.rfind("</VTKFile>") == std::string::npos || !arrayTypesAreKnown(bytes) ||
+      !countsAreCredible(bytes))
     throwTruncated(path);
   vtkNew<vtkXMLPolyDataReader> reader;
   if (!succeeds([&] {
@@ -213,15 +246,28 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const PolygonMesh& mesh) {
   return triangles;
 }
 
-void writeVtp(const TriMesh& mesh, const fs::path& path, const MeshWriteOptions& options) {
+void writeVtp(const WritableMesh& mesh, const fs::path& path) {
+  const MeshWriteOptions& options = mesh.options;
   vtkNew<vtkPolyData> data;
-  data->SetPoints(toVtk(mesh.points));
+  data->SetPoints(toVtk(mesh.mesh.points));
   vtkNew<vtkCellArray> cells;
-  for (const auto& triangle : mesh.triangles) addPolygon(cells, triangle);
+  for (const auto& triangle : mesh.mesh.triangles) addPolygon(cells, triangle);
   data->SetPolys(cells);
+  if (!mesh.normals.empty()) {
+    const vtkSmartPointer<vtkFloatArray> normals = namedArray("Normals", 3, mesh.normals.size());
+    for (std::size_t v = 0; v < mesh.normals.size(); ++v)
+      normals->SetTuple(static_cast<vtkIdType>(v), mesh.normals[v].data());
+    data->GetPointData()->SetNormals(normals);
+  }
+  if (!mesh.quality.empty()) {
+    const vtkSmartPointer<vtkFloatArray> quality = namedArray("quality", 1, mesh.quality.size());
+    for (std::size_t t = 0; t < mesh.quality.size(); ++t)
+      quality->SetTuple(static_cast<vtkIdType>(t), &mesh.quality[t]);
+    data->GetCellData()->SetScalars(quality);
+  }
   addField(data, "SPACE", frameWord(options.frame));
   addField(data, "UNIT", unitWord(options.unit));
-  if (!options.key.empty()) addField(data, "KEY", options.key);
+  if (const std::string key = cleanKey(options.key); !key.empty()) addField(data, "KEY", key);
   vtkNew<vtkXMLPolyDataWriter> writer;
   if (!succeeds([&] {
         writer->SetInputData(data);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/mesh_place.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace angiomesh {
+namespace {
+
+void scale(std::vector<Eigen::Vector3d>& points, Frame frame, double factor) {
+  const double flip = frame == Frame::Ras ? -factor : factor;
+  for (Eigen::Vector3d& p : points) p = Eigen::Vector3d(flip * p.x(), flip * p.y(), factor * p.z());
+}
+
+}  // namespace
+
+std::string meshExtension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void toFilePlace(std::vector<Eigen::Vector3d>& points, Frame frame, LengthUnit unit) {
+  scale(points, frame, unit == LengthUnit::Metre ? 1e-3 : 1.0);
+}
+
+void toPatientPlace(std::vector<Eigen::Vector3d>& points, Frame frame, LengthUnit unit) {
+  scale(points, frame, unit == LengthUnit::Metre ? 1e3 : 1.0);
+}
+
+}  // namespace angiomesh

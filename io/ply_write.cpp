@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/mesh_text.h"
+#include "io/polygon_mesh.h"
+
+namespace angiomesh {
+namespace {
+
+std::string headerOf(const WritableMesh& mesh) {
+  const bool binary = mesh.options.encoding == MeshEncoding::Binary;
+  std::string text = "ply\nformat ";
+  text += binary ? "binary_little_endian" : "ascii";
+  text += " 1.0\ncomment Angiomesh\ncomment " + headerWords(mesh.options, "\ncomment ") + "\n";
+  text += "element vertex " + std::to_string(mesh.mesh.points.size()) + "\n";
+  text += "property double x\nproperty double y\nproperty double z\n";
+  if (!mesh.normals.empty()) text += "property float nx\nproperty float ny\nproperty float nz\n";
+  text += "element face " + std::to_string(mesh.mesh.triangles.size()) + "\n";
+  text += "property list uchar int vertex_indices\n";
+  if (!mesh.quality.empty()) text += "property float quality\n";
+  return text + "end_header\n";
+}
+
+void appendAscii(const WritableMesh& mesh, std::string& text) {
+  for (std::size_t v = 0; v < mesh.mesh.points.size(); ++v) {
+    for (int a = 0; a < 3; ++a) {
+      if (a > 0) text += ' ';
+      appendShortest(text, mesh.mesh.points[v][a]);
+    }
+    for (int a = 0; a < 3 && !mesh.normals.empty(); ++a) {
+      text += ' ';
+      appendShortest(text, static_cast<float>(mesh.normals[v][a]));
+    }
+    text += '\n';
+  }
+  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
+    text += '3';
+    for (const std::uint32_t corner : mesh.mesh.triangles[t]) text += ' ' + std::to_string(corner);
+    if (!mesh.quality.empty()) {
+      text += ' ';
+      appendShortest(text, static_cast<float>(mesh.quality[t]));
+    }
+    text += '\n';
+  }
+}
+
+void appendBinary(const WritableMesh& mesh, std::string& bytes) {
+  bytes.reserve(bytes.size() + mesh.mesh.points.size() * 36 + mesh.mesh.triangles.size() * 17);
+  for (std::size_t v = 0; v < mesh.mesh.points.size(); ++v) {
+    for (int a = 0; a < 3; ++a) appendRaw(bytes, mesh.mesh.points[v][a]);
+    for (int a = 0; a < 3 && !mesh.normals.empty(); ++a)
+      appendRaw(bytes, static_cast<float>(mesh.normals[v][a]));
+  }
+  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
+    appendRaw(bytes, std::uint8_t{3});
+    for (const std::uint32_t corner : mesh.mesh.triangles[t])
+      appendRaw(bytes, static_cast<std::int32_t>(corner));
+    if (!mesh.quality.empty()) appendRaw(bytes, static_cast<float>(mesh.quality[t]));
+  }
+}
+
+}  // namespace
+
+std::string plyBytes(const WritableMesh& mesh) {
+  std::string bytes = headerOf(mesh);
+  if (mesh.options.encoding == MeshEncoding::Binary)
+    appendBinary(mesh, bytes);
+  else
+    appendAscii(mesh, bytes);
+  return bytes;
+}
+
+}  // namespace angiomesh
