@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +13,6 @@
 #include "core/phantom/phantom.h"
 #include "io/files.h"
 #include "io/image_io.h"
-#include "io/mesh_io.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -222,45 +220,6 @@ int phantom(PhantomOptions options, const Progress& progress) {
   return Done;
 }
 
-struct ConvertOptions {
-  ReadOptions reading;
-  std::string input, output, unit = "mm", frame = "lps";
-};
-
-bool isMeshName(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
-}
-
-/// Whole numbers from 0 to 255 fit uint8 without loss.
-bool fitsBytes(const Volume<float>& image) {
-  return std::all_of(image.voxels.begin(), image.voxels.end(),
-                     [](float v) { return v >= 0.0F && v <= 255.0F && v == std::floor(v); });
-}
-
-int convert(const ConvertOptions& options, const Progress& progress) {
-  if (isMeshName(options.output)) {
-    MeshWriteOptions write;
-    write.unit = options.unit == "m" ? LengthUnit::Metre : LengthUnit::Millimetre;
-    write.frame = options.frame == "ras" ? Frame::Ras : Frame::Lps;
-    writeMesh(readMesh(options.input), options.output, write);
-    return Done;
-  }
-  const LoadedImage loaded = readImage(options.input, options.reading, progress);
-  printWarnings(loaded.info);
-  if (loaded.info.pixelType == "uint8" && fitsBytes(loaded.image)) {
-    Volume<std::uint8_t> bytes(loaded.image.geometry);
-    std::transform(loaded.image.voxels.begin(), loaded.image.voxels.end(), bytes.voxels.begin(),
-                   [](float v) { return static_cast<std::uint8_t>(v); });
-    writeVolume(bytes, options.output);
-  } else {
-    writeVolume(loaded.image, options.output);
-  }
-  return Done;
-}
-
 }  // namespace
 
 void addInfo(CLI::App& program, Session& session) {
@@ -311,23 +270,6 @@ void addPhantom(CLI::App& program, Session& session) {
   command->add_flag("--force", options->force, "Replace files of other origin");
   command->callback([options, &session] {
     session.action = [options, &session] { return phantom(*options, session.progress); };
-  });
-}
-
-void addConvert(CLI::App& program, Session& session) {
-  auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command =
-      program.add_subcommand("convert", "Between volume formats, or between mesh formats");
-  command->add_option("INPUT", options->input, "Volume or mesh")->required();
-  command->add_option("-o,--output", options->output, "File to write; its name tells the format")
-      ->required();
-  addReading(*command, options->reading);
-  command->add_option("--unit", options->unit, "Of a mesh: mm or m")
-      ->check(CLI::IsMember({"mm", "m"}));
-  command->add_option("--frame", options->frame, "Of a mesh: lps or ras")
-      ->check(CLI::IsMember({"lps", "ras"}));
-  command->callback([options, &session] {
-    session.action = [options, &session] { return convert(*options, session.progress); };
   });
 }
 

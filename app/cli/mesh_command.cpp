@@ -49,7 +49,8 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   if (made.mesh.triangles.empty())
     throw InputError("there is no surface in it", options.input,
                      "give a level set function that is negative inside, or a mask");
-  writeMesh(made.mesh, options.output);
+  for (const std::string& warning : writeMesh(made.mesh, options.output))
+    printWarning(warning + ", " + options.output);
   for (const std::string& warning : made.origin.warnings()) printWarning(warning);
   if (options.json)
     std::fputs(surfaceJson(made.origin).c_str(), stdout);

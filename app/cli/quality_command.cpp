@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
+#include "app/cli/mesh_input.h"
 #include "app/cli/options.h"
 #include "app/cli/summary.h"
 #include "core/base/error.h"
@@ -78,7 +79,7 @@ std::vector<std::string> failures(const Gate& gate, const MeshQuality& q) {
 
 struct QualityOptions {
   ParameterOptions settings;
-  std::string mesh, phi, spline, against, gate;
+  std::string mesh, phi, spline, against, gate, frame, unit;
   bool json = false;
 
   /// The interpolant of phi and the wanted edge length, by --set surface.* and --spline.
@@ -135,19 +136,38 @@ void printWall(const WallMeasures& wall, const MeshQuality& mesh) {
               wall.sizing.wantedTriangles);
 }
 
+/// The mesh to measure, placed as the user says.
+TriMesh measuredMesh(const QualityOptions& options) {
+  LoadedMesh loaded = loadMesh(options.mesh, meshReadOptions(options.frame, options.unit));
+  for (const std::string& warning : loaded.warnings) printWarning(warning);
+  if (!options.phi.empty() && !loaded.frameStated && options.frame.empty())
+    printWarning("the mesh does not say its frame, LPS is taken, " + options.mesh +
+                 ": give --frame ras if it is in RAS");
+  return std::move(loaded.mesh);
+}
+
+/// The other mesh: by its header, and where that is silent as the user says of the first one.
+TriMesh againstMesh(const QualityOptions& options) {
+  LoadedMesh loaded = loadMesh(options.against);
+  if (!loaded.frameStated && !loaded.unitStated)
+    loaded = loadMesh(options.against, meshReadOptions(options.frame, options.unit));
+  for (const std::string& warning : loaded.warnings) printWarning(warning);
+  return std::move(loaded.mesh);
+}
+
 int quality(const QualityOptions& options, const Progress& progress) {
   const Gate* gate = options.gate.empty() ? nullptr : &findGate(options.gate);
   const SurfaceParams surface = options.surface();
   std::optional<SplineField> phi;
   if (!options.phi.empty()) phi.emplace(readPhiOrMask(options.phi), surface.spline);
   const SplineField* field = phi ? &*phi : nullptr;
-  const TriMesh mesh = readMesh(options.mesh);
+  const TriMesh mesh = measuredMesh(options);
   const MeshQuality mine = measureQuality(mesh, field, progress.sub(0.0, 0.4));
   std::optional<WallMeasures> wall;
   if (phi) wall = measureWall(mesh, *phi, surface.sizing, progress.sub(0.4, 0.7));
   std::optional<MeshQuality> other;
   if (!options.against.empty())
-    other = measureQuality(readMesh(options.against), field, progress.sub(0.7, 1.0));
+    other = measureQuality(againstMesh(options), field, progress.sub(0.7, 1.0));
   const std::vector<std::string> failed =
       gate != nullptr ? failures(*gate, mine) : std::vector<std::string>{};
 
@@ -182,6 +202,11 @@ void addQuality(CLI::App& program, Session& session) {
   command->add_option("--spline", options->spline,
                       "Interpolant of phi: interpolating-bspline, bspline or catmull-rom");
   command->add_option("--against", options->against, "Another mesh, to be measured beside it");
+  command
+      ->add_option("--frame", options->frame, "Of the mesh, whatever its header says: lps or ras")
+      ->check(CLI::IsMember({"lps", "ras"}));
+  command->add_option("--unit", options->unit, "Of the mesh, whatever its header says: mm or m")
+      ->check(CLI::IsMember({"mm", "m"}));
   std::string gates = "End with exit code 3 unless the mesh passes:";
   for (const Gate& gate : kGates) gates += std::string(" ") + gate.name + " (" + gate.help + ")";
   command->add_option("--gate", options->gate, gates);

@@ -113,7 +113,10 @@ void writeMeshes(const RunResult& result, const OutputFolder& folder) {
                                          : nullptr;
   if (mesh == nullptr) return;
   const auto add = [&](const char* name, const TriMesh& what) {
-    folder.add(name, [&](const std::filesystem::path& place) { writeMesh(what, place, write); });
+    folder.add(name, [&](const std::filesystem::path& place) {
+      for (const std::string& warning : writeMesh(what, place, write))
+        printWarning(warning + ", " + name);
+    });
   };
   add("vessels.ply", *mesh);
   add("vessels.stl", *mesh);

@@ -54,10 +54,13 @@ int segmentCommand(const StepOptions& options, const Progress& progress) {
 
 int smoothCommand(const StepOptions& options, const Progress& progress) {
   const Parameters params = options.settings.parameters();
-  const TriMesh mesh = readMesh(options.input);
+  const LoadedMesh loaded = loadMesh(options.input);
+  for (const std::string& warning : loaded.warnings) printWarning(warning);
   std::optional<SplineField> phi;
   if (!options.phi.empty()) phi.emplace(readPhiOrMask(options.phi), params.surface.spline);
-  writeMesh(smoothSurface(mesh, params.smooth, phi ? &*phi : nullptr, progress), options.output);
+  const TriMesh smooth = smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr, progress);
+  for (const std::string& warning : writeMesh(smooth, options.output))
+    printWarning(warning + ", " + options.output);
   return Done;
 }
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/mesh_input.h"
+#include "app/cli/options.h"
+#include "core/base/error.h"
+#include "io/image_io.h"
+#include "io/mesh_io.h"
+
+namespace angiomesh::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ConvertOptions {
+  ReadOptions reading;
+  std::string input, output, unit = "mm", frame = "lps", fromFrame, fromUnit;
+  bool ascii = false, normals = false, quality = false;
+  std::string meshOption;  ///< one that was given and means nothing for a volume
+};
+
+std::string extensionOf(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool isMeshName(const fs::path& path) {
+  const std::string extension = extensionOf(path);
+  return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
+}
+
+/// Whole numbers from 0 to 255 fit uint8 without loss.
+bool fitsBytes(const Volume<float>& image) {
+  return std::all_of(image.voxels.begin(), image.voxels.end(),
+                     [](float v) { return v >= 0.0F && v <= 255.0F && v == std::floor(v); });
+}
+
+int convertMesh(const ConvertOptions& options) {
+  const LoadedMesh loaded =
+      loadMesh(options.input, meshReadOptions(options.fromFrame, options.fromUnit));
+  for (const std::string& warning : loaded.warnings) printWarning(warning);
+  if (!loaded.frameStated && options.fromFrame.empty())
+    printWarning("the mesh does not say its frame, LPS is taken, " + options.input +
+                 ": give --from-frame ras if it is in RAS");
+  MeshWriteOptions write;
+  write.unit = unitFromOption(options.unit);
+  write.frame = frameFromOption(options.frame);
+  write.encoding = options.ascii ? MeshEncoding::Ascii : MeshEncoding::Binary;
+  write.normals = options.normals;
+  write.quality = options.quality;
+  write.key = loaded.key;
+  if (options.ascii && extensionOf(options.output) == ".stl") write.parts = loaded.parts;
+  for (const std::string& warning : writeMesh(loaded.mesh, options.output, write))
+    printWarning(warning + ", " + options.output);
+  checkMeshFile(loaded.mesh, options.output, write);
+  return Done;
+}
+
+int convertVolume(const ConvertOptions& options, const Progress& progress) {
+  if (!options.meshOption.empty())
+    throw InputError("a volume has no such property", options.meshOption,
+                     "leave it out, or end the output's name in .ply, .stl, .obj or .vtp");
+  const LoadedImage loaded = readImage(options.input, options.reading, progress);
+  printWarnings(loaded.info);
+  if (loaded.info.pixelType == "uint8" && fitsBytes(loaded.image)) {
+    Volume<std::uint8_t> bytes(loaded.image.geometry);
+    std::transform(loaded.image.voxels.begin(), loaded.image.voxels.end(), bytes.voxels.begin(),
+                   [](float v) { return static_cast<std::uint8_t>(v); });
+    writeVolume(bytes, options.output);
+  } else {
+    writeVolume(loaded.image, options.output);
+  }
+  return Done;
+}
+
+}  // namespace
+
+void addConvert(CLI::App& program, Session& session) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command =
+      program.add_subcommand("convert", "Between volume formats, or between mesh formats");
+  command->add_option("INPUT", options->input, "Volume or mesh")->required();
+  command->add_option("-o,--output", options->output, "File to write; its name tells the format")
+      ->required();
+  addReading(*command, options->reading);
+  const std::vector<CLI::Option*> ofMeshes{
+      command->add_option("--unit", options->unit, "Of the mesh to write: mm or m")
+          ->check(CLI::IsMember({"mm", "m"})),
+      command->add_option("--frame", options->frame, "Of the mesh to write: lps or ras")
+          ->check(CLI::IsMember({"lps", "ras"})),
+      command
+          ->add_option("--from-frame", options->fromFrame,
+                       "Of the mesh to read, whatever its header says: lps or ras")
+          ->check(CLI::IsMember({"lps", "ras"})),
+      command
+          ->add_option("--from-unit", options->fromUnit,
+                       "Of the mesh to read, whatever its header says: mm or m")
+          ->check(CLI::IsMember({"mm", "m"})),
+      command->add_flag("--ascii", options->ascii, "Write PLY or STL as text"),
+      command->add_flag("--normals", options->normals, "Write the vertices' normals (PLY, VTP)"),
+      command->add_flag("--quality", options->quality,
+                        "Write each face's radius ratio, 1 if equilateral (PLY, VTP)")};
+  command->callback([options, ofMeshes, &session] {
+    for (const CLI::Option* option : ofMeshes)
+      if (option->count() > 0) options->meshOption = option->get_name();
+    session.action = [options, &session] {
+      return isMeshName(options->output) ? convertMesh(*options)
+                                         : convertVolume(*options, session.progress);
+    };
+  });
+}
+
+}  // namespace angiomesh::cli

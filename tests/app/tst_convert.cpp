@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+
+#include "core/surface/outward.h"
+#include "io/mesh_io.h"
+#include "tests/app/cli_process.h"
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+
+/// Meshes from one format to another on the command line.
+class TestConvert : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir dir_;
+  const Eigen::Vector3d centre_{10, 20, 30};
+
+  CliResult cli(const QStringList& arguments) { return runCli(dir_.path(), arguments); }
+  [[nodiscard]] std::filesystem::path at(const QString& name) const {
+    return dir_.filePath(name).toStdString();
+  }
+  [[nodiscard]] QByteArray bytes(const QString& name) const {
+    QFile file(dir_.filePath(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  [[nodiscard]] Eigen::Vector3d middle(const QString& name) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const TriMesh mesh = readMesh(at(name));
+    for (const auto& p : mesh.points) sum += p;
+    return sum / static_cast<double>(mesh.points.size());
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    TriMesh ball = shapes::icosphere(2);
+    for (auto& p : ball.points) p = centre_ + 5.0 * p;
+    writeMesh(ball, at("ball.ply"));
+    // The same without a word on its frame, and inside out.
+    QByteArray text;
+    for (const auto& p : ball.points)
+      text += QString("v %1 %2 %3\n").arg(p.x()).arg(p.y()).arg(p.z()).toLatin1();
+    QByteArray faces, turned;
+    for (const auto& t : ball.triangles) {
+      faces += QString("f %1 %2 %3\n").arg(t[0] + 1).arg(t[1] + 1).arg(t[2] + 1).toLatin1();
+      turned += QString("f %1 %3 %2\n").arg(t[0] + 1).arg(t[1] + 1).arg(t[2] + 1).toLatin1();
+    }
+    QFile silent(dir_.filePath("silent.obj")), inside(dir_.filePath("inside.obj"));
+    QVERIFY(silent.open(QIODevice::WriteOnly) && inside.open(QIODevice::WriteOnly));
+    silent.write(text + faces);
+    inside.write("# SPACE=LPS\n" + text + turned);
+  }
+
+  void everyFormatHoldsTheMesh_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QStringList>("more");
+    QTest::newRow("ply") << "a.ply" << QStringList{"--normals", "--quality"};
+    QTest::newRow("ply text") << "b.ply" << QStringList{"--ascii", "--quality"};
+    QTest::newRow("stl") << "a.stl" << QStringList{"--unit", "m", "--frame", "ras"};
+    QTest::newRow("stl text") << "b.stl" << QStringList{"--ascii", "--unit", "m"};
+    QTest::newRow("obj") << "a.obj" << QStringList{"--frame", "ras"};
+    QTest::newRow("vtp") << "a.vtp" << QStringList{"--normals", "--unit", "m"};
+  }
+  void everyFormatHoldsTheMesh() {
+    QFETCH(QString, name);
+    QFETCH(QStringList, more);
+    const CliResult result = cli(QStringList{"convert", "ball.ply", "-o", name} + more);
+    QVERIFY2(result.code == 0 && result.errors.isEmpty(), result.errors.constData());
+    const LoadedMesh mesh = loadMesh(at(name));
+    QVERIFY(isClosed(mesh.mesh));
+    QVERIFY((middle(name) - centre_).norm() < 1e-5);
+    QCOMPARE(mesh.hasNormals, more.contains("--normals"));
+    QCOMPARE(mesh.hasQuality, more.contains("--quality"));
+    QVERIFY(mesh.unit == (more.contains("m") ? LengthUnit::Metre : LengthUnit::Millimetre));
+    QVERIFY(mesh.frame == (more.contains("ras") ? Frame::Ras : Frame::Lps));
+    if (name == "b.ply") QVERIFY(bytes(name).startsWith("ply\nformat ascii 1.0\n"));
+    if (name == "b.stl") QVERIFY(bytes(name).startsWith("solid surface SPACE=LPS UNIT=m\n"));
+    if (name == "a.stl") QVERIFY(!bytes(name).startsWith("solid"));
+  }
+
+  void theFrameOfASilentMeshIsAskedFor() {
+    const CliResult silent = cli({"convert", "silent.obj", "-o", "silent.ply"});
+    QCOMPARE(silent.code, 0);
+    QVERIFY(silent.errors.contains("warning: ") && silent.errors.contains("--from-frame"));
+    QVERIFY((middle("silent.ply") - centre_).norm() < 1e-3);
+    const CliResult told =
+        cli({"convert", "silent.obj", "-o", "told.ply", "--from-frame", "ras", "--from-unit", "m"});
+    QVERIFY2(told.code == 0 && told.errors.isEmpty(), told.errors.constData());
+    const Eigen::Vector3d turned(-1e3 * centre_.x(), -1e3 * centre_.y(), 1e3 * centre_.z());
+    QVERIFY((middle("told.ply") - turned).norm() < 1.0);
+    const CliResult overruled =
+        cli({"convert", "ball.ply", "-o", "told.ply", "--from-frame", "ras"});
+    QCOMPARE(overruled.code, 0);
+    QVERIFY(overruled.errors.contains("the header says LPS"));
+  }
+
+  void qualityTakesTheFrameToo() {
+    const QString mm = "area_mm2";
+    const auto area = [&](const QStringList& more) {
+      return cli(QStringList{"quality", "silent.obj", "--json"} + more)
+          .json()
+          .value("mesh")
+          .toObject()
+          .value(mm)
+          .toDouble();
+    };
+    QVERIFY(area({}) > 100.0);
+    QVERIFY(std::abs(area({"--unit", "m"}) / (1e6 * area({})) - 1.0) < 1e-9);
+    QCOMPARE(area({"--frame", "ras"}), area({}));
+    QCOMPARE(cli({"quality", "silent.obj", "--frame", "lap"}).code, 2);
+    const CliResult against = cli({"quality", "silent.obj", "--against", "inside.obj"});
+    QCOMPARE(against.code, 0);
+    QVERIFY(against.errors.contains("inside out"));
+  }
+
+  void insideOutIsTurnedWithAWarning() {
+    const CliResult result = cli({"convert", "inside.obj", "-o", "turned.vtp"});
+    QCOMPARE(result.code, 0);
+    QVERIFY(result.errors.contains("inside out"));
+    QVERIFY(loadMesh(at("turned.vtp")).warnings.empty());
+  }
+
+  void solidsGoFromStlToStl() {
+    TriMesh mesh = shapes::cube();
+    MeshWriteOptions write;
+    write.encoding = MeshEncoding::Ascii;
+    write.parts = {{"wall", 0, 8}, {"inlet", 8, 4}};
+    writeMesh(mesh, at("solids.stl"), write);
+    QCOMPARE(cli({"convert", "solids.stl", "-o", "again.stl", "--ascii"}).code, 0);
+    const LoadedMesh back = loadMesh(at("again.stl"));
+    QCOMPARE(back.parts.size(), std::size_t{2});
+    QCOMPARE(back.parts[1].name, std::string("inlet"));
+    QCOMPARE(back.parts[1].first, std::size_t{8});
+  }
+
+  void whatTheOutputHasNotIsRefused_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"convert ball.ply -o x.stl --normals", "convert ball.ply -o x.obj --quality",
+          "convert ball.ply -o x.vtp --ascii", "convert ball.ply -o x.nrrd --unit m",
+          "convert ball.ply -o x.nrrd --ascii", "convert ball.ply -o x.ply --from-frame up"})
+      QTest::newRow(line) << line;
+  }
+  void whatTheOutputHasNotIsRefused() {
+    QFETCH(QString, line);
+    const QStringList before = filesIn(dir_.path());
+    const CliResult result = cli(line.split(' '));
+    QCOMPARE(result.code, 2);
+    QCOMPARE(result.errorLines().size(), 1);
+    QCOMPARE(filesIn(dir_.path()), before);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestConvert)
+#include "tst_convert.moc"
