@@ -124,8 +124,9 @@ class CaseController : public QObject {
   [[nodiscard]] std::optional<double> estimatedTriangles();
   [[nodiscard]] const RunResult& results() const { return shown_; }
 
-  /// Writes the exported mesh; `report` adds NAME.report.json.
-  void exportMesh(MeshKind kind, const QString& path, LengthUnit unit, Frame frame, bool report);
+  /// Writes a mesh, reads it back and says what the file holds; `report` adds NAME.report.json.
+  /// The pipeline's key is filled in.
+  void exportMesh(MeshKind kind, const QString& path, const MeshWriteOptions& options, bool report);
 
  Q_SIGNALS:
   void caseChanged();

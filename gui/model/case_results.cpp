@@ -190,7 +190,7 @@ const SurfaceOrigin* CaseController::surfaceOrigin() const {
 
 bool CaseController::meshFresh() const { return state(Step::Smooth) == StepState::Fresh; }
 
-void CaseController::exportMesh(MeshKind kind, const QString& path, LengthUnit unit, Frame frame,
+void CaseController::exportMesh(MeshKind kind, const QString& path, const MeshWriteOptions& options,
                                 bool report) {
   if (export_) {
     say(Severity::Warning, tr("An export is being written: try again when it is done."));
@@ -203,8 +203,7 @@ void CaseController::exportMesh(MeshKind kind, const QString& path, LengthUnit u
     return;
   }
   request.path = path.toStdString();
-  request.options.unit = unit;
-  request.options.frame = frame;
+  request.options = options;
   const Step step = kind == MeshKind::Exported ? Step::Smooth : Step::Surface;
   for (const StageReport& stage : meshRun_->stages) {
     if (stage.step == step) {
@@ -226,9 +225,18 @@ void CaseController::finishExport() {
     say(Severity::Error, tr("Cannot export: %1").arg(QString::fromStdString(job->error())));
     return;
   }
-  say(Severity::Info, tr("Wrote %1%2.")
-                          .arg(QString::fromStdString(job->fileName()),
-                               job->request().report ? tr(" and its report") : QString()));
+  for (const std::string& warning : job->warnings()) {
+    say(Severity::Warning, QString::fromStdString(job->fileName() + ": " + warning));
+  }
+  const MeshFileFacts& facts = job->facts();
+  say(Severity::Info,
+      tr("Wrote %1%2. Read back: %3 vertices, %4 triangles, %5, %6 in %7.")
+          .arg(QString::fromStdString(job->fileName()),
+               job->request().report ? tr(" and its report") : QString())
+          .arg(facts.vertices)
+          .arg(facts.triangles)
+          .arg(facts.closed ? tr("closed") : tr("not closed"), boxSizeText(facts.size, facts.unit),
+               QString::fromStdString(frameWord(facts.frame))));
   Q_EMIT exported(QString::fromStdString(job->request().path.string()));
 }
 

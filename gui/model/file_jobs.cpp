@@ -92,7 +92,8 @@ void LoadJob::load() {
 
 void ExportJob::execute() noexcept {
   try {
-    writeMesh(*request_.mesh, request_.path, request_.options);
+    warnings_ = writeMesh(*request_.mesh, request_.path, request_.options);
+    facts_ = checkMeshFile(*request_.mesh, request_.path, request_.options);
     if (request_.report) {
       std::filesystem::path path = request_.path;
       writeText(path.replace_extension(".report.json"), runReportJson(*request_.report));

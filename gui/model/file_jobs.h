@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/pipeline/pipeline.h"
@@ -53,11 +54,12 @@ class LoadJob {
 /// What an export writes.
 struct ExportRequest {
   std::shared_ptr<const TriMesh> mesh;
-  std::filesystem::path path;  ///< .ply or .stl
+  std::filesystem::path path;  ///< .ply, .stl, .obj or .vtp
   MeshWriteOptions options;
   std::shared_ptr<const RunResult> report;  ///< empty: no NAME.report.json beside the mesh
 };
 
+/// Writes a mesh, and reads it back to see that the file holds it.
 class ExportJob {
  public:
   explicit ExportJob(ExportRequest request) : request_(std::move(request)) {}
@@ -66,12 +68,17 @@ class ExportJob {
 
   [[nodiscard]] const ExportRequest& request() const { return request_; }
   [[nodiscard]] const std::string& error() const { return error_; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  /// What was read back.
+  [[nodiscard]] const MeshFileFacts& facts() const { return facts_; }
   /// The file's name without its folder.
   [[nodiscard]] std::string fileName() const { return request_.path.filename().string(); }
 
  private:
   ExportRequest request_;
   std::string error_;
+  std::vector<std::string> warnings_;
+  MeshFileFacts facts_;
 };
 
 /// `message` with the name in place of the path and of its folder: a path may hold a patient's

@@ -154,6 +154,16 @@ QString meshTitle(MeshKind kind) {
   return {};
 }
 
+QString boxSizeText(const Eigen::Vector3d& size, LengthUnit unit) {
+  const bool metres = unit == LengthUnit::Metre;
+  const int decimals = metres ? 5 : 2;
+  return QStringLiteral("%1 × %2 × %3 %4")
+      .arg(size[0], 0, 'f', decimals)
+      .arg(size[1], 0, 'f', decimals)
+      .arg(size[2], 0, 'f', decimals)
+      .arg(metres ? QStringLiteral("m") : QStringLiteral("mm"));
+}
+
 Step stepOfField(const Field& field) {
   const std::string group = field.key.substr(0, field.key.find('.'));
   if (group == "levelset" || group == "comparison" || field.key == "segmentation.method") {

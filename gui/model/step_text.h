@@ -16,6 +16,9 @@ QString meshTitle(MeshKind kind);
 /// The step whose result a parameter goes into.
 Step stepOfField(const Field& field);
 
+/// "40.00 × 30.00 × 20.00 mm", of a size in `unit`.
+QString boxSizeText(const Eigen::Vector3d& size, LengthUnit unit);
+
 /// How the window names and scales a parameter. The value shown is factor times the value stored.
 struct FieldPresentation {
   QString label;

@@ -9,6 +9,8 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "gui/model/case_controller.h"
@@ -19,6 +21,36 @@ namespace angiomesh {
 namespace {
 
 constexpr double kMillimetresPerMetre = 1000.0;
+
+struct Format {
+  const char* title;
+  const char* extension;
+  MeshEncoding encoding;
+  bool holdsExtras;  ///< normals and quality
+  const char* hint;
+};
+
+constexpr const char* kNoTopology = QT_TRANSLATE_NOOP(
+    "angiomesh::ExportDialog",
+    "STL keeps no topology: each triangle stands alone, and its points have to be "
+    "merged again on import.");
+
+constexpr std::array<Format, 6> kFormats{
+    {{QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "PLY, binary"), ".ply", MeshEncoding::Binary,
+      true, ""},
+     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "PLY, ASCII"), ".ply", MeshEncoding::Ascii, true,
+      ""},
+     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "STL, binary"), ".stl", MeshEncoding::Binary,
+      false, kNoTopology},
+     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "STL, ASCII"), ".stl", MeshEncoding::Ascii,
+      false, kNoTopology},
+     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "OBJ"), ".obj", MeshEncoding::Ascii, false, ""},
+     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "VTP (VTK)"), ".vtp", MeshEncoding::Binary, true,
+      ""}}};
+
+const Format& chosenFormat(const QComboBox& combo) {
+  return kFormats[static_cast<std::size_t>(std::max(combo.currentIndex(), 0))];
+}
 
 }  // namespace
 
@@ -47,38 +79,8 @@ ExportDialog::ExportDialog(CaseController& controller, PathChooser chooser, QWid
   setObjectName("exportDialog");
   setWindowTitle(tr("Export mesh"));
   auto* form = new QFormLayout(this);
-  mesh_ = new QComboBox(this);
-  mesh_->setObjectName("exportMesh");
-  for (int i = 0; i < kMeshKindCount; ++i) {
-    if (controller_.mesh(static_cast<MeshKind>(i))) {
-      mesh_->addItem(meshTitle(static_cast<MeshKind>(i)), i);
-    }
-  }
-  form->addRow(tr("Mesh"), mesh_);
-  format_ = new QComboBox(this);
-  format_->setObjectName("exportFormat");
-  format_->addItem(tr("PLY, binary"), ".ply");
-  format_->addItem(tr("STL, binary"), ".stl");
-  form->addRow(tr("Format"), format_);
-  unit_ = new QComboBox(this);
-  unit_->setObjectName("exportUnit");
-  unit_->addItems({tr("millimetres"), tr("metres")});
-  form->addRow(tr("Unit"), unit_);
-  frame_ = new QComboBox(this);
-  frame_->setObjectName("exportFrame");
-  frame_->addItems({tr("LPS (DICOM, ITK)"), tr("RAS (NIfTI, Slicer)")});
-  form->addRow(tr("Frame"), frame_);
-  size_ = new QLabel(this);
-  size_->setObjectName("exportSize");
-  form->addRow(tr("Size of the result"), size_);
-  report_ = new QCheckBox(tr("Write NAME.report.json beside it"), this);
-  report_->setObjectName("exportReport");
-  report_->setChecked(true);
-  form->addRow(report_);
-  note_ = new QLabel(tr("The mesh belongs to earlier parameters: run again for the present ones."),
-                     this);
-  note_->setWordWrap(true);
-  form->addRow(note_);
+  addChoices(form);
+  addNotes(form);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   QPushButton* go = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
   go->setObjectName("exportGo");
@@ -86,16 +88,67 @@ ExportDialog::ExportDialog(CaseController& controller, PathChooser chooser, QWid
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(go, &QPushButton::clicked, this, &ExportDialog::exportNow);
-  for (QComboBox* combo : {mesh_, unit_, frame_}) {
+  for (QComboBox* combo : {mesh_, format_, unit_, frame_}) {
     connect(combo, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
   }
   connect(&controller_, &CaseController::resultsChanged, this, &ExportDialog::refresh);
   refresh();
 }
 
+void ExportDialog::addChoices(QFormLayout* form) {
+  const auto combo = [&](const char* name, const QString& label, const QStringList& items) {
+    auto* made = new QComboBox(this);
+    made->setObjectName(name);
+    made->addItems(items);
+    form->addRow(label, made);
+    return made;
+  };
+  mesh_ = combo("exportMesh", tr("Mesh"), {});
+  for (int i = 0; i < kMeshKindCount; ++i) {
+    if (controller_.mesh(static_cast<MeshKind>(i))) {
+      mesh_->addItem(meshTitle(static_cast<MeshKind>(i)), i);
+    }
+  }
+  format_ = combo("exportFormat", tr("Format"), {});
+  for (const Format& format : kFormats) {
+    format_->addItem(tr(format.title));
+  }
+  unit_ = combo("exportUnit", tr("Unit"), {tr("millimetres"), tr("metres")});
+  frame_ = combo("exportFrame", tr("Frame"), {tr("LPS (DICOM, ITK)"), tr("RAS (NIfTI, Slicer)")});
+}
+
+void ExportDialog::addNotes(QFormLayout* form) {
+  const auto check = [&](const char* name, const QString& text, bool on) {
+    auto* made = new QCheckBox(text, this);
+    made->setObjectName(name);
+    made->setChecked(on);
+    form->addRow(made);
+    return made;
+  };
+  size_ = new QLabel(this);
+  size_->setObjectName("exportSize");
+  form->addRow(tr("Size of the result"), size_);
+  normals_ = check("exportNormals", tr("Normals of the vertices"), false);
+  quality_ = check("exportQuality", tr("Quality of the triangles (radius ratio)"), false);
+  report_ = check("exportReport", tr("Write NAME.report.json beside it"), true);
+  hint_ = new QLabel(this);
+  hint_->setObjectName("exportHint");
+  note_ = new QLabel(tr("The mesh belongs to earlier parameters: run again for the present ones."),
+                     this);
+  for (QLabel* label : {hint_, note_}) {
+    label->setWordWrap(true);
+    form->addRow(label);
+  }
+}
+
 MeshKind ExportDialog::kind() const { return static_cast<MeshKind>(mesh_->currentData().toInt()); }
 
 void ExportDialog::refresh() {
+  const Format& format = chosenFormat(*format_);
+  normals_->setEnabled(format.holdsExtras);
+  quality_->setEnabled(format.holdsExtras);
+  hint_->setText(tr(format.hint));
+  hint_->setVisible(!hint_->text().isEmpty());
   note_->setVisible(!controller_.meshFresh());
   const auto mesh = controller_.mesh(kind());
   if (!mesh || mesh->points.empty()) {
@@ -106,18 +159,24 @@ void ExportDialog::refresh() {
   for (const Eigen::Vector3d& point : mesh->points) {
     box.extend(point);
   }
-  const bool metres = unit_->currentIndex() == 1;
-  const Eigen::Vector3d size = box.sizes() / (metres ? kMillimetresPerMetre : 1.0);
-  const int decimals = metres ? 5 : 2;
-  size_->setText(QStringLiteral("%1 × %2 × %3 %4")
-                     .arg(size[0], 0, 'f', decimals)
-                     .arg(size[1], 0, 'f', decimals)
-                     .arg(size[2], 0, 'f', decimals)
-                     .arg(metres ? tr("m") : tr("mm")));
+  const LengthUnit unit = options().unit;
+  const double millimetres = unit == LengthUnit::Metre ? kMillimetresPerMetre : 1.0;
+  size_->setText(boxSizeText(box.sizes() / millimetres, unit));
+}
+
+MeshWriteOptions ExportDialog::options() const {
+  const Format& format = chosenFormat(*format_);
+  MeshWriteOptions options;
+  options.unit = unit_->currentIndex() == 1 ? LengthUnit::Metre : LengthUnit::Millimetre;
+  options.frame = frame_->currentIndex() == 1 ? Frame::Ras : Frame::Lps;
+  options.encoding = format.encoding;
+  options.normals = format.holdsExtras && normals_->isChecked();
+  options.quality = format.holdsExtras && quality_->isChecked();
+  return options;
 }
 
 void ExportDialog::exportNow() {
-  const QString extension = format_->currentData().toString();
+  const QString extension = QLatin1String(chosenFormat(*format_).extension);
   QString path = chooser_.save(this, "vessels" + extension,
                                tr("%1 (*%2)").arg(format_->currentText(), extension));
   if (path.isEmpty()) {
@@ -126,9 +185,7 @@ void ExportDialog::exportNow() {
   if (!path.endsWith(extension, Qt::CaseInsensitive)) {
     path += extension;
   }
-  controller_.exportMesh(
-      kind(), path, unit_->currentIndex() == 1 ? LengthUnit::Metre : LengthUnit::Millimetre,
-      frame_->currentIndex() == 1 ? Frame::Ras : Frame::Lps, report_->isChecked());
+  controller_.exportMesh(kind(), path, options(), report_->isChecked());
   accept();
 }
 

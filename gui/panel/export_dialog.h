@@ -5,9 +5,11 @@
 #include <functional>
 
 #include "gui/model/run_job.h"
+#include "io/mesh_io.h"
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 
 namespace angiomesh {
@@ -23,7 +25,8 @@ struct PathChooser {
 };
 PathChooser dialogPathChooser();
 
-/// What to export and how: mesh, format, unit and frame, with the size that the result will have.
+/// What to export and how: mesh, format with what it can hold, unit and frame, with the size that
+/// the result will have.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -31,9 +34,12 @@ class ExportDialog : public QDialog {
   ExportDialog(CaseController& controller, PathChooser chooser, QWidget* parent = nullptr);
 
  private:
+  void addChoices(QFormLayout* form);
+  void addNotes(QFormLayout* form);
   void refresh();
   void exportNow();
   [[nodiscard]] MeshKind kind() const;
+  [[nodiscard]] MeshWriteOptions options() const;
 
   CaseController& controller_;
   PathChooser chooser_;
@@ -41,8 +47,11 @@ class ExportDialog : public QDialog {
   QComboBox* format_;
   QComboBox* unit_;
   QComboBox* frame_;
+  QCheckBox* normals_;
+  QCheckBox* quality_;
   QCheckBox* report_;
   QLabel* size_;
+  QLabel* hint_;
   QLabel* note_;
 };
 

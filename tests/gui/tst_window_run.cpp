@@ -168,33 +168,73 @@ class TestWindowRun : public QObject {
     QVERIFY(c.find<QLabel>("hints")->text().contains("earlier parameters"));
   }
 
-  void plyAndStlAreExported() {
+  void everyFormatIsExportedAndReadBack_data() {
+    QTest::addColumn<int>("format");
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("start");
+    QTest::addColumn<bool>("metres");
+    QTest::newRow("ply") << 0 << "vessels.ply" << QByteArray("ply\nformat binary") << false;
+    QTest::newRow("ply text") << 1 << "vessels.ply" << QByteArray("ply\nformat ascii") << true;
+    QTest::newRow("stl") << 2 << "vessels.stl" << QByteArray("Angiomesh SPACE=LPS") << false;
+    QTest::newRow("stl text") << 3 << "vessels.stl" << QByteArray("solid surface SPACE=RAS")
+                              << true;
+    QTest::newRow("obj") << 4 << "vessels.obj" << QByteArray("# Angiomesh") << false;
+    QTest::newRow("vtp") << 5 << "vessels.vtp" << QByteArray("<?xml") << true;
+  }
+  void everyFormatIsExportedAndReadBack() {
+    QFETCH(int, format);
+    QFETCH(QString, file);
+    QFETCH(QByteArray, start);
+    QFETCH(bool, metres);
     WindowCase c;
     c.controller().take(twoTubes());
     c.click(c.find<QPushButton>("run"));
-    const std::size_t triangles = c.controller().mesh(MeshKind::Exported)->triangles.size();
-    for (int format = 0; format < 2; ++format) {
-      c.savePath = c.folder.filePath(format == 0 ? "vessels.ply" : "vessels");
-      c.clickTool("export");
-      auto* dialog = c.find<QDialog>("exportDialog");
-      QVERIFY(dialog);
-      QTRY_VERIFY(dialog->isVisible());
-      c.choose(dialog->findChild<QComboBox*>("exportFormat"), format);
-      auto* size = dialog->findChild<QLabel*>("exportSize");
-      QVERIFY(size->text().endsWith(" mm"));
-      if (format == 1) {
-        c.choose(dialog->findChild<QComboBox*>("exportUnit"), 1);
-        QVERIFY(size->text().endsWith(" m"));
-        QTest::mouseClick(dialog->findChild<QCheckBox*>("exportReport"), Qt::LeftButton,
-                          Qt::NoModifier, QPoint(8, 8));
-      }
-      c.click(dialog->findChild<QPushButton*>("exportGo"));
-      QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
-      const QString path = c.folder.filePath(format == 0 ? "vessels.ply" : "vessels.stl");
-      QCOMPARE(readMesh(path.toStdString()).triangles.size(), triangles);
+    c.savePath = c.folder.filePath("vessels");
+    c.clickTool("export");
+    auto* dialog = c.find<QDialog>("exportDialog");
+    QVERIFY(dialog);
+    QTRY_VERIFY(dialog->isVisible());
+    const auto combo = [&](const char* name) { return dialog->findChild<QComboBox*>(name); };
+    const auto check = [&](const char* name) { return dialog->findChild<QCheckBox*>(name); };
+    const auto tick = [&](const char* name) {
+      QTest::mouseClick(check(name), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    };
+    QCOMPARE(combo("exportFormat")->count(), 6);
+    c.choose(combo("exportFormat"), format);
+    auto* hint = dialog->findChild<QLabel*>("exportHint");
+    QCOMPARE(hint->isVisible(), file.endsWith(".stl"));
+    QVERIFY(!hint->isVisible() || hint->text().contains("topology"));
+    const bool extras = file.endsWith(".ply") || file.endsWith(".vtp");
+    QCOMPARE(check("exportNormals")->isEnabled(), extras);
+    QCOMPARE(check("exportQuality")->isEnabled(), extras);
+    tick("exportNormals");
+    tick("exportQuality");
+    auto* size = dialog->findChild<QLabel*>("exportSize");
+    QVERIFY(size->text().endsWith(" mm"));
+    if (metres) {
+      c.choose(combo("exportUnit"), 1);
+      c.choose(combo("exportFrame"), 1);
+      QVERIFY(size->text().endsWith(" m"));
+      tick("exportReport");
     }
-    QVERIFY(QFile::exists(c.folder.filePath("vessels.report.json")));
-    QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("Wrote vessels.stl"));
+    const QString shown = size->text();
+    c.click(dialog->findChild<QPushButton*>("exportGo"));
+    QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
+
+    const QString path = c.folder.filePath(file);
+    QFile written(path);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QVERIFY(written.read(start.size()) == start);
+    const LoadedMesh back = loadMesh(path.toStdString());
+    QCOMPARE(back.mesh.triangles.size(), c.controller().mesh(MeshKind::Exported)->triangles.size());
+    QVERIFY(back.unit == (metres ? LengthUnit::Metre : LengthUnit::Millimetre));
+    QVERIFY(back.frame == (metres ? Frame::Ras : Frame::Lps));
+    QVERIFY(!back.key.empty());
+    QVERIFY(back.hasNormals == extras && back.hasQuality == extras);
+    QCOMPARE(QFile::exists(c.folder.filePath("vessels.report.json")), !metres);
+    const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
+    QVERIFY2(log.contains("Wrote " + file) && log.contains("Read back: "), qPrintable(log));
+    QVERIFY2(log.contains(shown + (metres ? " in RAS" : " in LPS")), qPrintable(log));
   }
 
   void anExportToNowhereSaysSo() {
