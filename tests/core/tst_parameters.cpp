@@ -4,36 +4,13 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/random.h"
 #include "core/pipeline/parameters.h"
+#include "tests/core/random_parameters.h"
 
 using namespace angiomesh;
+using angiomesh::test::randomValue;
 
 namespace {
-
-/// A value that the field takes, a function of the seed.
-FieldValue randomValue(const Field& field, std::uint64_t seed) {
-  const double u = randomUniform(seed, 1);
-  if (!field.emptyWord.empty() && randomUniform(seed, 0) < 0.3) return {};
-  const double span = field.maximum - field.minimum;
-  switch (field.kind) {
-    case FieldKind::Boolean:
-      return u < 0.5;
-    case FieldKind::Integer:
-      return static_cast<std::int64_t>(field.minimum + std::floor(u * span));
-    case FieldKind::Real:
-      return field.minimum + u * span;
-    case FieldKind::Choice:
-      return field.choices[static_cast<std::size_t>(u * static_cast<double>(field.choices.size()))];
-    case FieldKind::Numbers: {
-      std::vector<double> numbers;
-      for (std::size_t i = 0; i < field.groupOf; ++i)
-        numbers.push_back(randomNormal(seed, i) * 100.0);
-      return numbers;
-    }
-  }
-  return {};
-}
 
 std::string messageOf(const std::function<void()>& f) {
   try {

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/case_journal.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "io/files.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Some 100 edits; then the journal is cut to half of that.
+constexpr off_t kLongestBytes = 1 << 20;
+
+fs::path journalOf(const fs::path& folder) { return folder / "edits" / "journal.jsonl"; }
+
+std::string lineOf(const JournalStep& step) {
+  const Json json = {{"saves", step.saves},
+                     {"position", step.position},
+                     {"text", step.text},
+                     {"parameters", Json::parse(parametersToJson(step.params))}};
+  return json.dump() + "\n";
+}
+
+/// Of one line; false when it was not written whole or by another version of the program.
+bool parseLine(std::string_view line, JournalStep& step) {
+  const Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object()) return false;
+  try {
+    step.saves = json.at("saves").get<int>();
+    step.position = json.at("position").get<int>();
+    step.text = json.at("text").get<std::string>();
+    step.params =
+        parametersFromJson(json.at("parameters").dump(), preset("angiomesh"), "the journal");
+  } catch (const Json::exception&) {
+    return false;
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
+/// A file descriptor that is closed at the end.
+class Descriptor {
+ public:
+  explicit Descriptor(const fs::path& path)
+      : fd_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+bool writeAll(int fd, std::string_view bytes, off_t at) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(fd, bytes.data(), bytes.size(), at);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    at += written;
+  }
+  return true;
+}
+
+[[noreturn]] void refuse(const fs::path& file, int code) {
+  throw IoError("cannot note the edit (" + std::generic_category().message(code) + ")",
+                file.string(), "check that the folder may be written to and has free space");
+}
+
+/// Keeps the last half of a long journal, whole lines only.
+void cut(const fs::path& file) {
+  const std::string text = readText(file);
+  const std::size_t from = text.find('\n', text.size() / 2);
+  if (from != std::string::npos) writeText(file, std::string_view(text).substr(from + 1));
+}
+
+}  // namespace
+
+void appendJournal(const fs::path& folder, const std::vector<JournalStep>& steps) {
+  const fs::path file = journalOf(folder);
+  std::error_code error;
+  fs::create_directory(file.parent_path(), error);
+  if (error) refuse(file, error.value());
+  off_t size = 0;
+  {
+    const Descriptor journal(file);
+    struct stat status {};
+    if (journal.get() < 0 || ::fstat(journal.get(), &status) != 0) refuse(file, errno);
+    size = status.st_size;
+    // A line that was not written whole must not spoil the next one.
+    char last = '\n';
+    if (size > 0 && ::pread(journal.get(), &last, 1, size - 1) != 1) refuse(file, errno);
+    std::string text = last == '\n' ? "" : "\n";
+    for (const JournalStep& step : steps) text += lineOf(step);
+    const bool written =
+        writeAll(journal.get(), text, size) && (::fsync(journal.get()) == 0 || errno == EINVAL);
+    if (!written) {
+      const int code = errno;
+      if (::ftruncate(journal.get(), size) != 0) refuse(file, code);
+      refuse(file, code);
+    }
+    size += static_cast<off_t>(text.size());
+  }
+  if (size > kLongestBytes) cut(file);
+}
+
+std::vector<JournalStep> readJournal(const fs::path& folder, int saves) {
+  std::vector<JournalStep> steps;
+  const fs::path file = journalOf(folder);
+  std::error_code error;
+  if (!fs::exists(file, error)) return steps;
+  const std::string text = readText(file);
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = text.find('\n', start);
+    JournalStep step;
+    if (end != std::string::npos &&
+        parseLine(std::string_view(text).substr(start, end - start), step) && step.saves >= saves) {
+      const bool same = !steps.empty() && steps.back().saves == step.saves &&
+                        steps.back().position == step.position && steps.back().text == step.text;
+      if (same) steps.pop_back();
+      steps.push_back(std::move(step));
+    }
+    start = end == std::string::npos ? text.size() : end + 1;
+  }
+  return steps;
+}
+
+void removeJournal(const fs::path& folder) {
+  std::error_code error;
+  fs::remove(journalOf(folder), error);
+  fs::remove(folder / "edits", error);
+}
+
+}  // namespace angiomesh

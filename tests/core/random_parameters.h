@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/pipeline/parameters.h"
+
+namespace angiomesh::test {
+
+/// A value that the field takes, a function of the seed.
+inline FieldValue randomValue(const Field& field, std::uint64_t seed) {
+  const double u = randomUniform(seed, 1);
+  if (!field.emptyWord.empty() && randomUniform(seed, 0) < 0.3) return {};
+  const double span = field.maximum - field.minimum;
+  switch (field.kind) {
+    case FieldKind::Boolean:
+      return u < 0.5;
+    case FieldKind::Integer:
+      return static_cast<std::int64_t>(field.minimum + std::floor(u * span));
+    case FieldKind::Real:
+      return field.minimum + u * span;
+    case FieldKind::Choice:
+      return field.choices[static_cast<std::size_t>(u * static_cast<double>(field.choices.size()))];
+    case FieldKind::Numbers: {
+      std::vector<double> numbers;
+      for (std::size_t i = 0; i < field.groupOf; ++i)
+        numbers.push_back(randomNormal(seed, i) * 100.0);
+      return numbers;
+    }
+  }
+  return {};
+}
+
+/// Parameters with a random value in each field, a function of the seed.
+inline Parameters randomParameters(std::uint64_t seed) {
+  Parameters params;
+  std::uint64_t counter = 0;
+  for (const Field& field : parameterFields())
+    setField(params, field.key, randomValue(field, seed * 1000 + counter++));
+  return params;
+}
+
+}  // namespace angiomesh::test

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/case_file.h"
+
+#include <sys/wait.h>
+
+#include <Eigen/Geometry>
+#include <QTest>
+#include <chrono>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/phantom/phantom.h"
+#include "io/case_journal.h"
+#include "io/files.h"
+#include "io/find_source.h"
+#include "tests/core/random_parameters.h"
+#include "tests/io/io_test.h"
+
+using namespace angiomesh;
+using namespace angiomesh::test;
+
+namespace {
+
+CaseDocument sampleDocument(std::uint64_t seed = 1) {
+  CaseDocument document;
+  document.source.hash = "0123456789abcdef";
+  document.source.format = "DICOM";
+  document.source.files = 40;
+  document.source.grid.size = {64, 48, 40};
+  document.source.grid.spacing = {0.35, 0.35, 0.6};
+  document.source.grid.origin = {-11.25, 7.1, 1.0 / 3.0};
+  document.source.grid.direction = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).matrix();
+  document.params = randomParameters(seed);
+  document.view.layer = "vesselness";
+  document.view.windowLevels = {{"source", {300.0, 120.0}}, {"vesselness", {0.5, 0.25}}};
+  document.view.slab = "mip";
+  document.view.slabThicknessMm = 7.5;
+  document.view.crosshairLps = Eigen::Vector3d(1.5, -2.25, 0.1);
+  document.view.shown = {{"contours", true}, {"surface", false}};
+  document.view.mesh = "exported";
+  document.view.colour = "minAngle";
+  document.saves = 3;
+  return document;
+}
+
+void verifyEqual(const CaseDocument& a, const CaseDocument& b) {
+  QCOMPARE(a.source.hash, b.source.hash);
+  QCOMPARE(a.source.format, b.source.format);
+  QCOMPARE(a.source.files, b.source.files);
+  QVERIFY(a.source.grid == b.source.grid);
+  QCOMPARE(parametersToJson(a.params), parametersToJson(b.params));
+  QCOMPARE(a.view.layer, b.view.layer);
+  QVERIFY(a.view.windowLevels == b.view.windowLevels);
+  QCOMPARE(a.view.slab, b.view.slab);
+  QCOMPARE(a.view.slabThicknessMm, b.view.slabThicknessMm);
+  QVERIFY(a.view.crosshairLps == b.view.crosshairLps);
+  QVERIFY(a.view.shown == b.view.shown);
+  QCOMPARE(a.view.mesh, b.view.mesh);
+  QCOMPARE(a.view.colour, b.view.colour);
+  QCOMPARE(a.saves, b.saves);
+}
+
+template <class E>
+std::string messageOf(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const E& error) {
+    return error.what();
+  }
+  return {};
+}
+
+JournalStep step(int saves, int position, double xi) {
+  JournalStep result;
+  result.saves = saves;
+  result.position = position;
+  result.text = "change levelset.xi";
+  result.params.levelset.xi = xi;
+  return result;
+}
+
+Volume<float> smallTree() {
+  PhantomParams params;
+  params.size = {36, 34, 32};
+  params.spacingMm = {0.5, 0.5, 0.8};
+  return makePhantom(params).image;
+}
+
+CaseSource describe(const Volume<float>& image) {
+  CaseSource source;
+  source.hash = contentHash(image);
+  source.format = "NRRD";
+  source.grid = image.geometry;
+  return source;
+}
+
+void replaceIn(const fs::path& file, const std::string& what, const std::string& with) {
+  std::string text = bytesOf(file);
+  const std::size_t at = text.find(what);
+  QVERIFY2(at != std::string::npos, what.c_str());
+  save(file, text.replace(at, what.size(), with));
+}
+
+}  // namespace
+
+class TestCaseFile : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void whatIsSavedComesBack() {
+    const Folder folder;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const CaseDocument document = sampleDocument(seed);
+      writeCase(folder / "a.angiomesh", document);
+      const CaseReading reading = readCase(folder / "a.angiomesh");
+      QVERIFY(reading.warnings.empty());
+      verifyEqual(reading.document, document);
+    }
+    QVERIFY(isCase(folder / "a.angiomesh"));
+    QCOMPARE(caseFolder(folder / "a.angiomesh" / "case.json"), folder / "a.angiomesh");
+    QCOMPARE(caseFolder(folder / "a.angiomesh/"), folder / "a.angiomesh");
+    QCOMPARE(caseFolder(folder / "scan.nrrd"), folder / "scan.nrrd");
+    QCOMPARE(entriesOf(folder.path()), 1);
+  }
+
+  void theSampleOfSchema1OpensForEver() {
+    const fs::path sample = fs::path(ANGIOMESH_TEST_DATA) / "schema-1.angiomesh";
+    const CaseReading reading = readCase(sample);
+    for (const std::string& warning : reading.warnings) QVERIFY2(false, warning.c_str());
+    const CaseDocument& document = reading.document;
+    QCOMPARE(document.source.hash, std::string("0123456789abcdef"));
+    QCOMPARE(document.source.grid.size[2], 40);
+    QCOMPARE(document.source.grid.origin[2], 1.0 / 3.0);
+    QCOMPARE(document.params.levelset.xi, 33.25);
+    QCOMPARE(document.params.segmentation.keep, KeepComponents::Largest);
+    QCOMPARE(document.params.seeds.points, (std::vector<double>{1.0, -2.5, 3.0}));
+    QCOMPARE(document.view.slab, std::string("mip"));
+    QCOMPARE(document.view.crosshairLps->x(), 1.5);
+    const std::vector<JournalStep> steps = readJournal(sample, document.saves);
+    QCOMPARE(steps.size(), std::size_t(2));
+    QCOMPARE(steps[0].text, std::string("change levelset.xi"));
+    QCOMPARE(steps[1].params.levelset.xi, 41.0);
+  }
+
+  void aNewerSchemaIsRefusedInWords() {
+    const Folder folder;
+    writeCase(folder / "a.angiomesh", sampleDocument());
+    writeCase(folder / "a.angiomesh", sampleDocument());
+    replaceIn(folder / "a.angiomesh/case.json", "\"schema\": 1", "\"schema\": 2");
+    const std::string message =
+        messageOf<InputError>([&] { (void)readCase(folder / "a.angiomesh"); });
+    QVERIFY2(message.find("newer Angiomesh (schema 2") != std::string::npos, message.c_str());
+    QVERIFY(message.find("update the program") != std::string::npos);
+  }
+
+  void aDamagedCaseOpensAsItWasBefore() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument(1));
+    const std::string whole = bytesOf(a / "case.json");
+    for (const std::string& damaged :
+         {std::string(), std::string("{"), whole.substr(0, 700), std::string("[1]"),
+          std::string("{\"schema\": 1}"), std::string("{\"schema\": \"x\"}")}) {
+      save(a / "case.json", damaged);
+      QVERIFY_EXCEPTION_THROWN((void)readCase(a), IoError);
+    }
+    save(a / "case.json", whole);
+    writeCase(a, sampleDocument(2));
+    save(a / "case.json", whole.substr(0, whole.size() / 2));
+    CaseReading reading = readCase(a);
+    QCOMPARE(reading.warnings.size(), std::size_t(1));
+    verifyEqual(reading.document, sampleDocument(1));
+    // A save over a damaged file must not take the good copy's place with it.
+    writeCase(a, sampleDocument(3));
+    verifyEqual(readCase(a).document, sampleDocument(3));
+    fs::remove(a / "case.json");
+    reading = readCase(a);
+    QCOMPARE(reading.warnings.size(), std::size_t(1));
+    verifyEqual(reading.document, sampleDocument(1));
+  }
+
+  void unknownParametersAreNamedAndMissingOnesHaveDefaults() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    CaseDocument document = sampleDocument();
+    document.params = preset("angiomesh");
+    document.params.levelset.xi = 44.0;
+    writeCase(a, document);
+    replaceIn(a / "case.json", "\"xi\"", "\"xj\"");
+    const CaseReading reading = readCase(a);
+    QCOMPARE(reading.warnings.size(), std::size_t(1));
+    QVERIFY(reading.warnings.front().find("levelset.xj") != std::string::npos);
+    QCOMPARE(reading.document.params.levelset.xi, Parameters().levelset.xi);
+    replaceIn(a / "case.json", "\"xj\": 44.0", "\"xi\": -1.0");
+    const std::string message = messageOf<InputError>([&] { (void)readCase(a); });
+    QVERIFY2(message.find("levelset.xi") != std::string::npos, message.c_str());
+    replaceIn(a / "case.json", "\"layer\": \"vesselness\"", "\"layer\": 7");
+    replaceIn(a / "case.json", "\"xi\": -1.0", "\"xi\": 2.0");
+    QCOMPARE(readCase(a).warnings.size(), std::size_t(1));
+    QCOMPARE(readCase(a).document.params.levelset.xi, 2.0);
+  }
+
+  void placesThatAreNoCaseAreRefused() {
+    const Folder folder;
+    QVERIFY_EXCEPTION_THROWN((void)readCase(folder / "none.angiomesh"), IoError);
+    QVERIFY_EXCEPTION_THROWN(writeCase(folder / "no/a.angiomesh", sampleDocument()), IoError);
+    save(folder / "file.angiomesh", "x");
+    QVERIFY_EXCEPTION_THROWN(writeCase(folder / "file.angiomesh", sampleDocument()), IoError);
+    fs::create_directory(folder / "photos");
+    save(folder / "photos/1.jpg", "x");
+    QVERIFY_EXCEPTION_THROWN(writeCase(folder / "photos", sampleDocument()), IoError);
+    QVERIFY(!isCase(folder / "photos"));
+    QCOMPARE(entriesOf(folder / "photos"), 1);
+    fs::create_directory(folder / "empty.angiomesh");
+    writeCase(folder / "empty.angiomesh", sampleDocument());
+    verifyEqual(readCase(folder / "empty.angiomesh").document, sampleDocument());
+  }
+
+  void aFullDiskLeavesTheCaseAsItWas() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument(1));
+    appendJournal(a, {step(3, 1, 25.0)});
+    {
+      const FullDisk disk(500);
+      QVERIFY_EXCEPTION_THROWN(writeCase(a, sampleDocument(2)), IoError);
+      QVERIFY_EXCEPTION_THROWN(appendJournal(a, {step(3, 2, 26.0)}), IoError);
+      QVERIFY_EXCEPTION_THROWN(writeCase(folder / "b.angiomesh", sampleDocument()), IoError);
+    }
+    verifyEqual(readCase(a).document, sampleDocument(1));
+    QCOMPARE(readJournal(a, 3).size(), std::size_t(1));
+    QCOMPARE(entriesOf(folder.path()), 1);
+    appendJournal(a, {step(3, 2, 26.0)});
+    QCOMPARE(readJournal(a, 3).size(), std::size_t(2));
+  }
+
+  void aKilledProgramLeavesACaseThatOpens() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    int most = 0;
+    for (std::uint64_t round = 0; round < 25; ++round) {
+      const pid_t child = ::fork();
+      if (child == 0) {
+        CaseDocument document = sampleDocument(round);
+        for (document.saves = most + 1;; ++document.saves) {
+          writeCase(a, document);
+          appendJournal(a, {step(document.saves, 1, 25.0), step(document.saves, 2, 26.0)});
+        }
+      }
+      QVERIFY(child > 0);
+      std::this_thread::sleep_for(
+          std::chrono::microseconds(500 + static_cast<int>(40000 * randomUniform(round, 7))));
+      ::kill(child, SIGKILL);
+      ::waitpid(child, nullptr, 0);
+      if (!fs::exists(a)) continue;
+      const CaseReading reading = readCase(a);
+      QVERIFY(reading.warnings.empty());
+      QVERIFY(reading.document.saves >= most);
+      most = reading.document.saves;
+      for (const JournalStep& each : readJournal(a, 0))
+        QVERIFY(each.params.levelset.xi == 25.0 || each.params.levelset.xi == 26.0);
+    }
+    QVERIFY(most > 1);
+  }
+
+  void theJournalTellsWhatCameAfterTheLastSave() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument());
+    QVERIFY(readJournal(a, 3).empty());
+    appendJournal(a, {step(2, 1, 21.0), step(3, 1, 22.0)});
+    appendJournal(a, {step(3, 1, 23.0)});
+    appendJournal(a, {step(3, 2, 24.0)});
+    std::vector<JournalStep> steps = readJournal(a, 3);
+    QCOMPARE(steps.size(), std::size_t(2));
+    QCOMPARE(steps[0].params.levelset.xi, 23.0);
+    QCOMPARE(steps[1].params.levelset.xi, 24.0);
+
+    const fs::path file = a / "edits/journal.jsonl";
+    const std::string whole = bytesOf(file);
+    for (std::size_t left = whole.size() - 400; left < whole.size(); left += 37) {
+      save(file, whole.substr(0, left));
+      QCOMPARE(readJournal(a, 3).size(), std::size_t(1));
+    }
+    appendJournal(a, {step(3, 2, 27.0)});
+    steps = readJournal(a, 3);
+    QCOMPARE(steps.size(), std::size_t(2));
+    QCOMPARE(steps[1].params.levelset.xi, 27.0);
+    removeJournal(a);
+    removeJournal(a);
+    QVERIFY(readJournal(a, 0).empty());
+    QVERIFY(!fs::exists(a / "edits"));
+  }
+
+  void aLongJournalIsCut() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument());
+    int position = 0;
+    for (int i = 0; i < 60; ++i) {
+      std::vector<JournalStep> steps;
+      for (int k = 0; k < 10; ++k) steps.push_back(step(0, ++position, 20.0));
+      appendJournal(a, steps);
+    }
+    QVERIFY(fs::file_size(a / "edits/journal.jsonl") <= 1 << 20);
+    const std::vector<JournalStep> steps = readJournal(a, 0);
+    QVERIFY(steps.size() > 20);
+    QCOMPARE(steps.back().position, position);
+    QCOMPARE(entriesOf(a / "edits"), 1);
+  }
+
+  void theSourceIsKnownByItsContent() {
+    const Folder folder;
+    const Volume<float> image = smallTree();
+    Volume<float> other = image;
+    other.voxels[100] += 1.0F;
+    const CaseSource source = describe(image);
+    fs::create_directories(folder / "study/cases");
+    const fs::path a = folder / "study/cases/a.angiomesh";
+    writeCase(a, sampleDocument());
+    save(folder / "study/notes.txt", "no image");
+    save(folder / "study/broken.nrrd", "NRRD0004\n");
+    writeVolume(other, folder / "study/cases/first.nrrd");
+    QVERIFY(!findSource(placesNear(a), source));
+    QVERIFY(!sourceAt(folder / "study/cases/first.nrrd", source));
+    QVERIFY_EXCEPTION_THROWN((void)sourceAt(folder / "study/notes.txt", source), InputError);
+
+    writeVolume(image, folder / "study/moved.mha");
+    auto found = findSource(placesNear(a), source);
+    QVERIFY(found);
+    QCOMPARE(found->path, folder / "study/moved.mha");
+    QCOMPARE(found->hash, source.hash);
+    fs::rename(folder / "study/moved.mha", folder / "study/cases/renamed.mha");
+    found = findSource(placesNear(a), source);
+    QVERIFY(found && found->path == folder / "study/cases/renamed.mha");
+    Progress progress;
+    progress.cancel();
+    QVERIFY_EXCEPTION_THROWN((void)findSource(placesNear(a), source, progress), Cancelled);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestCaseFile)
+#include "tst_case_file.moc"
