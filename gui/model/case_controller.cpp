@@ -59,14 +59,17 @@ void copyPlaces(const Parameters& from, Parameters& to) {
 
 }  // namespace
 
-CaseController::CaseController(const JobRunnerFactory& makeRunner, QObject* parent)
+CaseController::CaseController(const JobRunnerFactory& makeRunner, QObject* parent,
+                               const std::filesystem::path& recovery)
     : QObject(parent),
       runRunner_(makeRunner()),
       loadRunner_(makeRunner()),
       exportRunner_(makeRunner()),
       speedRunner_(makeRunner()),
       estimateRunner_(makeRunner()),
-      params_(preset("angiomesh")) {
+      params_(preset("angiomesh")),
+      store_(makeRunner(), recovery) {
+  connect(&undo_, &QUndoStack::indexChanged, this, &CaseController::noteEdit);
   timer_.setInterval(kPollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &CaseController::poll);
 }
@@ -125,41 +128,60 @@ void CaseController::finishLoad() {
     return;
   }
   const std::shared_ptr<LoadJob> job = std::exchange(load_, nullptr);
-  if (usable) {
-    clearResults();
-    pipeline_ = job->pipeline();
-    name_ = QString::fromStdString(pipeline_->source().name);
-    window_ = job->window();
-    level_ = job->level();
-    undo_.clear();
-    copyPlaces(Parameters(), params_);
-    const Geometry& grid = image()->geometry;
-    say(Severity::Info, tr("Opened %1: %2 × %3 × %4 voxels of %5 × %6 × %7 mm%8.")
-                            .arg(name_)
-                            .arg(grid.size[0])
-                            .arg(grid.size[1])
-                            .arg(grid.size[2])
-                            .arg(grid.spacing[0], 0, 'g', 4)
-                            .arg(grid.spacing[1], 0, 'g', 4)
-                            .arg(grid.spacing[2], 0, 'g', 4)
-                            .arg(job->info().modality.empty()
-                                     ? QString()
-                                     : tr(", ") + QString::fromStdString(job->info().modality)));
-    for (const std::string& warning : screenWarnings(job->info())) {
-      say(Severity::Warning, QString::fromStdString(warning));
+  if (!usable) {
+    if (!job->cancelled()) {
+      say(Severity::Error, tr("Cannot open: %1").arg(QString::fromStdString(job->error())));
     }
+  } else if (const auto opening = std::dynamic_pointer_cast<const OpenCaseJob>(job)) {
+    finishCase(opening);
+  } else {
+    takeLoaded(*job);
+    params_ = job->startParameters().value_or(params_);
+    copyPlaces(Parameters(), params_);
+    store_.begin({describeSource(), params_, {}, 0}, nullptr);
+    sayOpened(job->info());
     Q_EMIT caseChanged();
     Q_EMIT parametersChanged();
     Q_EMIT resultsChanged();
     if (!job->path().empty()) {
-      Q_EMIT opened(QString::fromStdString(job->path().string()));
+      const QString path = QString::fromStdString(job->path().string());
+      Q_EMIT opened(path);
+      Q_EMIT sourceSeen(path);
     }
-  } else if (!job->cancelled()) {
-    say(Severity::Error, tr("Cannot open: %1").arg(QString::fromStdString(job->error())));
   }
   Q_EMIT statesChanged();
   if (nextLoad_) {
     startLoad(std::exchange(nextLoad_, nullptr));
+  }
+}
+
+void CaseController::takeLoaded(const LoadJob& job) {
+  leaveCase();
+  pending_.reset();
+  clearResults();
+  pipeline_ = job.pipeline();
+  info_ = job.info();
+  name_ = QString::fromStdString(pipeline_->source().name);
+  window_ = job.window();
+  level_ = job.level();
+  undo_.clear();
+}
+
+void CaseController::sayOpened(const InputInfo& info) {
+  const Geometry& grid = image()->geometry;
+  say(Severity::Info,
+      tr("Opened %1: %2 × %3 × %4 voxels of %5 × %6 × %7 mm%8.")
+          .arg(name_)
+          .arg(grid.size[0])
+          .arg(grid.size[1])
+          .arg(grid.size[2])
+          .arg(grid.spacing[0], 0, 'g', 4)
+          .arg(grid.spacing[1], 0, 'g', 4)
+          .arg(grid.spacing[2], 0, 'g', 4)
+          .arg(info.modality.empty() ? QString()
+                                     : tr(", ") + QString::fromStdString(info.modality)));
+  for (const std::string& warning : screenWarnings(info)) {
+    say(Severity::Warning, QString::fromStdString(warning));
   }
 }
 

@@ -12,8 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "gui/model/case_store.h"
 #include "gui/model/file_jobs.h"
 #include "gui/model/job_runner.h"
+#include "gui/model/open_case_job.h"
 #include "gui/model/run_job.h"
 
 namespace angiomesh {
@@ -39,9 +41,11 @@ class CaseController : public QObject {
   Q_OBJECT
 
  public:
+  /// @param recovery the folder for the edits of cases that were never saved; empty: they are not
+  /// kept
   explicit CaseController(const JobRunnerFactory& makeRunner = makeThreadedJobRunner,
-                          QObject* parent = nullptr);
-  /// Cancels what runs and waits for it.
+                          QObject* parent = nullptr, const std::filesystem::path& recovery = {});
+  /// Cancels what runs and waits for it. Edits stay on the disk as after a crash: see leaveCase().
   ~CaseController() override;
 
   // The case.
@@ -53,9 +57,32 @@ class CaseController : public QObject {
   [[nodiscard]] bool loading() const { return load_ != nullptr; }
   [[nodiscard]] double loadFraction() const { return load_ ? load_->progress().fraction() : 0.0; }
   [[nodiscard]] QString caseName() const;
+  /// Source::hash; empty without a case.
+  [[nodiscard]] std::string sourceHash() const;
   [[nodiscard]] std::shared_ptr<const Volume<float>> image() const;
   /// Window and level that suit a layer.
   [[nodiscard]] std::pair<double, double> windowLevel(Layer layer) const;
+
+  // Cases on the disk.
+  /// One of caseFound(), sourceMissing() and sourceDiffers() follows, or a message.
+  void openCase(CaseRequest request);
+  /// After sourceMissing() or sourceDiffers(): look at `path`; open its volume with the parameters
+  /// of the case alone, without places; or let the case be.
+  void giveSource(const QString& path);
+  void takeParametersOnly();
+  void giveUpCase() { pending_.reset(); }
+  /// caseSaved() or caseNotSaved() follows. @param view what the window shows
+  void saveCase(const QString& folder, const CaseView& view);
+  /// Empty: the case was never saved.
+  [[nodiscard]] QString caseFolder() const;
+  /// There are edits since the last save.
+  [[nodiscard]] bool modified() const { return hasCase() && !undo_.isClean(); }
+  [[nodiscard]] bool saving() const { return store_.saving(); }
+  /// After editsFound(): makes those edits again, each one undoable, or does away with them.
+  void restoreEdits();
+  void forgetEdits();
+  /// A clean end: nothing is kept for a restore.
+  void leaveCase();
 
   // Edits: each one is undoable.
   [[nodiscard]] const Parameters& parameters() const { return params_; }
@@ -85,7 +112,9 @@ class CaseController : public QObject {
   [[nodiscard]] bool running() const { return run_ != nullptr; }
   [[nodiscard]] bool evolving() const;
   [[nodiscard]] bool paused() const;
-  [[nodiscard]] bool busy() const { return run_ || load_ || export_ || speedRun_ || estimateRun_; }
+  [[nodiscard]] bool busy() const {
+    return run_ || load_ || export_ || speedRun_ || estimateRun_ || store_.busy();
+  }
 
   [[nodiscard]] StepState state(Step step) const;
   /// Empty when nothing is computed.
@@ -137,7 +166,14 @@ class CaseController : public QObject {
   void snapshotArrived();  ///< phi() and liveSurface() moved on
   void message(angiomesh::Severity severity, const QString& text);
   void exported(const QString& path);
-  void opened(const QString& path);  ///< a file or folder was loaded
+  void opened(const QString& path);                 ///< a file or folder was loaded
+  void sourceSeen(const QString& path);             ///< where the volume of the open case lies
+  void caseFound(const angiomesh::CaseView& view);  ///< a case was opened, and looked like this
+  void sourceMissing(const QString& what);          ///< the case's volume, in words
+  void sourceDiffers(const QString& reason);
+  void editsFound(int count);  ///< since the last save of the case opened, after a crash
+  void caseSaved(const QString& folder);
+  void caseNotSaved();
 
  private:
   friend class ChangeParameters;
@@ -151,6 +187,13 @@ class CaseController : public QObject {
   void say(Severity severity, const QString& text);
   void startLoad(std::shared_ptr<LoadJob> job);
   void finishLoad();
+  void takeLoaded(const LoadJob& job);
+  void sayOpened(const InputInfo& info);
+  void finishCase(const std::shared_ptr<const OpenCaseJob>& job);
+  void noteEdit();
+  void pollStore();
+  void keepPolling();
+  [[nodiscard]] CaseSource describeSource() const;
   void replaceParameters(const Parameters& params);
   void change(const Parameters& after, const QString& text, const QString& mergeKey = {},
               bool continued = false);
@@ -182,6 +225,13 @@ class CaseController : public QObject {
   std::shared_ptr<Pipeline> pipeline_;
   QString name_;
   double window_ = 1.0, level_ = 0.5;
+
+  CaseStore store_;
+  InputInfo info_;  ///< of the source
+  std::vector<JournalStep> foundSteps_;
+  bool restoring_ = false;                      ///< edits come from the journal
+  bool noteFailed_ = false;                     ///< and the user knows
+  std::shared_ptr<const OpenCaseJob> pending_;  ///< without a source so far
 
   std::shared_ptr<LoadJob> load_;
   std::shared_ptr<LoadJob> nextLoad_;

@@ -179,6 +179,7 @@ void CaseController::poll() {
   if (load_ && !loadRunner_->running()) {
     finishLoad();
   }
+  pollStore();
   if (!busy()) {
     timer_.stop();
   }

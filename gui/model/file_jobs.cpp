@@ -14,7 +14,6 @@ namespace angiomesh {
 
 namespace {
 
-constexpr int kSampleSize = 128;
 constexpr double kSampleNoise = 20.0;
 
 void replaceAll(std::string& text, const std::string& what, const std::string& with) {
@@ -59,19 +58,26 @@ void LoadJob::execute() noexcept {
   }
 }
 
-void LoadJob::load() {
-  Source source = std::move(source_);
-  if (source.image) {
+Source LoadJob::obtain() {
+  if (source_.image) {
     info_.format = "memory";
-  } else if (path_.empty()) {
-    source = makeSampleSource(kSampleSize, progress_.sub(0.0, 0.8));
+    return std::move(source_);
+  }
+  if (path_.empty()) {
     info_.format = "phantom";
     info_.pixelType = "float32";
-  } else {
-    LoadedImage loaded = readImage(path_, {}, progress_.sub(0.0, 0.8));
-    info_ = std::move(loaded.info);
-    progress_.check();
-    source = makeSource(std::move(loaded.image), name_);
+    return makeSampleSource(kSampleSize, progress_.sub(0.0, 0.8));
+  }
+  LoadedImage loaded = readImage(path_, {}, progress_.sub(0.0, 0.8));
+  info_ = std::move(loaded.info);
+  progress_.check();
+  return makeSource(std::move(loaded.image), name_);
+}
+
+void LoadJob::load() {
+  Source source = obtain();
+  if (!source.image) {
+    return;
   }
   progress_.report(0.9);
   if (!info_.windows.empty()) {

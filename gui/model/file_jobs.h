@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,15 @@ class LoadJob {
   LoadJob(std::filesystem::path path, std::string name);
   /// For a source that is at hand already.
   explicit LoadJob(Source source);
+  virtual ~LoadJob() = default;
+  LoadJob(const LoadJob&) = delete;
+  LoadJob& operator=(const LoadJob&) = delete;
+
+  /// Parameters for the case to begin with, in place of the present ones.
+  void startWith(const Parameters& params) { startParameters_ = params; }
+  [[nodiscard]] const std::optional<Parameters>& startParameters() const {
+    return startParameters_;
+  }
 
   void execute() noexcept;
 
@@ -32,10 +42,17 @@ class LoadJob {
   [[nodiscard]] bool cancelled() const { return cancelled_; }
   [[nodiscard]] const std::string& error() const { return error_; }
   [[nodiscard]] const InputInfo& info() const { return info_; }
+  /// Null when there was no source to find.
   [[nodiscard]] std::shared_ptr<Pipeline> pipeline() const { return pipeline_; }
   /// Window and level to begin with: the file's own, else the 1st to the 99.8th percentile.
   [[nodiscard]] double window() const { return window_; }
   [[nodiscard]] double level() const { return level_; }
+
+ protected:
+  /// The source, without an image where it cannot be found; the rest goes to info_.
+  virtual Source obtain();
+
+  InputInfo info_;
 
  private:
   void load();
@@ -43,10 +60,10 @@ class LoadJob {
   std::filesystem::path path_;
   std::string name_;
   Source source_;
+  std::optional<Parameters> startParameters_;
   Progress progress_;
   bool cancelled_ = false;
   std::string error_;
-  InputInfo info_;
   std::shared_ptr<Pipeline> pipeline_;
   double window_ = 1.0, level_ = 0.5;
 };
@@ -87,6 +104,7 @@ std::string withoutPath(std::string message, const std::filesystem::path& path,
                         const std::string& name);
 
 /// The volume of the built-in sample: a noisy vascular tree.
+constexpr int kSampleSize = 128;
 Source makeSampleSource(int size, const Progress& progress = {});
 
 }  // namespace angiomesh

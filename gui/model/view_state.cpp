@@ -1,14 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/model/view_state.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace angiomesh {
+
+namespace {
+
+/// The words of a case file; new ones may join, none may change.
+constexpr std::array<const char*, kLayerCount> kLayers{"source", "preprocessed", "vesselness",
+                                                       "speed"};
+constexpr std::array<const char*, 4> kSlabs{"none", "mip", "minip", "mean"};
+constexpr std::array<const char*, kMeshKindCount> kMeshes{"exported", "unsmoothed",
+                                                          "marching-cubes"};
+constexpr std::array<const char*, 3> kColours{"plain", "min-angle", "radius-ratio"};
+
+/// `value` stays where the word is unknown.
+template <class T, std::size_t N>
+void fromWord(T& value, const std::string& word, const std::array<const char*, N>& words) {
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) {
+    value = static_cast<T>(found - words.begin());
+  }
+}
+
+template <class T, std::size_t N>
+std::string wordOf(T value, const std::array<const char*, N>& words) {
+  return words[static_cast<std::size_t>(value)];
+}
+
+}  // namespace
 
 ViewState::ViewState(CaseController& controller, QObject* parent)
     : QObject(parent), controller_(controller) {
   const auto reset = [this] {
     layer_ = Layer::Source;
+    awaitedLayer_.reset();
     tool_ = Tool::Navigate;
     for (int i = 0; i < kLayerCount; ++i) {
       windowLevels_[static_cast<std::size_t>(i)] = controller_.windowLevel(static_cast<Layer>(i));
@@ -17,9 +46,72 @@ ViewState::ViewState(CaseController& controller, QObject* parent)
   };
   reset();
   connect(&controller_, &CaseController::caseChanged, this, reset);
+  connect(&controller_, &CaseController::resultsChanged, this, &ViewState::showAwaitedLayer);
 }
 
-void ViewState::setLayer(Layer layer) { set(layer_, layer); }
+void ViewState::setLayer(Layer layer) {
+  awaitedLayer_.reset();
+  set(layer_, layer);
+}
+
+void ViewState::showAwaitedLayer() {
+  if (!awaitedLayer_) {
+    return;
+  }
+  const RunResult& results = controller_.results();
+  if (*awaitedLayer_ == Layer::Source ||
+      (*awaitedLayer_ == Layer::Preprocessed ? results.preprocessed != nullptr
+                                             : results.vesselness != nullptr)) {
+    setLayer(*awaitedLayer_);
+  }
+}
+
+CaseView ViewState::caseView() const {
+  CaseView view;
+  view.layer = wordOf(awaitedLayer_.value_or(layer_), kLayers);
+  for (std::size_t i = 0; i < kLayers.size(); ++i) {
+    view.windowLevels[kLayers[i]] = {windowLevels_[i].first, windowLevels_[i].second};
+  }
+  view.slab = wordOf(slabMode_, kSlabs);
+  view.slabThicknessMm = slabThicknessMm_;
+  view.shown = {{"contours", contours_},
+                {"mip", mip_},
+                {"surface", surface_},
+                {"edges", edges_},
+                {"comparison", comparison_}};
+  view.mesh = wordOf(meshKind_, kMeshes);
+  view.colour = wordOf(meshColour_, kColours);
+  return view;
+}
+
+void ViewState::take(const CaseView& view) {
+  Layer layer = Layer::Source;
+  fromWord(layer, view.layer, kLayers);
+  awaitedLayer_ = layer;
+  for (std::size_t i = 0; i < kLayers.size(); ++i) {
+    const auto found = view.windowLevels.find(kLayers[i]);
+    if (found != view.windowLevels.end() && found->second[0] > 0.0) {
+      windowLevels_[i] = {found->second[0], found->second[1]};
+    }
+  }
+  fromWord(slabMode_, view.slab, kSlabs);
+  if (view.slabThicknessMm > 0.0) {
+    slabThicknessMm_ = view.slabThicknessMm;
+  }
+  const auto takeShown = [&view](bool& member, const char* name) {
+    const auto found = view.shown.find(name);
+    member = found != view.shown.end() ? found->second : member;
+  };
+  takeShown(contours_, "contours");
+  takeShown(mip_, "mip");
+  takeShown(surface_, "surface");
+  takeShown(edges_, "edges");
+  takeShown(comparison_, "comparison");
+  fromWord(meshKind_, view.mesh, kMeshes);
+  fromWord(meshColour_, view.colour, kColours);
+  Q_EMIT changed();
+  showAwaitedLayer();
+}
 
 std::pair<double, double> ViewState::windowLevel() const {
   return windowLevels_[static_cast<std::size_t>(layer_)];

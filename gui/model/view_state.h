@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <QObject>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "gui/model/case_controller.h"
@@ -42,6 +43,11 @@ class ViewState : public QObject {
   [[nodiscard]] bool edges() const { return edges_; }
   void setEdges(bool on) { set(edges_, on); }
 
+  /// For a case file, without the crosshair; and back. A layer that is not there yet is shown once
+  /// it is.
+  [[nodiscard]] CaseView caseView() const;
+  void take(const CaseView& view);
+
   [[nodiscard]] Tool tool() const { return tool_; }
   void setTool(Tool tool) { set(tool_, tool); }
   [[nodiscard]] MouseScheme scheme() const { return scheme_; }
@@ -67,8 +73,11 @@ class ViewState : public QObject {
     }
   }
 
+  void showAwaitedLayer();
+
   CaseController& controller_;
   Layer layer_ = Layer::Source;
+  std::optional<Layer> awaitedLayer_;
   std::array<std::pair<double, double>, kLayerCount> windowLevels_;
   SlabMode slabMode_ = SlabMode::None;
   double slabThicknessMm_ = 10.0;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/model/known_sources.h"
+
+#include <QSettings>
+#include <QStringList>
+
+namespace angiomesh {
+
+namespace {
+
+const char* const kKey = "sources";
+constexpr int kMost = 500;
+
+}  // namespace
+
+KnownSources knownSources() {
+  KnownSources known;
+  for (const QString& entry : QSettings().value(kKey).toStringList()) {
+    const qsizetype space = entry.indexOf(' ');
+    known.emplace_back(entry.left(space).toStdString(), entry.mid(space + 1).toStdString());
+  }
+  return known;
+}
+
+void rememberSource(const std::string& hash, const std::filesystem::path& path) {
+  QSettings settings;
+  const QString entry = QString::fromStdString(hash + ' ' + path.string());
+  QStringList entries = settings.value(kKey).toStringList();
+  entries.removeAll(entry);
+  entries.prepend(entry);
+  settings.setValue(kKey, QStringList(entries.mid(0, kMost)));
+}
+
+std::vector<std::filesystem::path> placesOf(const std::string& hash, const KnownSources& known) {
+  std::vector<std::filesystem::path> places;
+  for (const auto& [each, path] : known) {
+    if (each == hash) {
+      places.push_back(path);
+    }
+  }
+  return places;
+}
+
+}  // namespace angiomesh
