@@ -56,7 +56,7 @@ void check(const QObject* parent, const char* name, bool on) {
 MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
     : QMainWindow(parent),
       options_(std::move(options)),
-      controller_(new CaseController(options_.makeRunner, this)),
+      controller_(new CaseController(options_.makeRunner, this, options_.recovery)),
       state_(new ViewState(*controller_, this)),
       views_(new ViewGrid(*controller_, *state_, this)) {
   setObjectName("mainWindow");
@@ -76,6 +76,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   connect(controller_, &CaseController::progressChanged, this, &MainWindow::showProgress);
   connect(controller_, &CaseController::opened, this, &MainWindow::remember);
   connect(state_, &ViewState::changed, this, &MainWindow::refreshViewActions);
+  connectCases();
   connect(views_, &ViewGrid::hovered, hover_, &QLabel::setText);
   refreshTitle();
   refreshActions();
@@ -86,6 +87,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
 MainWindow::~MainWindow() {
   // The panels listen to the controller: it goes first, with its workers, and says nothing more.
   controller_->disconnect();
+  controller_->undoStack()->disconnect(this);
   delete controller_;
   controller_ = nullptr;
 }
@@ -125,7 +127,7 @@ void MainWindow::buildToolBar() {
     }
     bar->addSeparator();
   };
-  add({"open", "export"});
+  add({"open", "saveCase", "export"});
   add({"undo", "redo"});
   add({"runAll", "cancelRun"});
   add({"toolNavigate", "toolSeed", "toolRoi"});
@@ -176,13 +178,23 @@ void MainWindow::buildStatusBar() {
 }
 
 void MainWindow::open(const QString& path, bool thenRun) {
+  if (!mayLeave([this, path, thenRun] { open(path, thenRun); })) {
+    return;
+  }
   if (thenRun) {
     runOnceLoaded();
   }
-  controller_->open(path);
+  if (isCase(caseFolder(path.toStdString()))) {
+    openCase(path);
+  } else {
+    controller_->open(path);
+  }
 }
 
 void MainWindow::openSample(bool thenRun) {
+  if (!mayLeave([this, thenRun] { openSample(thenRun); })) {
+    return;
+  }
   if (thenRun) {
     runOnceLoaded();
   }
@@ -222,13 +234,20 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLeave([this] { close(); })) {
+    event->ignore();
+    return;
+  }
   controller_->cancel();
+  controller_->leaveCase();
+  refreshModified();
   event->accept();
 }
 
 void MainWindow::refreshTitle() {
-  setWindowTitle(controller_->hasCase() ? tr("%1 — Angiomesh").arg(controller_->caseName())
+  setWindowTitle(controller_->hasCase() ? tr("%1[*] — Angiomesh").arg(controller_->caseName())
                                         : tr("Angiomesh"));
+  refreshModified();
 }
 
 void MainWindow::refreshActions() {
@@ -243,6 +262,7 @@ void MainWindow::refreshActions() {
   const bool mesh =
       controller_->mesh(MeshKind::Exported) || controller_->mesh(MeshKind::Unsmoothed);
   enable(this, {"export"}, mesh);
+  enable(this, {"saveCase", "saveCaseAs"}, any && !controller_->loading());
   enable(this, {"surface", "edges"}, mesh || controller_->liveSurface());
   enable(this, {"contours"}, mesh || controller_->phi());
   enable(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "resetWindow"}, any);

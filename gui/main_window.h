@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QMainWindow>
+#include <filesystem>
 #include <functional>
 
 #include "gui/model/job_runner.h"
+#include "gui/panel/case_questions.h"
 #include "gui/panel/export_dialog.h"
 
 class QActionGroup;
@@ -25,6 +27,9 @@ class ViewState;
 struct MainWindowOptions {
   JobRunnerFactory makeRunner = makeThreadedJobRunner;
   PathChooser chooser = dialogPathChooser();
+  CaseQuestions questions = dialogCaseQuestions();
+  /// For the edits of cases that were never saved; empty: they are not kept.
+  std::filesystem::path recovery = {};
 };
 
 /// The one window: four panes, the pipeline on the left, the mesh inspector on the right, log and
@@ -40,9 +45,12 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ViewState& viewState() { return *state_; }
   [[nodiscard]] ViewGrid& views() { return *views_; }
 
-  /// Opens a file or folder and, with `thenRun`, runs the pipeline once it is loaded.
+  /// Opens a file, a folder or a case and, with `thenRun`, runs the pipeline once it is loaded.
   void open(const QString& path, bool thenRun = false);
   void openSample(bool thenRun = false);
+
+  /// Asks whether to restore what a crash left unsaved; true when something is being restored.
+  bool offerRestore();
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -63,6 +71,18 @@ class MainWindow : public QMainWindow {
   void buildToolBar();
   void buildStatusBar();
   void runOnceLoaded();
+  void connectCases();
+  void refreshModified();
+  void openCase(const QString& path);
+  void saveCase();
+  void saveCaseAs();
+  void saveCaseTo(const QString& folder);
+  /// Whether the open case may go; asks about unsaved changes. With the answer "save" it may not
+  /// yet: `onceSaved` is called when it may.
+  bool mayLeave(const std::function<void()>& onceSaved);
+  void askForSource(const QString& what, const QString& reason);
+  void askToRestore(int count);
+  bool offerUnfinished();
   void refreshTitle();
   void refreshActions();
   void refreshViewActions();
@@ -77,6 +97,8 @@ class MainWindow : public QMainWindow {
   CaseController* controller_;
   ViewState* state_;
   ViewGrid* views_;
+  std::function<void()> afterSave_;
+  QString unfinished_;  ///< the case that the settings name as such for this window
   QMenu* recent_ = nullptr;
   QMenu* panels_ = nullptr;
   QComboBox* layer_ = nullptr;

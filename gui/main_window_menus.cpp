@@ -99,13 +99,18 @@ void MainWindow::buildFileMenu() {
       open(path);
     }
   });
-  addAction(file, "openFolder", tr("Open DICOM folder…"), QKeySequence(tr("Ctrl+Shift+O")), [this] {
-    if (const QString path = options_.chooser.openFolder(this); !path.isEmpty()) {
-      open(path);
-    }
-  });
+  addAction(file, "openFolder", tr("Open folder or case…"), QKeySequence(tr("Ctrl+Shift+O")),
+            [this] {
+              if (const QString path = options_.chooser.openFolder(this); !path.isEmpty()) {
+                open(path);
+              }
+            });
   addAction(file, "openSample", tr("Open the sample"), {}, [this] { openSample(); });
   recent_ = file->addMenu(tr("Recent"));
+  file->addSeparator();
+  addAction(file, "saveCase", tr("Save case"), QKeySequence::Save, [this] { saveCase(); });
+  addAction(file, "saveCaseAs", tr("Save case as…"), QKeySequence(tr("Ctrl+Shift+S")),
+            [this] { saveCaseAs(); });
   file->addSeparator();
   addAction(file, "export", tr("Export…"), QKeySequence(tr("Ctrl+E")), [this] { showExport(); });
   file->addSeparator();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QStandardPaths>
 #include <QString>
 #include <string>
 
@@ -16,7 +17,8 @@ int main(int argc, char** argv) {
   bool sample = false;
   bool run = false;
   int threadCount = 0;
-  cli.add_option("INPUT", input, "a volume (.mha, .nrrd, .nii, DICOM) or a folder with a series");
+  cli.add_option("INPUT", input,
+                 "a volume (.mha, .nrrd, .nii, DICOM), a folder with a series, or a case");
   cli.add_flag("--sample", sample, "open the built-in sample, a noisy vascular tree");
   cli.add_flag("--run", run, "run the pipeline once the input is loaded");
   cli.add_option("--threads", threadCount, "number of threads; 0: all cores")
@@ -36,8 +38,14 @@ int main(int argc, char** argv) {
 
   setThreads(threadCount);
 
-  MainWindow window;
+  MainWindowOptions options;
+  options.recovery =
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString() + "/recovery";
+  MainWindow window(options);
   window.show();
+  if (window.offerRestore()) {
+    return QApplication::exec();
+  }
   if (!input.empty()) {
     window.open(QString::fromStdString(input), run);
   } else if (sample || run) {

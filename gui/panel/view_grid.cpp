@@ -114,6 +114,14 @@ void ViewGrid::resetViews() {
   surface_->resetView();
 }
 
+Eigen::Vector3d ViewGrid::crosshair() const { return slices_[2]->cursor(); }
+
+void ViewGrid::setCrosshair(const Eigen::Vector3d& lps) {
+  for (SliceView* view : slices_) {
+    view->setCursor(lps);
+  }
+}
+
 void ViewGrid::refreshAll() {
   refreshImage();
   refreshSegmentation();

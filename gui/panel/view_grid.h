@@ -34,6 +34,10 @@ class ViewGrid : public QWidget {
   [[nodiscard]] bool maximised() const { return maximised_ != nullptr; }
   void resetViews();
 
+  /// Of all slice panes, mm LPS.
+  [[nodiscard]] Eigen::Vector3d crosshair() const;
+  void setCrosshair(const Eigen::Vector3d& lps);
+
  Q_SIGNALS:
   void hovered(const QString& text);
 

@@ -34,7 +34,7 @@ class TestMainWindow : public QObject {
     WindowCase c;
     c.openPath = saveTubes(c);
     c.clickTool("open");
-    QCOMPARE(c.window->windowTitle(), QString("tubes — Angiomesh"));
+    QCOMPARE(c.window->windowTitle(), QString("tubes[*] — Angiomesh"));
     for (int plane = 0; plane < 3; ++plane) {
       QCOMPARE(c.window->views().slice(plane)->sliceCount(), 40);
     }
@@ -74,7 +74,7 @@ class TestMainWindow : public QObject {
   void theSampleOpensByItsMenuEntry() {
     WindowCase c;
     c.window->findChild<QAction*>("openSample")->trigger();
-    QCOMPARE(c.window->windowTitle(), QString("sample — Angiomesh"));
+    QCOMPARE(c.window->windowTitle(), QString("sample[*] — Angiomesh"));
     QCOMPARE(c.controller().image()->geometry.size[0], 128);
   }
 

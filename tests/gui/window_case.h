@@ -25,14 +25,52 @@ namespace angiomesh::test {
 
 constexpr int kPatienceMs = 60000;
 
-/// A window on the screen whose path questions are answered at once.
+/// The answers to questions about cases, and what was asked.
+struct CaseAnswers {
+  CaseQuestions questions() {
+    CaseQuestions q;
+    q.saveCaseAs = [this](QWidget*, const QString& suggested) {
+      asked << "saveCaseAs " + suggested;
+      return savePath;
+    };
+    q.replaceCase = [this](QWidget*, const QString& name) {
+      asked << "replace " + name;
+      return replace;
+    };
+    q.saveChanges = [this](QWidget*, const QString& name) {
+      asked << "saveChanges " + name;
+      return save;
+    };
+    q.restore = [this](QWidget*, const QString& what, bool later) {
+      asked << (later ? "restoreAtStart " : "restore ") + what;
+      return restore;
+    };
+    q.findSource = [this](QWidget*, const QString& what, const QString& reason) {
+      asked << "findSource " + what + reason;
+      return source.isEmpty() ? SourceAnswer::Cancel : source.takeFirst();
+    };
+    return q;
+  }
+
+  QString savePath;
+  bool replace = false;
+  SaveAnswer save = SaveAnswer::Discard;
+  RestoreAnswer restore = RestoreAnswer::Later;
+  QList<SourceAnswer> source;  ///< one after the other, then Cancel
+  QStringList asked;
+};
+
+/// A window on the screen whose questions are answered at once.
 struct WindowCase {
-  explicit WindowCase(const JobRunnerFactory& makeRunner = makeInlineJobRunner) {
+  explicit WindowCase(const JobRunnerFactory& makeRunner = makeInlineJobRunner,
+                      const std::filesystem::path& recovery = {}) {
     MainWindowOptions options;
     options.makeRunner = makeRunner;
     options.chooser.openFile = [this](QWidget*) { return openPath; };
     options.chooser.openFolder = [this](QWidget*) { return openPath; };
     options.chooser.save = [this](QWidget*, const QString&, const QString&) { return savePath; };
+    options.questions = answers.questions();
+    options.recovery = recovery;
     window = std::make_unique<MainWindow>(std::move(options));
     window->resize(1240, 860);
     window->show();
@@ -82,6 +120,7 @@ struct WindowCase {
 
   QTemporaryDir folder;
   QString openPath, savePath;
+  CaseAnswers answers;
   std::unique_ptr<MainWindow> window;
 };
 

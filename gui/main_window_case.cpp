@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QDateTime>
+#include <QFileInfo>
+#include <QSettings>
+#include <chrono>
+
+#include "gui/main_window.h"
+#include "gui/model/view_state.h"
+#include "gui/panel/view_grid.h"
+
+namespace angiomesh {
+
+namespace {
+
+const char* const kExtension = ".angiomesh";
+
+/// Cases with edits that are not saved, each for as long as a window has it open.
+const char* const kUnfinished = "unfinished";
+
+std::filesystem::path pathOf(const QString& text) {
+  return QFileInfo(text).absoluteFilePath().toStdString();
+}
+
+/// The case's folder where somebody chose a name inside of it, as file dialogs make one do.
+QString outOfCase(const QString& path) {
+  const QString parent = QFileInfo(path).absolutePath();
+  return parent.endsWith(kExtension) && isCase(parent.toStdString()) ? parent : path;
+}
+
+}  // namespace
+
+void MainWindow::connectCases() {
+  connect(controller_->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::refreshModified);
+  connect(controller_, &CaseController::caseFound, this, [this](const CaseView& view) {
+    state_->take(view);
+    if (view.crosshairLps) {
+      views_->setCrosshair(*view.crosshairLps);
+    }
+  });
+  connect(controller_, &CaseController::sourceSeen, this, [this](const QString& path) {
+    rememberSource(controller_->sourceHash(), path.toStdString());
+  });
+  // Asked from the event loop: the controller is in the midst of its work.
+  connect(controller_, &CaseController::sourceMissing, this, [this](const QString& what) {
+    QMetaObject::invokeMethod(
+        this, [this, what] { askForSource(what, {}); }, Qt::QueuedConnection);
+  });
+  connect(controller_, &CaseController::sourceDiffers, this, [this](const QString& reason) {
+    QMetaObject::invokeMethod(
+        this, [this, reason] { askForSource({}, reason); }, Qt::QueuedConnection);
+  });
+  connect(controller_, &CaseController::editsFound, this, [this](int count) {
+    QMetaObject::invokeMethod(
+        this, [this, count] { askToRestore(count); }, Qt::QueuedConnection);
+  });
+  connect(controller_, &CaseController::caseSaved, this, [this](const QString& folder) {
+    refreshTitle();
+    remember(folder);
+    if (afterSave_ && !controller_->modified()) {
+      QMetaObject::invokeMethod(this, std::exchange(afterSave_, nullptr), Qt::QueuedConnection);
+    }
+  });
+  connect(controller_, &CaseController::caseNotSaved, this, [this] { afterSave_ = nullptr; });
+}
+
+void MainWindow::refreshModified() {
+  const bool modified = controller_->modified();
+  setWindowModified(modified);
+  const QString wanted = modified ? controller_->caseFolder() : QString();
+  if (wanted == unfinished_) {
+    return;
+  }
+  QSettings settings;
+  QStringList folders = settings.value(kUnfinished).toStringList();
+  folders.removeAll(std::exchange(unfinished_, wanted));
+  if (!wanted.isEmpty()) {
+    folders << wanted;
+  }
+  settings.setValue(kUnfinished, folders);
+  settings.sync();
+}
+
+void MainWindow::openCase(const QString& path) {
+  CaseRequest request;
+  request.folder = caseFolder(pathOf(path));
+  request.known = knownSources();
+  controller_->openCase(std::move(request));
+}
+
+void MainWindow::saveCase() {
+  if (controller_->caseFolder().isEmpty()) {
+    saveCaseAs();
+  } else {
+    saveCaseTo(controller_->caseFolder());
+  }
+}
+
+void MainWindow::saveCaseAs() {
+  const QString present = controller_->caseFolder();
+  QString path = options_.questions.saveCaseAs(
+      this, present.isEmpty() ? QStringLiteral("vessels") + kExtension : present);
+  if (path.isEmpty()) {
+    afterSave_ = nullptr;
+    return;
+  }
+  path = outOfCase(path);
+  if (!path.endsWith(kExtension)) {
+    path += kExtension;
+  }
+  if (path != present && isCase(pathOf(path)) &&
+      !options_.questions.replaceCase(this, QFileInfo(path).completeBaseName())) {
+    afterSave_ = nullptr;
+    return;
+  }
+  saveCaseTo(path);
+}
+
+void MainWindow::saveCaseTo(const QString& folder) {
+  CaseView view = state_->caseView();
+  view.crosshairLps = views_->crosshair();
+  controller_->saveCase(folder, view);
+}
+
+bool MainWindow::mayLeave(const std::function<void()>& onceSaved) {
+  if (!controller_->modified()) {
+    return true;
+  }
+  switch (options_.questions.saveChanges(this, controller_->caseName())) {
+    case SaveAnswer::Discard:
+      return true;
+    case SaveAnswer::Save:
+      afterSave_ = onceSaved;
+      saveCase();
+      return false;
+    case SaveAnswer::Cancel:
+      break;
+  }
+  return false;
+}
+
+void MainWindow::askForSource(const QString& what, const QString& reason) {
+  QString path;
+  switch (options_.questions.findSource(this, what, reason)) {
+    case SourceAnswer::File:
+      path = options_.chooser.openFile(this);
+      break;
+    case SourceAnswer::Folder:
+      path = options_.chooser.openFolder(this);
+      break;
+    case SourceAnswer::ParametersOnly:
+      controller_->takeParametersOnly();
+      return;
+    case SourceAnswer::Cancel:
+      break;
+  }
+  if (path.isEmpty()) {
+    controller_->giveUpCase();
+  } else {
+    controller_->giveSource(path);
+  }
+}
+
+void MainWindow::askToRestore(int count) {
+  const QString what =
+      tr("%n change(s) of the case %1", nullptr, count).arg(controller_->caseName());
+  if (options_.questions.restore(this, what, false) == RestoreAnswer::Discard) {
+    controller_->forgetEdits();
+  } else {
+    controller_->restoreEdits();
+  }
+}
+
+bool MainWindow::offerRestore() {
+  for (const Recovery& recovery : findRecoveries(options_.recovery)) {
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(
+        std::filesystem::file_time_type::clock::now() - recovery.changed);
+    const QString when = QLocale().toString(QDateTime::currentDateTime().addSecs(-seconds.count()),
+                                            QLocale::ShortFormat);
+    const QString what = tr("%n change(s) of a case that was never saved, the last one on %1",
+                            nullptr, static_cast<int>(recovery.steps))
+                             .arg(when);
+    const RestoreAnswer answer = options_.questions.restore(this, what, true);
+    if (answer == RestoreAnswer::Restore) {
+      CaseRequest request;
+      request.folder = recovery.place->folder;
+      request.place = recovery.place;
+      request.known = knownSources();
+      request.restore = true;
+      controller_->openCase(std::move(request));
+      return true;
+    }
+    if (answer == RestoreAnswer::Discard) {
+      removeRecovery(*recovery.place);
+    }
+  }
+  return offerUnfinished();
+}
+
+bool MainWindow::offerUnfinished() {
+  QStringList folders = QSettings().value(kUnfinished).toStringList();
+  for (const QString& folder : QStringList(folders)) {
+    CaseRequest request;
+    request.folder = pathOf(folder);
+    request.place = std::make_shared<CasePlace>();
+    request.place->folder = request.folder;
+    std::size_t steps = 0;
+    try {
+      const int saves = readCase(request.folder).document.saves;
+      if (lockPlace(*request.place) == LockEnd::InUse) {
+        continue;
+      }
+      steps = readJournal(request.folder, saves).size();
+    } catch (const std::exception&) {
+      // It was moved or deleted: whoever opens it again is asked then.
+    }
+    const RestoreAnswer answer =
+        steps == 0 ? RestoreAnswer::Discard
+                   : options_.questions.restore(
+                         this,
+                         tr("%n change(s) of the case %1", nullptr, static_cast<int>(steps))
+                             .arg(QFileInfo(folder).completeBaseName()),
+                         true);
+    if (answer == RestoreAnswer::Later) {
+      continue;
+    }
+    folders.removeAll(folder);
+    QSettings().setValue(kUnfinished, folders);
+    if (answer == RestoreAnswer::Restore) {
+      request.known = knownSources();
+      request.restore = true;
+      controller_->openCase(std::move(request));
+      return true;
+    }
+    removeJournal(request.folder);
+  }
+  return false;
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QDirIterator>
+#include <QFile>
+#include <QPlainTextEdit>
+#include <QSignalSpy>
+
+#include "io/case_file.h"
+#include "io/case_journal.h"
+#include "io/image_io.h"
+#include "window_case.h"
+
+using namespace angiomesh;
+using angiomesh::test::kPatienceMs;
+using angiomesh::test::twoTubes;
+using angiomesh::test::WindowCase;
+
+namespace {
+
+/// In the paths of the sources; nothing of it may get into a case.
+const char* const kPatient = "Doe_Jane";
+
+/// A folder with a volume in a place that tells a name.
+struct Study {
+  Study() {
+    QDir(folder.path()).mkpath(QString("%1/scans").arg(kPatient));
+    QDir(folder.path()).mkpath("cases");
+    volume = folder.filePath(QString("%1/scans/%1_tubes.mha").arg(kPatient));
+    writeVolume(*twoTubes().image, volume.toStdString());
+    saved = folder.filePath("cases/vessels.angiomesh");
+    recovery = folder.filePath("recovery").toStdString();
+  }
+  /// Another volume on the same grid.
+  QString otherVolume() const {
+    QString path = folder.filePath("other.mha");
+    Volume<float> image = *twoTubes().image;
+    image.voxels[5] += 1.0F;
+    writeVolume(image, path.toStdString());
+    return path;
+  }
+  [[nodiscard]] int recoveries() const {
+    return static_cast<int>(QDir(QString::fromStdString(recovery.string()))
+                                .entryList(QDir::Dirs | QDir::NoDotAndDotDot)
+                                .size());
+  }
+
+  QTemporaryDir folder;
+  QString volume, saved;
+  std::filesystem::path recovery;
+};
+
+QAction* action(WindowCase& c, const char* name) {
+  return c.window->findChild<QAction*>(QLatin1String(name));
+}
+
+/// Opens the study's volume, edits and saves.
+void makeCase(WindowCase& c, const Study& study) {
+  c.window->open(study.volume);
+  c.controller().setField("levelset.xi", 31.0);
+  c.controller().addSeed({1.0, 2.0, 3.0});
+  c.answers.savePath = study.saved;
+  action(c, "saveCase")->trigger();
+}
+
+void verifyNoName(const QString& folder) {
+  QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+  int count = 0;
+  while (files.hasNext()) {
+    QFile file(files.next());
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    QVERIFY2(!bytes.contains(kPatient) && !bytes.contains("scans") && !bytes.contains(".mha"),
+             qPrintable(file.fileName()));
+    ++count;
+  }
+  QVERIFY(count > 0);
+}
+
+}  // namespace
+
+class TestCase : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() { QSettings().clear(); }
+
+  void aCaseIsSavedAndOpened() {
+    const Study study;
+    Eigen::Vector3d crosshair;
+    {
+      WindowCase c;
+      makeCase(c, study);
+      QCOMPARE(c.answers.asked, QStringList{"saveCaseAs vessels.angiomesh"});
+      QCOMPARE(c.window->windowTitle(), QString("vessels[*] — Angiomesh"));
+      QVERIFY(!c.window->isWindowModified());
+      c.controller().run(Step::Vesselness);
+      c.state().setWindowLevel(123.0, 45.0);
+      c.state().setLayer(Layer::Vesselness);
+      c.state().setWindowLevel(0.25, 0.125);
+      c.state().setSlab(SlabMode::MinIp, 4.5);
+      c.state().setMip(false);
+      crosshair = c.controller().image()->geometry.toPhysical({10.0, 12.0, 14.0});
+      c.window->views().setCrosshair(crosshair);
+      action(c, "saveCase")->trigger();
+      QCOMPARE(c.answers.asked.size(), 1);
+      QVERIFY(c.window->close());
+      QCOMPARE(c.answers.asked.size(), 1);
+    }
+    QCOMPARE(QSettings().value("recent").toStringList().first(), study.saved);
+    WindowCase c;
+    c.openPath = study.saved;
+    action(c, "openFolder")->trigger();
+    QCOMPARE(c.window->windowTitle(), QString("vessels[*] — Angiomesh"));
+    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QCOMPARE(c.controller().seeds().size(), std::size_t(1));
+    QVERIFY(!c.controller().modified());
+    QCOMPARE(c.controller().undoStack()->count(), 0);
+    QVERIFY(c.state().layer() == Layer::Source);
+    QCOMPARE(c.state().windowLevel(), std::pair(123.0, 45.0));
+    QVERIFY(c.state().slabMode() == SlabMode::MinIp);
+    QCOMPARE(c.state().slabThicknessMm(), 4.5);
+    QVERIFY(!c.state().mip());
+    QVERIFY((c.window->views().slice(0)->cursor() - crosshair).norm() < 1e-6);
+    // The layer that was shown comes back once it is computed.
+    c.controller().run(Step::Vesselness);
+    QVERIFY(c.state().layer() == Layer::Vesselness);
+    QCOMPARE(c.state().windowLevel(), std::pair(0.25, 0.125));
+    c.window->open(study.saved + "/case.json");
+    QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("open already"));
+  }
+
+  void theTitleMarksUnsavedChanges() {
+    const Study study;
+    WindowCase c;
+    c.controller().setField("levelset.xi", 30.0);
+    QVERIFY(!c.window->isWindowModified());
+    makeCase(c, study);
+    c.controller().setField("levelset.xi", 32.0);
+    QVERIFY(c.window->isWindowModified());
+    c.clickTool("undo");
+    QVERIFY(!c.window->isWindowModified());
+    c.clickTool("undo");
+    QVERIFY(c.window->isWindowModified());
+    c.clickTool("saveCase");
+    QVERIFY(!c.window->isWindowModified());
+    QVERIFY(readCase(study.saved.toStdString()).document.params.seeds.points.empty());
+  }
+
+  void aNewNameIsAskedBeforeAnotherCaseIsReplaced() {
+    const Study study;
+    {
+      WindowCase c;
+      makeCase(c, study);
+    }
+    WindowCase c;
+    c.window->open(study.volume);
+    c.controller().setField("levelset.xi", 12.0);
+    c.answers.savePath = study.folder.filePath("cases/vessels");
+    action(c, "saveCaseAs")->trigger();
+    QCOMPARE(c.answers.asked.last(), QString("replace vessels"));
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+    c.answers.replace = true;
+    c.answers.savePath = study.saved + "/vessels.angiomesh";
+    action(c, "saveCaseAs")->trigger();
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 12.0);
+    QCOMPARE(c.controller().caseFolder(), study.saved);
+    c.answers.savePath = study.folder.filePath("no/such/place");
+    action(c, "saveCaseAs")->trigger();
+    const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
+    QVERIFY2(log.contains("Cannot save the case") && !log.contains(study.folder.path()),
+             qPrintable(log));
+    QCOMPARE(c.controller().caseFolder(), study.saved);
+  }
+
+  void noFileTellsWhereTheVolumeLay() {
+    const Study study;
+    WindowCase c(makeInlineJobRunner, study.recovery);
+    c.window->open(study.volume);
+    c.controller().setField("levelset.xi", 30.0);
+    QCOMPARE(study.recoveries(), 1);
+    verifyNoName(QString::fromStdString(study.recovery.string()));
+    makeCase(c, study);
+    QCOMPARE(study.recoveries(), 0);
+    c.controller().setField("levelset.xi", 33.0);
+    QCOMPARE(readJournal(study.saved.toStdString(), 0).size(), std::size_t(1));
+    verifyNoName(study.saved);
+    QVERIFY(!c.find<QPlainTextEdit>("log")->toPlainText().contains("scans"));
+  }
+
+  void aMovedVolumeIsFoundByItsContent() {
+    const Study study;
+    {
+      WindowCase c;
+      makeCase(c, study);
+    }
+    // Renamed, beside the case.
+    const QString beside = study.folder.filePath("cases/renamed.mha");
+    QVERIFY(QFile::rename(study.volume, beside));
+    {
+      WindowCase c;
+      c.window->open(study.saved);
+      QCOMPARE(c.controller().caseName(), QString("vessels"));
+      QVERIFY(c.answers.asked.isEmpty());
+    }
+    // The case moved away, as to another disk: the settings know where the volume was.
+    const QTemporaryDir elsewhere;
+    const QString moved = elsewhere.filePath("mine.angiomesh");
+    QVERIFY(QFile::rename(study.saved, moved));
+    {
+      WindowCase c;
+      c.window->open(moved);
+      QCOMPARE(c.controller().caseName(), QString("mine"));
+    }
+    // Both.
+    const QString far = study.folder.filePath(QString(kPatient) + "/far.mha");
+    QVERIFY(QFile::rename(beside, far));
+    WindowCase c;
+    c.openPath = study.otherVolume();
+    c.window->open(moved);
+    QTRY_VERIFY(!c.answers.asked.isEmpty());
+    QVERIFY2(c.answers.asked.first().contains("40 × 40 × 40 voxels"),
+             qPrintable(c.answers.asked.first()));
+    QVERIFY(!c.controller().hasCase());
+    c.answers.source = {SourceAnswer::File, SourceAnswer::Cancel};
+    c.window->open(moved);
+    QTRY_COMPARE(c.answers.asked.size(), 3);
+    QVERIFY2(c.answers.asked.last().contains("not the volume"), qPrintable(c.answers.asked.last()));
+    QVERIFY(!c.controller().hasCase());
+    c.openPath = far;
+    c.answers.source = {SourceAnswer::File};
+    c.window->open(moved);
+    QTRY_COMPARE(c.controller().caseName(), QString("mine"));
+    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QVERIFY(QSettings().value("sources").toStringList().first().endsWith("far.mha"));
+  }
+
+  void anotherVolumeTakesTheParametersAlone() {
+    const Study study;
+    {
+      WindowCase c;
+      makeCase(c, study);
+    }
+    QVERIFY(QFile::remove(study.volume));
+    WindowCase c;
+    c.openPath = study.otherVolume();
+    c.answers.source = {SourceAnswer::File, SourceAnswer::ParametersOnly};
+    c.window->open(study.saved);
+    QTRY_VERIFY(c.controller().hasCase());
+    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QVERIFY(c.controller().seeds().empty());
+    QVERIFY(c.controller().caseFolder().isEmpty());
+    QCOMPARE(c.controller().image()->voxels[5], twoTubes().image->voxels[5] + 1.0F);
+  }
+
+  void theSampleNeedsNoFile() {
+    const Study study;
+    {
+      WindowCase c;
+      c.window->openSample();
+      c.answers.savePath = study.saved;
+      action(c, "saveCase")->trigger();
+    }
+    WindowCase c;
+    c.window->open(study.saved);
+    QCOMPARE(c.controller().caseName(), QString("vessels"));
+    QVERIFY(c.answers.asked.isEmpty());
+  }
+
+  void aCrashLosesNothingOfAnUnsavedCase() {
+    const Study study;
+    {
+      WindowCase c(makeInlineJobRunner, study.recovery);
+      c.window->open(study.volume);
+      c.controller().setField("levelset.xi", 30.0);
+      c.controller().setField("levelset.xi", 31.0, true);
+      c.controller().addSeed({1.0, 2.0, 3.0});
+      QVERIFY(findRecoveries(study.recovery).empty());  // a running window holds it
+    }
+    WindowCase c(makeInlineJobRunner, study.recovery);
+    QVERIFY(!c.window->offerRestore());
+    QCOMPARE(study.recoveries(), 1);
+    c.answers.restore = RestoreAnswer::Restore;
+    QVERIFY(c.window->offerRestore());
+    QVERIFY2(c.answers.asked.last().startsWith("restoreAtStart 2 change(s)"),
+             qPrintable(c.answers.asked.last()));
+    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QCOMPARE(c.controller().seeds().size(), std::size_t(1));
+    QVERIFY(c.window->isWindowModified());
+    QCOMPARE(c.controller().undoStack()->count(), 2);
+    c.clickTool("undo");
+    QVERIFY(c.controller().seeds().empty());
+    QVERIFY(c.controller().caseFolder().isEmpty());
+    c.answers.save = SaveAnswer::Discard;
+    QVERIFY(c.window->close());
+    QTRY_COMPARE(study.recoveries(), 0);
+  }
+
+  void aCrashLosesNothingOfASavedCase() {
+    const Study study;
+    for (const bool atStart : {true, false}) {
+      {
+        WindowCase c;
+        makeCase(c, study);
+        c.controller().setField("levelset.xi", 37.0);
+      }
+      QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+      WindowCase c;
+      c.answers.restore = RestoreAnswer::Restore;
+      if (atStart) {
+        QVERIFY(c.window->offerRestore());
+      } else {
+        c.window->open(study.saved);
+      }
+      QTRY_COMPARE(c.controller().parameters().levelset.xi, 37.0);
+      QCOMPARE(c.answers.asked.size(), 1);
+      QVERIFY(c.window->isWindowModified());
+      action(c, "saveCase")->trigger();
+      QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 37.0);
+      QVERIFY(readJournal(study.saved.toStdString(), 0).empty());
+      QVERIFY(c.window->close());
+      QVERIFY(!QFile::exists(study.saved + "/case.lock"));
+      WindowCase next;
+      QVERIFY(!next.window->offerRestore());
+      QVERIFY(QDir(study.saved).removeRecursively());
+    }
+  }
+
+  void editsThatAreNotWantedGo() {
+    const Study study;
+    {
+      WindowCase c;
+      makeCase(c, study);
+      c.controller().setField("levelset.xi", 37.0);
+    }
+    WindowCase c;
+    c.answers.restore = RestoreAnswer::Discard;
+    c.window->open(study.saved);
+    QTRY_COMPARE(c.answers.asked.size(), 1);
+    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QTRY_VERIFY(readJournal(study.saved.toStdString(), 0).empty());
+  }
+
+  void closingAsksAboutUnsavedChanges() {
+    const Study study;
+    WindowCase c;
+    makeCase(c, study);
+    c.controller().setField("levelset.xi", 38.0);
+    c.answers.save = SaveAnswer::Cancel;
+    QVERIFY(!c.window->close());
+    QCOMPARE(c.answers.asked.last(), QString("saveChanges vessels"));
+    c.window->openSample();
+    QCOMPARE(c.controller().caseName(), QString("vessels"));
+    c.answers.save = SaveAnswer::Save;
+    c.window->close();
+    QTRY_VERIFY(!c.window->isVisible());
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 38.0);
+  }
+
+  void discardedChangesLeaveTheLastSave() {
+    const Study study;
+    WindowCase c;
+    makeCase(c, study);
+    c.controller().setField("levelset.xi", 38.0);
+    c.answers.save = SaveAnswer::Discard;
+    QVERIFY(c.window->close());
+    QTRY_VERIFY(readJournal(study.saved.toStdString(), 0).empty());
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+  }
+
+  void anotherVolumeComesAfterTheSave() {
+    const Study study;
+    WindowCase c;
+    makeCase(c, study);
+    c.controller().setField("levelset.xi", 38.0);
+    c.answers.save = SaveAnswer::Save;
+    c.window->open(study.otherVolume());
+    QTRY_COMPARE(c.controller().caseName(), QString("other"));
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 38.0);
+    QVERIFY(c.controller().caseFolder().isEmpty());
+  }
+
+  void aCaseThatIsOpenElsewhereIsNotWritten() {
+    const Study study;
+    WindowCase first;
+    makeCase(first, study);
+    WindowCase second;
+    second.window->open(study.saved);
+    QCOMPARE(second.controller().caseName(), QString("vessels"));
+    QVERIFY(second.controller().caseFolder().isEmpty());
+    QVERIFY(second.find<QPlainTextEdit>("log")->toPlainText().contains("another window"));
+    second.controller().setField("levelset.xi", 39.0);
+    second.answers.savePath = study.saved;
+    second.answers.replace = true;
+    action(second, "saveCase")->trigger();
+    QVERIFY(second.window->isWindowModified());
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+  }
+
+  void workersSaveAndNote() {
+    const Study study;
+    {
+      WindowCase c(makeThreadedJobRunner, study.recovery);
+      c.window->open(study.volume);
+      QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+      for (int i = 0; i < 40; ++i) {
+        c.controller().setField("levelset.xi", 30.0 + i, i > 0);
+      }
+      QTRY_COMPARE_WITH_TIMEOUT(study.recoveries(), 1, kPatienceMs);
+      QSignalSpy saved(&c.controller(), &CaseController::caseSaved);
+      c.answers.savePath = study.saved;
+      action(c, "saveCase")->trigger();
+      c.controller().setField("levelset.xi", 90.0);
+      QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatienceMs);
+      QVERIFY(c.window->isWindowModified());
+      QTRY_VERIFY_WITH_TIMEOUT(!c.controller().busy(), kPatienceMs);
+      QCOMPARE(study.recoveries(), 0);
+    }
+    const CaseReading reading = readCase(study.saved.toStdString());
+    QCOMPARE(reading.document.params.levelset.xi, 69.0);
+    const auto steps = readJournal(study.saved.toStdString(), reading.document.saves);
+    QCOMPARE(steps.size(), std::size_t(1));
+    QCOMPARE(steps.front().params.levelset.xi, 90.0);
+  }
+
+  void aJournalThatCannotBeWrittenIsSaidOnce() {
+    const Study study;
+    QFile file(QString::fromStdString(study.recovery.string()));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    WindowCase c(makeInlineJobRunner, study.recovery);
+    c.window->open(study.volume);
+    c.controller().setField("levelset.xi", 30.0);
+    c.controller().setField("levelset.xi", 33.0);
+    auto* log = c.find<QPlainTextEdit>("log");
+    QTRY_VERIFY(log->toPlainText().contains("not kept"));
+    QTRY_VERIFY(!c.controller().busy());
+    QCOMPARE(log->toPlainText().count("not kept"), 1);
+    QVERIFY(!log->toPlainText().contains(study.folder.path()));
+    makeCase(c, study);
+    QVERIFY(!c.window->isWindowModified());
+  }
+};
+
+int main(int argc, char** argv) { return test::runWindowTests<TestCase>(argc, argv); }
+#include "tst_case.moc"
