@@ -21,6 +21,10 @@ std::filesystem::path pathOf(const QString& text) {
   return QFileInfo(text).absoluteFilePath().toStdString();
 }
 
+QString changesText(std::size_t count) {
+  return count == 1 ? MainWindow::tr("1 change") : MainWindow::tr("%1 changes").arg(count);
+}
+
 /// The case's folder where somebody chose a name inside of it, as file dialogs make one do.
 QString outOfCase(const QString& path) {
   const QString parent = QFileInfo(path).absolutePath();
@@ -162,7 +166,8 @@ void MainWindow::askForSource(const QString& what, const QString& reason) {
 
 void MainWindow::askToRestore(int count) {
   const QString what =
-      tr("%n change(s) of the case %1", nullptr, count).arg(controller_->caseName());
+      tr("%1 of the case %2")
+          .arg(changesText(static_cast<std::size_t>(count)), controller_->caseName());
   if (options_.questions.restore(this, what, false) == RestoreAnswer::Discard) {
     controller_->forgetEdits();
   } else {
@@ -176,9 +181,8 @@ bool MainWindow::offerRestore() {
         std::filesystem::file_time_type::clock::now() - recovery.changed);
     const QString when = QLocale().toString(QDateTime::currentDateTime().addSecs(-seconds.count()),
                                             QLocale::ShortFormat);
-    const QString what = tr("%n change(s) of a case that was never saved, the last one on %1",
-                            nullptr, static_cast<int>(recovery.steps))
-                             .arg(when);
+    const QString what = tr("%1 of a case that was never saved, the last one on %2")
+                             .arg(changesText(recovery.steps), when);
     const RestoreAnswer answer = options_.questions.restore(this, what, true);
     if (answer == RestoreAnswer::Restore) {
       CaseRequest request;
@@ -211,15 +215,14 @@ bool MainWindow::offerUnfinished() {
       }
       steps = readJournal(request.folder, saves).size();
     } catch (const std::exception&) {
-      // It was moved or deleted: whoever opens it again is asked then.
+      // It was moved, or is not for this program: whoever opens it is asked then.
     }
-    const RestoreAnswer answer =
-        steps == 0 ? RestoreAnswer::Discard
-                   : options_.questions.restore(
-                         this,
-                         tr("%n change(s) of the case %1", nullptr, static_cast<int>(steps))
-                             .arg(QFileInfo(folder).completeBaseName()),
-                         true);
+    RestoreAnswer answer = RestoreAnswer::Discard;
+    if (steps > 0) {
+      const QString name = QFileInfo(folder).completeBaseName();
+      answer = options_.questions.restore(
+          this, tr("%1 of the case %2").arg(changesText(steps), name), true);
+    }
     if (answer == RestoreAnswer::Later) {
       continue;
     }
@@ -231,7 +234,9 @@ bool MainWindow::offerUnfinished() {
       controller_->openCase(std::move(request));
       return true;
     }
-    removeJournal(request.folder);
+    if (steps > 0) {
+      removeJournal(request.folder);
+    }
   }
   return false;
 }

@@ -121,7 +121,7 @@ void CaseController::startLoad(std::shared_ptr<LoadJob> job) {
 
 void CaseController::finishLoad() {
   const bool usable = !load_->cancelled() && load_->error().empty();
-  if (usable && run_) {
+  if (usable && run_ && load_->pipeline()) {
     // The new case begins once the old one's run has let go.
     runAgain_.reset();
     run_->cancel();

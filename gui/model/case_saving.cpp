@@ -110,8 +110,9 @@ void CaseController::restoreEdits() {
     change(steps[i].params, QString::fromStdString(steps[i].text));
   }
   restoring_ = false;
-  say(Severity::Info, tr("Restored %n edit(s) that had not been saved.", nullptr,
-                         static_cast<int>(steps.size() - first)));
+  const std::size_t count = steps.size() - first;
+  say(Severity::Info, count == 1 ? tr("Restored a change that had not been saved.")
+                                 : tr("Restored %1 changes that had not been saved.").arg(count));
 }
 
 void CaseController::forgetEdits() {

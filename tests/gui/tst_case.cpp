@@ -280,7 +280,7 @@ class TestCase : public QObject {
     QCOMPARE(study.recoveries(), 1);
     c.answers.restore = RestoreAnswer::Restore;
     QVERIFY(c.window->offerRestore());
-    QVERIFY2(c.answers.asked.last().startsWith("restoreAtStart 2 change(s)"),
+    QVERIFY2(c.answers.asked.last().startsWith("restoreAtStart 2 changes of"),
              qPrintable(c.answers.asked.last()));
     QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
     QCOMPARE(c.controller().seeds().size(), std::size_t(1));
@@ -292,6 +292,47 @@ class TestCase : public QObject {
     c.answers.save = SaveAnswer::Discard;
     QVERIFY(c.window->close());
     QTRY_COMPARE(study.recoveries(), 0);
+  }
+
+  void theLockOfAKilledProgramDoesNotCount() {
+    const Study study;
+    QByteArray lock;
+    {
+      WindowCase c;
+      makeCase(c, study);
+      QFile file(study.saved + "/case.lock");
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      lock = file.readAll();
+    }
+    // No process has the largest number.
+    lock = "4194304" + lock.mid(lock.indexOf('\n'));
+    QFile file(study.saved + "/case.lock");
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(lock);
+    file.close();
+    WindowCase c;
+    c.window->open(study.saved);
+    QCOMPARE(c.controller().caseFolder(), study.saved);
+  }
+
+  void aMissingVolumeLeavesTheRunAlone() {
+    const Study study;
+    {
+      WindowCase c;
+      makeCase(c, study);
+    }
+    QVERIFY(QFile::remove(study.volume));
+    WindowCase c(makeThreadedJobRunner);
+    c.controller().take(test::slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+    test::evolveFor(c.controller());
+    c.controller().run();
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().evolving(), kPatienceMs);
+    c.answers.save = SaveAnswer::Discard;
+    c.window->open(study.saved);
+    QTRY_VERIFY_WITH_TIMEOUT(c.answers.asked.size() == 2, kPatienceMs);
+    QVERIFY(c.controller().running());
+    QCOMPARE(c.controller().caseName(), QString("tree"));
   }
 
   void aCrashLosesNothingOfASavedCase() {
