@@ -302,12 +302,15 @@ struct Pipeline::State {
     report.seconds = secondsSince(start);
     report.cpuSeconds = cpuSeconds() - cpu;
     run.stages.push_back(report);
-    if (byHand || !keep) return value;
-    const std::lock_guard lock(mutex);
-    auto& list = results[static_cast<std::size_t>(step)];
-    list.push_front({key, value, report});
-    if (list.size() > kRemembered) list.pop_back();
+    if (!byHand && keep) remember(report, value);
     return value;
+  }
+
+  void remember(const StageReport& report, std::shared_ptr<const void> value) {
+    const std::lock_guard lock(mutex);
+    auto& list = results[static_cast<std::size_t>(report.step)];
+    list.push_front({report.key, std::move(value), report});
+    if (list.size() > kRemembered) list.pop_back();
   }
 };
 
@@ -336,6 +339,13 @@ bool Pipeline::has(Step step, const Parameters& params) const {
   const std::string wanted = key(step, params);
   const std::lock_guard lock(state_->mutex);
   return state_->find(step, wanted) != nullptr;
+}
+
+bool Pipeline::restore(std::shared_ptr<const EvolveResult> evolve, const StageReport& report,
+                       const Parameters& params) {
+  if (report.step != Step::Evolve || report.key != key(Step::Evolve, params)) return false;
+  state_->remember(report, std::move(evolve));
+  return true;
 }
 
 RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
@@ -369,16 +379,22 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
     return std::make_shared<const Volume<float>>(
         preprocess(*run.source.image, params.preprocess, progress.sub(0.0, 0.05)));
   });
+  // With the evolution's result at hand nothing needs what only it depends on.
+  const bool evolved = options.until >= Step::Evolve && has(Step::Evolve, params);
+  const auto needed = [&](Step step) { return !evolved || has(step, params); };
   if (!wanted(Step::Vesselness)) return finished();
-  run.vesselness = state_->obtain<VesselnessResult>(Step::Vesselness, run.key, run, [&](Warnings&) {
-    return std::make_shared<const VesselnessResult>(
-        computeVesselness(*run.preprocessed, params.vesselness, progress.sub(0.05, 0.32)));
-  });
+  if (needed(Step::Vesselness))
+    run.vesselness =
+        state_->obtain<VesselnessResult>(Step::Vesselness, run.key, run, [&](Warnings&) {
+          return std::make_shared<const VesselnessResult>(
+              computeVesselness(*run.preprocessed, params.vesselness, progress.sub(0.05, 0.32)));
+        });
   if (!wanted(Step::Seeds)) return finished();
-  run.seeds = state_->obtain<SeedsResult>(Step::Seeds, run.key, run, [&](Warnings&) {
-    return std::make_shared<const SeedsResult>(
-        computeSeeds(*run.preprocessed, *run.vesselness, params, progress.sub(0.32, 0.35)));
-  });
+  if (needed(Step::Seeds))
+    run.seeds = state_->obtain<SeedsResult>(Step::Seeds, run.key, run, [&](Warnings&) {
+      return std::make_shared<const SeedsResult>(
+          computeSeeds(*run.preprocessed, *run.vesselness, params, progress.sub(0.32, 0.35)));
+    });
   if (!wanted(Step::Evolve)) return finished();
   const auto evolveStep = [&](Warnings& warnings) {
     auto vessels = options.keepResults ? run.vesselness : std::exchange(run.vesselness, nullptr);

@@ -164,6 +164,12 @@ class Pipeline {
   /// Whether the step's result with these parameters is at hand.
   [[nodiscard]] bool has(Step step, const Parameters& params) const;
 
+  /// Takes a result that an earlier pipeline computed from the same source and parameters. What
+  /// the evolution alone needs, vesselness and seeds, is then not computed for a run beyond it, and
+  /// empty in its result. False, and nothing is taken, unless `report.key` is the step's key.
+  bool restore(std::shared_ptr<const EvolveResult> evolve, const StageReport& report,
+               const Parameters& params);
+
   [[nodiscard]] const Source& source() const;
 
  private:

@@ -222,6 +222,33 @@ class TestPipeline : public QObject {
     QVERIFY(pipeline.run(smallParams()).evolve->stopReason != StopReason::Stopped);
   }
 
+  void aRestoredEvolutionIsTakenForItsKeyAlone() {
+    const Source source = makeSource(smallBifurcation().image, "bifurcation");
+    Pipeline first(source);
+    const RunResult run = first.run(smallParams());
+    const StageReport report = run.stages[3];
+    QCOMPARE(report.step, Step::Evolve);
+    Pipeline second(source);
+    Parameters other = smallParams();
+    other.levelset.xi += 1.0;
+    QVERIFY(!second.restore(run.evolve, report, other));
+    QVERIFY(!second.restore(run.evolve, run.stages[4], smallParams()));
+    QVERIFY(!second.has(Step::Evolve, smallParams()));
+    QVERIFY(second.restore(run.evolve, report, smallParams()));
+    const RunResult again = second.run(smallParams());
+    QVERIFY(!again.vesselness && !again.seeds);
+    QVERIFY(again.evolve == run.evolve);
+    QVERIFY(again.smoothed->points == run.smoothed->points);
+    QVERIFY(again.smoothed->triangles == run.smoothed->triangles);
+    // A change of a step before it makes all of them again.
+    other = smallParams();
+    other.vesselness.sigmaMaxMm = 3.0;
+    QVERIFY(second.run(other).vesselness);
+    RunOptions options;
+    options.until = Step::Vesselness;
+    QVERIFY(second.run(smallParams(), options).vesselness);
+  }
+
   void cancelAndFailuresLeaveThePipelineUsable() {
     Pipeline pipeline(makeSource(twoTubes(), "tubes"));
     const Progress progress;
