@@ -191,6 +191,7 @@ class CaseController : public QObject {
   void sayOpened(const InputInfo& info);
   void finishCase(const std::shared_ptr<const OpenCaseJob>& job);
   void noteEdit();
+  void cacheEvolve();
   void pollStore();
   void keepPolling();
   [[nodiscard]] CaseSource describeSource() const;

@@ -150,6 +150,10 @@ void CaseController::refreshFromCache() {
   for (int i = static_cast<int>(Step::Preprocess); i < kStepCount; ++i) {
     const Step step = static_cast<Step>(i);
     if (!pipeline_->has(step, params_)) {
+      if (step != Step::Preprocess && pipeline_->has(Step::Evolve, params_) &&
+          step < Step::Evolve) {
+        continue;  // not needed: see Pipeline::restore()
+      }
       break;
     }
     deepest = step;
@@ -302,6 +306,9 @@ void CaseController::finishRun() {
   }
   if (live) {
     Q_EMIT resultsChanged();
+  }
+  if (!quiet && !modified()) {
+    cacheEvolve();
   }
   Q_EMIT statesChanged();
   if (load_) {

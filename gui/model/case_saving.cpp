@@ -88,6 +88,7 @@ void CaseController::finishCase(const std::shared_ptr<const OpenCaseJob>& job) {
     Q_EMIT sourceSeen(QString::fromStdString(job->sourcePath().string()));
   }
   Q_EMIT caseFound(job->document().view);
+  refreshFromCache();
   foundSteps_ = job->steps();
   if (foundSteps_.empty()) {
     return;
@@ -136,8 +137,20 @@ void CaseController::saveCase(const QString& folder, const CaseView& view) {
   }
   store_.save(QFileInfo(folder).absoluteFilePath().toStdString(),
               {describeSource(), params_, view, 0});
+  cacheEvolve();
   keepPolling();
   poll();
+}
+
+void CaseController::cacheEvolve() {
+  const auto i = static_cast<std::size_t>(Step::Evolve);
+  const bool fresh = shown_.evolve && shown_.evolve->stopReason != StopReason::Stopped &&
+                     keys_[i] == pipeline_->key(Step::Evolve, params_);
+  if (!fresh || (store_.folder().empty() && !store_.saving())) {
+    return;
+  }
+  store_.cache({*shown_.evolve, shown_.stages[i]});
+  keepPolling();
 }
 
 QString CaseController::caseFolder() const {

@@ -87,11 +87,12 @@ void removeRecovery(CasePlace& place) {
 
 /// One thing to do on the worker, with all that it needs.
 struct CaseStore::Task {
-  enum class Kind { Note, Forget, Save, Leave } kind = Kind::Note;
+  enum class Kind { Note, Forget, Save, Cache, Leave } kind = Kind::Note;
   int generation = 0;
   std::vector<JournalStep> steps;
   std::shared_ptr<const CaseDocument> start;
   CaseDocument document;             ///< of a save
+  CachedEvolve evolve;               ///< of a cache
   std::shared_ptr<CasePlace> place;  ///< where to do it
   std::shared_ptr<CasePlace> left;   ///< by a save elsewhere
   std::string error;
@@ -107,6 +108,11 @@ struct CaseStore::Task {
           break;
         case Kind::Save:
           save();
+          break;
+        case Kind::Cache:
+          if (place) {
+            writeCache(place->folder, evolve);
+          }
           break;
         case Kind::Leave:
           leavePlace(*place);
@@ -212,6 +218,16 @@ void CaseStore::save(const fs::path& folder, CaseDocument document) {
   add(task);
 }
 
+void CaseStore::cache(CachedEvolve evolve) {
+  if (!begun_) {
+    return;
+  }
+  const auto task = std::make_shared<Task>();
+  task->kind = Task::Kind::Cache;
+  task->evolve = std::move(evolve);
+  add(task);
+}
+
 void CaseStore::leave() {
   if (!begun_) {
     return;
@@ -260,6 +276,9 @@ void CaseStore::startNext() {
             (QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString() + ".angiomesh");
       }
       task.place = place_;
+    } else if (task.kind == Task::Kind::Cache) {
+      const bool kept = task.generation == generation_ && place_ && !place_->recovery;
+      task.place = kept ? place_ : nullptr;
     } else if (task.kind == Task::Kind::Save && task.generation == generation_) {
       task.left = place_;
       if (place_ && !place_->recovery && place_->folder == task.place->folder) {

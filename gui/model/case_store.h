@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/model/job_runner.h"
+#include "io/case_cache.h"
 #include "io/case_file.h"
 #include "io/case_journal.h"
 
@@ -64,6 +65,8 @@ class CaseStore {
   /// The edits on the disk are not wanted.
   void forgetEdits();
   void save(const std::filesystem::path& folder, CaseDocument document);
+  /// Keeps a result in the case's folder, if it has one. A failure is no loss and not told.
+  void cache(CachedEvolve evolve);
   /// The clean end of the case: what was not saved is not kept.
   void leave();
 

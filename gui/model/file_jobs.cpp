@@ -93,7 +93,9 @@ void LoadJob::load() {
     window_ = hi - lo;
     level_ = 0.5 * (hi + lo);
   }
-  pipeline_ = std::make_shared<Pipeline>(std::move(source));
+  const auto pipeline = std::make_shared<Pipeline>(std::move(source));
+  prepare(*pipeline);
+  pipeline_ = pipeline;
 }
 
 void ExportJob::execute() noexcept {

@@ -51,6 +51,8 @@ class LoadJob {
  protected:
   /// The source, without an image where it cannot be found; the rest goes to info_.
   virtual Source obtain();
+  /// May fill the new pipeline with results.
+  virtual void prepare(Pipeline& /*pipeline*/) {}
 
   InputInfo info_;
 

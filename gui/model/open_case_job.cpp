@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/case_cache.h"
 #include "io/find_source.h"
 
 namespace angiomesh {
@@ -79,6 +80,22 @@ Source OpenCaseJob::obtain() {
   source.hash = found->hash;
   source.name = name();
   return source;
+}
+
+void OpenCaseJob::prepare(Pipeline& pipeline) {
+  const Parameters& params = document_.params;
+  const auto cached = readCache(request_.folder, pipeline.key(Step::Evolve, params));
+  if (!cached) {
+    return;
+  }
+  try {
+    RunOptions options;
+    options.until = Step::Preprocess;
+    (void)pipeline.run(params, options, progress().sub(0.9, 1.0));
+    pipeline.restore(std::make_shared<const EvolveResult>(cached->result), cached->report, params);
+  } catch (const Error&) {
+    // The next run says what is wrong with the parameters.
+  }
 }
 
 }  // namespace angiomesh

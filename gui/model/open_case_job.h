@@ -43,6 +43,7 @@ class OpenCaseJob final : public LoadJob {
 
  protected:
   Source obtain() override;
+  void prepare(Pipeline& pipeline) override;
 
  private:
   void readFolder();

@@ -65,6 +65,10 @@ void RunJob::runSteps() {
       return;
     }
     const Step first = static_cast<Step>(next);
+    if (skips(first)) {
+      ++next;
+      continue;
+    }
     RunOptions options;
     options.until = first < Step::Evolve ? first : until_;
     options.snapshots = snapshots_;
@@ -74,6 +78,11 @@ void RunJob::runSteps() {
     collect(first, pipeline_->run(params_, options, progress));
     next = static_cast<int>(options.until) + 1;
   }
+}
+
+bool RunJob::skips(Step step) const {
+  return (step == Step::Vesselness || step == Step::Seeds) && until_ >= Step::Evolve &&
+         pipeline_->has(Step::Evolve, params_) && !pipeline_->has(step, params_);
 }
 
 Progress RunJob::begin(Step step) {

@@ -62,6 +62,9 @@ class RunJob {
 
  private:
   void runSteps();
+  /// A run beyond the evolution leaves out what its result, brought back from the disk, was made
+  /// of.
+  [[nodiscard]] bool skips(Step step) const;
   Progress begin(Step step);
   void collect(Step first, RunResult run);
 

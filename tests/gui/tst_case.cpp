@@ -128,6 +128,45 @@ class TestCase : public QObject {
     QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("open already"));
   }
 
+  void theResultOfASavedCaseIsShownAtOnce() {
+    const Study study;
+    std::shared_ptr<const TriMesh> mesh;
+    {
+      WindowCase c;
+      makeCase(c, study);
+      c.controller().run();
+      mesh = c.controller().mesh(MeshKind::Exported);
+      QVERIFY(c.window->close());
+    }
+    verifyNoName(study.saved);
+    for (const bool threaded : {true, false}) {
+      WindowCase c(threaded ? makeThreadedJobRunner : makeInlineJobRunner);
+      c.window->open(study.saved);
+      QTRY_VERIFY_WITH_TIMEOUT(c.controller().phi() != nullptr, kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
+      QVERIFY(c.controller().state(Step::Evolve) == StepState::Fresh);
+      QVERIFY(c.controller().state(Step::Vesselness) == StepState::Empty);
+      c.controller().run();
+      QTRY_VERIFY_WITH_TIMEOUT(c.controller().meshFresh(), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
+      QVERIFY(c.controller().state(Step::Vesselness) == StepState::Empty);
+      QVERIFY(c.controller().mesh(MeshKind::Exported)->points == mesh->points);
+      c.controller().run(Step::Vesselness);
+      QTRY_VERIFY_WITH_TIMEOUT(c.controller().state(Step::Vesselness) == StepState::Fresh,
+                               kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
+      c.controller().setField("vesselness.sigmaMinMm", 0.75);
+      QVERIFY(c.controller().state(Step::Evolve) == StepState::Stale);
+      c.controller().undoStack()->undo();
+      QTRY_VERIFY_WITH_TIMEOUT(c.controller().state(Step::Evolve) == StepState::Fresh, kPatienceMs);
+    }
+    QVERIFY(QDir(study.saved + "/cache").removeRecursively());
+    WindowCase c;
+    c.window->open(study.saved);
+    QCOMPARE(c.controller().caseName(), QString("vessels"));
+    QVERIFY(!c.controller().phi());
+  }
+
   void theTitleMarksUnsavedChanges() {
     const Study study;
     WindowCase c;

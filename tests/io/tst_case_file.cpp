@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
+#include "io/case_cache.h"
 #include "io/case_journal.h"
 #include "io/files.h"
 #include "io/find_source.h"
@@ -308,6 +309,64 @@ class TestCaseFile : public QObject {
     QVERIFY(steps.size() > 20);
     QCOMPARE(steps.back().position, position);
     QCOMPARE(entriesOf(a / "edits"), 1);
+  }
+
+  void theCacheGivesBackItsOwnResultAlone() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument());
+    CachedEvolve evolve;
+    Volume<float> phi = smallTree();
+    phi.geometry.origin = {1.0 / 3.0, -2.0 / 7.0, 1e-3};
+    phi.geometry.direction = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+    evolve.result.phi = std::make_shared<const Volume<float>>(phi);
+    evolve.result.thresholds = {0.2, 0.1, 0.3, true};
+    evolve.result.lower = 12.5;
+    evolve.result.iterations = 140;
+    evolve.result.stopReason = StopReason::Settled;
+    evolve.report.step = Step::Evolve;
+    evolve.report.key = "00ff";
+    evolve.report.seconds = 1.25;
+    evolve.report.warnings = {"b was clamped"};
+    QVERIFY(!readCache(a, "00ff"));
+    writeCache(a, evolve);
+    const auto back = readCache(a, "00ff");
+    QVERIFY(back);
+    QVERIFY(back->result.phi->geometry == phi.geometry);
+    QVERIFY(back->result.phi->voxels == phi.voxels);
+    QCOMPARE(back->result.thresholds.b, 0.1);
+    QVERIFY(back->result.lower == 12.5 && !back->result.upper);
+    QCOMPARE(back->result.iterations, 140);
+    QCOMPARE(back->result.stopReason, StopReason::Settled);
+    QVERIFY(back->report.warnings == evolve.report.warnings);
+    QVERIFY(!readCache(a, "00fe"));
+
+    const fs::path file = a / "cache/evolve.nrrd";
+    const std::string whole = bytesOf(file);
+    std::string damaged = whole;
+    damaged[damaged.size() / 2] ^= 4;
+    save(file, damaged);
+    QVERIFY(!readCache(a, "00ff"));
+    save(file, whole.substr(0, whole.size() / 2));
+    QVERIFY(!readCache(a, "00ff"));
+    phi.voxels[0] += 1.0F;
+    writeVolume(phi, file);
+    QVERIFY(!readCache(a, "00ff"));
+    save(file, whole);
+    QVERIFY(readCache(a, "00ff"));
+    save(a / "cache/evolve.json", "{\"format\": 1, \"key\": \"00ff\"}");
+    QVERIFY(!readCache(a, "00ff"));
+    save(a / "cache/evolve.json", "[");
+    QVERIFY(!readCache(a, "00ff"));
+    fs::remove_all(a / "cache");
+    {
+      const FullDisk disk(2000);
+      QVERIFY_EXCEPTION_THROWN(writeCache(a, evolve), IoError);
+    }
+    QVERIFY(!readCache(a, "00ff"));
+    writeCache(a, evolve);
+    QVERIFY(readCache(a, "00ff"));
+    QVERIFY(readCase(a).warnings.empty());
   }
 
   void theSourceIsKnownByItsContent() {

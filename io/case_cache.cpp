@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/case_cache.h"
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "io/files.h"
+#include "io/image_io.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+
+fs::path noteOf(const fs::path& folder) { return folder / "cache" / "evolve.json"; }
+fs::path phiOf(const fs::path& folder) { return folder / "cache" / "evolve.nrrd"; }
+
+/// Numbers that NRRD's text may round.
+Json toJson(const Geometry& g) {
+  Json json = Json::array();
+  for (int a = 0; a < 3; ++a) {
+    json.push_back(g.spacing[a]);
+    json.push_back(g.origin[a]);
+    for (int b = 0; b < 3; ++b) json.push_back(g.direction(a, b));
+  }
+  return json;
+}
+
+Geometry geometryFrom(const Json& json, const Index3& size) {
+  Geometry g;
+  g.size = size;
+  std::size_t at = 0;
+  for (int a = 0; a < 3; ++a) {
+    g.spacing[a] = json.at(at++).get<double>();
+    g.origin[a] = json.at(at++).get<double>();
+    for (int b = 0; b < 3; ++b) g.direction(a, b) = json.at(at++).get<double>();
+  }
+  return g;
+}
+
+Json toJson(const CachedEvolve& evolve) {
+  const EvolveResult& r = evolve.result;
+  Json json = {{"format", kFormat},
+               {"key", evolve.report.key},
+               {"phi", contentHash(*r.phi)},
+               {"geometry", toJson(r.phi->geometry)},
+               {"a", r.thresholds.a},
+               {"b", r.thresholds.b},
+               {"vAverage", r.thresholds.vAverage},
+               {"clamped", r.thresholds.clamped},
+               {"iterations", r.iterations},
+               {"converged", r.converged},
+               {"stopReason", static_cast<int>(r.stopReason)},
+               {"seconds", evolve.report.seconds},
+               {"cpuSeconds", evolve.report.cpuSeconds},
+               {"warnings", evolve.report.warnings}};
+  if (r.lower) json["lower"] = *r.lower;
+  if (r.upper) json["upper"] = *r.upper;
+  return json;
+}
+
+CachedEvolve fromJson(const Json& json) {
+  CachedEvolve evolve;
+  EvolveResult& r = evolve.result;
+  r.thresholds.a = json.at("a").get<double>();
+  r.thresholds.b = json.at("b").get<double>();
+  r.thresholds.vAverage = json.at("vAverage").get<double>();
+  r.thresholds.clamped = json.at("clamped").get<bool>();
+  r.iterations = json.at("iterations").get<int>();
+  r.converged = json.at("converged").get<bool>();
+  r.stopReason = static_cast<StopReason>(json.at("stopReason").get<int>());
+  if (json.contains("lower")) r.lower = json.at("lower").get<double>();
+  if (json.contains("upper")) r.upper = json.at("upper").get<double>();
+  evolve.report.step = Step::Evolve;
+  evolve.report.key = json.at("key").get<std::string>();
+  evolve.report.seconds = json.at("seconds").get<double>();
+  evolve.report.cpuSeconds = json.at("cpuSeconds").get<double>();
+  evolve.report.warnings = json.at("warnings").get<std::vector<std::string>>();
+  return evolve;
+}
+
+/// The note of another format, or of none, is a null.
+Json readNote(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(noteOf(folder), error)) return {};
+  Json json = Json::parse(readText(noteOf(folder)), nullptr, false);
+  const bool ours = json.is_object() && json.value("format", 0) == kFormat;
+  return ours ? json : Json();
+}
+
+}  // namespace
+
+void writeCache(const fs::path& folder, const CachedEvolve& evolve) {
+  const Json note = readNote(folder);
+  if (note.is_object() && note.value("key", std::string()) == evolve.report.key) return;
+  std::error_code error;
+  fs::create_directory(folder / "cache", error);
+  // Whatever happens in between, a note never goes with another volume than its own.
+  fs::remove(noteOf(folder), error);
+  writeVolume(*evolve.result.phi, phiOf(folder));
+  writeText(noteOf(folder), toJson(evolve).dump(2) + "\n");
+}
+
+std::optional<CachedEvolve> readCache(const fs::path& folder, const std::string& key) {
+  try {
+    const Json note = readNote(folder);
+    if (!note.is_object() || note.value("key", std::string()) != key) return std::nullopt;
+    CachedEvolve evolve = fromJson(note);
+    Volume<float> phi = readImage(phiOf(folder)).image;
+    phi.geometry = geometryFrom(note.at("geometry"), phi.geometry.size);
+    if (contentHash(phi) != note.at("phi").get<std::string>()) return std::nullopt;
+    evolve.result.phi = std::make_shared<const Volume<float>>(std::move(phi));
+    return evolve;
+  } catch (const std::exception&) {
+    // A cache that cannot be read is no cache.
+    return std::nullopt;
+  }
+}
+
+}  // namespace angiomesh
