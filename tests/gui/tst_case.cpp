@@ -2,7 +2,9 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QPlainTextEdit>
+#include <QProcess>
 #include <QSignalSpy>
+#include <cstdio>
 
 #include "io/case_file.h"
 #include "io/case_journal.h"
@@ -18,6 +20,8 @@ namespace {
 
 /// In the paths of the sources; nothing of it may get into a case.
 const char* const kPatient = "Doe_Jane";
+
+const char* const kEditAndWait = "--edit-and-wait";
 
 /// A folder with a volume in a place that tells a name.
 struct Study {
@@ -354,6 +358,22 @@ class TestCase : public QObject {
     QCOMPARE(c.controller().caseFolder(), study.saved);
   }
 
+  void aKilledWindowLosesNothing() {
+    const Study study;
+    QProcess child;
+    child.start(QCoreApplication::applicationFilePath(),
+                {kEditAndWait, QString::fromStdString(study.recovery.string())});
+    QVERIFY(child.waitForReadyRead(kPatienceMs));
+    QVERIFY(findRecoveries(study.recovery).empty());
+    child.kill();
+    QVERIFY(child.waitForFinished(kPatienceMs));
+    WindowCase c(makeInlineJobRunner, study.recovery);
+    c.answers.restore = RestoreAnswer::Restore;
+    QVERIFY(c.window->offerRestore());
+    QCOMPARE(c.controller().parameters().levelset.xi, 34.0);
+    QCOMPARE(c.controller().image()->geometry.size[0], 128);
+  }
+
   void aMissingVolumeLeavesTheRunAlone() {
     const Study study;
     {
@@ -519,5 +539,25 @@ class TestCase : public QObject {
   }
 };
 
-int main(int argc, char** argv) { return test::runWindowTests<TestCase>(argc, argv); }
+namespace {
+
+/// The child of aKilledWindowLosesNothing(): says when its edit is on the disk, and waits.
+int editAndWait(const QString& recovery) {
+  CaseController controller(makeInlineJobRunner, nullptr, recovery.toStdString());
+  controller.openSample();
+  controller.setField("levelset.xi", 34.0);
+  std::puts("ready");
+  std::fflush(stdout);
+  return QCoreApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 2 && QLatin1String(argv[1]) == QLatin1String(kEditAndWait)) {
+    const QCoreApplication application(argc, argv);
+    return editAndWait(QString::fromLocal8Bit(argv[2]));
+  }
+  return test::runWindowTests<TestCase>(argc, argv);
+}
 #include "tst_case.moc"
