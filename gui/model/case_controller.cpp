@@ -68,7 +68,7 @@ CaseController::CaseController(const JobRunnerFactory& makeRunner, QObject* pare
       speedRunner_(makeRunner()),
       estimateRunner_(makeRunner()),
       params_(preset("angiomesh")),
-      store_(makeRunner(), recovery) {
+      store_(makeRunner, recovery) {
   connect(&undo_, &QUndoStack::indexChanged, this, &CaseController::noteEdit);
   timer_.setInterval(kPollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &CaseController::poll);

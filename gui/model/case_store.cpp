@@ -110,9 +110,7 @@ struct CaseStore::Task {
           save();
           break;
         case Kind::Cache:
-          if (place) {
-            writeCache(place->folder, evolve);
-          }
+          writeCache(place->folder, evolve);
           break;
         case Kind::Leave:
           leavePlace(*place);
@@ -154,8 +152,8 @@ struct CaseStore::Task {
   }
 };
 
-CaseStore::CaseStore(std::unique_ptr<JobRunner> runner, fs::path recoveryRoot)
-    : runner_(std::move(runner)), recoveryRoot_(std::move(recoveryRoot)) {}
+CaseStore::CaseStore(const JobRunnerFactory& makeRunner, fs::path recoveryRoot)
+    : runner_(makeRunner()), cacheRunner_(makeRunner()), recoveryRoot_(std::move(recoveryRoot)) {}
 
 CaseStore::~CaseStore() {
   while (current_) {
@@ -163,6 +161,7 @@ CaseStore::~CaseStore() {
     finish();
     startNext();
   }
+  cacheRunner_->wait();
 }
 
 fs::path CaseStore::folder() const {
@@ -277,8 +276,13 @@ void CaseStore::startNext() {
       }
       task.place = place_;
     } else if (task.kind == Task::Kind::Cache) {
-      const bool kept = task.generation == generation_ && place_ && !place_->recovery;
-      task.place = kept ? place_ : nullptr;
+      const std::shared_ptr<Task> cache = std::exchange(current_, nullptr);
+      if (cache->generation == generation_ && place_ && !place_->recovery) {
+        cache->place = place_;
+        waitingCache_ = cache;
+        startCache();
+      }
+      continue;
     } else if (task.kind == Task::Kind::Save && task.generation == generation_) {
       task.left = place_;
       if (place_ && !place_->recovery && place_->folder == task.place->folder) {
@@ -289,6 +293,12 @@ void CaseStore::startNext() {
     if (!runner_->running()) {
       finish();
     }
+  }
+}
+
+void CaseStore::startCache() {
+  if (waitingCache_ && !cacheRunner_->running()) {
+    cacheRunner_->start([job = std::exchange(waitingCache_, nullptr)] { job->execute(); });
   }
 }
 
@@ -312,6 +322,7 @@ std::vector<CaseStore::Outcome> CaseStore::poll() {
     finish();
     startNext();
   }
+  startCache();
   return std::exchange(outcomes_, {});
 }
 

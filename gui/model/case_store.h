@@ -50,7 +50,7 @@ class CaseStore {
   };
 
   /// @param recoveryRoot empty: cases without a folder have no journal
-  CaseStore(std::unique_ptr<JobRunner> runner, std::filesystem::path recoveryRoot);
+  CaseStore(const JobRunnerFactory& makeRunner, std::filesystem::path recoveryRoot);
   /// Waits for what was asked for, and leaves the disk as a crash would: see leave().
   ~CaseStore();
 
@@ -71,7 +71,9 @@ class CaseStore {
   void leave();
 
   [[nodiscard]] bool saving() const;
-  [[nodiscard]] bool busy() const { return current_ || !queue_.empty(); }
+  [[nodiscard]] bool busy() const {
+    return current_ || !queue_.empty() || waitingCache_ || cacheRunner_->running();
+  }
   std::vector<Outcome> poll();
 
  private:
@@ -79,8 +81,12 @@ class CaseStore {
   void add(std::shared_ptr<Task> task);
   void startNext();
   void finish();
+  void startCache();
 
   std::unique_ptr<JobRunner> runner_;
+  /// Packing a volume takes seconds, and edits must not wait for it.
+  std::unique_ptr<JobRunner> cacheRunner_;
+  std::shared_ptr<Task> waitingCache_;
   std::filesystem::path recoveryRoot_;
   bool begun_ = false;
   int generation_ = 0;  ///< of the case: what an earlier one asked for changes nothing here
