@@ -49,12 +49,12 @@ class LoadJob {
   [[nodiscard]] double level() const { return level_; }
 
  protected:
-  /// The source, without an image where it cannot be found; the rest goes to info_.
+  /// The source, without an image where it cannot be found; the rest goes to setInfo().
   virtual Source obtain();
   /// May fill the new pipeline with results.
   virtual void prepare(Pipeline& /*pipeline*/) {}
 
-  InputInfo info_;
+  void setInfo(InputInfo info) { info_ = std::move(info); }
 
  private:
   void load();
@@ -66,6 +66,7 @@ class LoadJob {
   Progress progress_;
   bool cancelled_ = false;
   std::string error_;
+  InputInfo info_;
   std::shared_ptr<Pipeline> pipeline_;
   double window_ = 1.0, level_ = 0.5;
 };

@@ -35,6 +35,9 @@ void OpenCaseJob::readFolder() {
 }
 
 Source OpenCaseJob::obtainSample() {
+  InputInfo info;
+  info.format = document_.source.format;
+  setInfo(info);
   Source sample = makeSampleSource(kSampleSize, progress().sub(0.0, 0.8));
   sample.name = name();
   return sample.hash == document_.source.hash ? sample : Source();
@@ -42,7 +45,6 @@ Source OpenCaseJob::obtainSample() {
 
 Source OpenCaseJob::obtain() {
   readFolder();
-  info_.format = document_.source.format;
   if (request_.source.empty() && document_.source.format == "phantom") {
     if (Source sample = obtainSample(); sample.image) {
       return sample;
@@ -71,10 +73,10 @@ Source OpenCaseJob::obtain() {
     return {};
   }
   sourcePath_ = found->path;
-  info_ = std::move(found->loaded.info);
-  for (std::string& warning : info_.warnings) {
+  for (std::string& warning : found->loaded.info.warnings) {
     warning = withoutPath(warning, sourcePath_, name());
   }
+  setInfo(std::move(found->loaded.info));
   Source source;
   source.image = std::make_shared<const Volume<float>>(std::move(found->loaded.image));
   source.hash = found->hash;
