@@ -75,6 +75,11 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   connect(controller_, &CaseController::snapshotArrived, this, &MainWindow::refreshActions);
   connect(controller_, &CaseController::progressChanged, this, &MainWindow::showProgress);
   connect(controller_, &CaseController::opened, this, &MainWindow::remember);
+  // Asked once the controller is done with the job: a dialog runs a loop of its own.
+  connect(controller_, &CaseController::seriesFound, this, &MainWindow::chooseSeries,
+          Qt::QueuedConnection);
+  connect(controller_, &CaseController::unevenFound, this, &MainWindow::askToResample,
+          Qt::QueuedConnection);
   connect(state_, &ViewState::changed, this, &MainWindow::refreshViewActions);
   connectCases();
   connect(views_, &ViewGrid::hovered, hover_, &QLabel::setText);
@@ -181,6 +186,7 @@ void MainWindow::open(const QString& path, bool thenRun) {
   if (!mayLeave([this, path, thenRun] { open(path, thenRun); })) {
     return;
   }
+  thenRun_ = thenRun;
   if (thenRun) {
     runOnceLoaded();
   }
@@ -315,6 +321,25 @@ void MainWindow::showProgress() {
   work_->setText(text);
   progress_->setVisible(fraction >= 0.0);
   progress_->setValue(static_cast<int>(1000.0 * fraction));
+}
+
+void MainWindow::chooseSeries(const QString& path, const std::vector<ImageSummary>& entries) {
+  if (const auto chosen = options_.series.choose(this, entries, options_.makeRunner)) {
+    if (thenRun_) {
+      runOnceLoaded();
+    }
+    controller_->openSeries(path, entries[*chosen], false);
+  }
+}
+
+void MainWindow::askToResample(const QString& path, const ImageSummary& entry,
+                               const QString& reason) {
+  if (options_.series.resample(this, reason)) {
+    if (thenRun_) {
+      runOnceLoaded();
+    }
+    controller_->openSeries(path, entry, true);
+  }
 }
 
 void MainWindow::remember(const QString& path) {

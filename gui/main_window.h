@@ -8,6 +8,7 @@
 #include "gui/model/job_runner.h"
 #include "gui/panel/case_questions.h"
 #include "gui/panel/export_dialog.h"
+#include "gui/panel/series_questions.h"
 
 class QActionGroup;
 class QComboBox;
@@ -28,6 +29,7 @@ struct MainWindowOptions {
   JobRunnerFactory makeRunner = makeThreadedJobRunner;
   PathChooser chooser = dialogPathChooser();
   CaseQuestions questions = dialogCaseQuestions();
+  SeriesQuestions series = dialogSeriesQuestions();
   /// For the edits of cases that were never saved; empty: they are not kept.
   std::filesystem::path recovery = {};
 };
@@ -87,6 +89,8 @@ class MainWindow : public QMainWindow {
   void refreshActions();
   void refreshViewActions();
   void refreshRecent();
+  void chooseSeries(const QString& path, const std::vector<ImageSummary>& entries);
+  void askToResample(const QString& path, const ImageSummary& entry, const QString& reason);
   void showProgress();
   void showExport();
   void showShortcuts();
@@ -94,6 +98,7 @@ class MainWindow : public QMainWindow {
   void remember(const QString& path);
 
   MainWindowOptions options_;
+  bool thenRun_ = false;  ///< what is being opened is to be run
   CaseController* controller_;
   ViewState* state_;
   ViewGrid* views_;

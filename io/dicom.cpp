@@ -20,10 +20,10 @@ const char* const kChoose = "choose one with --series and its UID or the end of 
 /// Fewer slices are a localizer or a single picture, not a volume.
 constexpr std::size_t kLeastSlices = 3;
 
-Stacks stacksOf(const fs::path& path, const Progress& progress,
+Stacks stacksOf(const fs::path& path, const Progress& progress, ScanDepth depth,
                 std::vector<std::string>& warnings) {
   Stacks stacks;
-  for (DicomSeries& series : scanDicom(path, progress, warnings))
+  for (DicomSeries& series : scanDicom(path, progress, depth, warnings))
     for (DicomStack& stack : splitSeries(std::move(series)))
       stacks.push_back(std::make_shared<const DicomStack>(std::move(stack)));
   if (!stacks.empty()) return stacks;
@@ -213,17 +213,29 @@ LoadedImage readDicomStack(const std::shared_ptr<const DicomStack>& stack, bool 
 LoadedImage readDicom(const fs::path& path, const ReadOptions& options, const Progress& progress) {
   progress.phase("reading");
   std::vector<std::string> warnings;
-  const Stacks all = stacksOf(path, progress.sub(0.0, 0.3), warnings);
+  const Stacks all = stacksOf(path, progress.sub(0.0, 0.3), ScanDepth::AllBelow, warnings);
   const auto stack = choose(all, options.series, path, warnings);
   LoadedImage loaded = readDicomStack(stack, options.evenOut, path, progress.sub(0.3, 0.9));
   loaded.info.warnings.insert(loaded.info.warnings.begin(), warnings.begin(), warnings.end());
   return loaded;
 }
 
-std::vector<ImageSummary> describeDicom(const fs::path& path, const Progress& progress) {
+std::optional<std::size_t> loneVolume(const std::vector<ImageSummary>& entries) {
+  if (entries.size() == 1) return 0;
+  std::optional<std::size_t> lone;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!entries[i].stack || !isVolume(*entries[i].stack)) continue;
+    if (lone) return std::nullopt;
+    lone = i;
+  }
+  return lone;
+}
+
+std::vector<ImageSummary> describeDicom(const fs::path& path, const Progress& progress,
+                                        ScanDepth depth) {
   std::vector<ImageSummary> summaries;
   std::vector<std::string> common;
-  for (const auto& stack : stacksOf(path, progress, common)) {
+  for (const auto& stack : stacksOf(path, progress, depth, common)) {
     const StackGrid grid = gridOfStack(*stack, false);
     ImageSummary summary;
     summary.geometry = grid.geometry;

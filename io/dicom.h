@@ -20,7 +20,7 @@ LoadedImage readDicomStack(const std::shared_ptr<const DicomStack>& stack, bool 
                            const std::filesystem::path& path, const Progress& progress);
 
 /// One entry per series, or per volume where a series holds several, by series UID.
-std::vector<ImageSummary> describeDicom(const std::filesystem::path& path,
-                                        const Progress& progress);
+std::vector<ImageSummary> describeDicom(const std::filesystem::path& path, const Progress& progress,
+                                        ScanDepth depth);
 
 }  // namespace angiomesh

@@ -30,9 +30,9 @@ void prepareDcmtk() {
   static_cast<void>(ready);
 }
 
-/// All regular files in and below a folder, sorted. Links to folders are not followed: they may go
-/// round in circles.
-std::vector<fs::path> filesBelow(const fs::path& folder, const Progress& progress) {
+/// The regular files of a folder, and below it, sorted. Links to folders are not followed: they may
+/// go round in circles.
+std::vector<fs::path> filesIn(const fs::path& folder, ScanDepth depth, const Progress& progress) {
   std::error_code error;
   std::vector<fs::path> files;
   fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
@@ -40,6 +40,7 @@ std::vector<fs::path> filesBelow(const fs::path& folder, const Progress& progres
   for (const fs::recursive_directory_iterator end; !error && entry != end; entry.increment(error)) {
     progress.check();
     std::error_code ignored;
+    if (depth == ScanDepth::Here) entry.disable_recursion_pending();
     if (entry->is_regular_file(ignored)) files.push_back(entry->path());
   }
   if (error)
@@ -109,8 +110,8 @@ void addDamage(const fs::path& file, const ScannedFile& scanned,
 }
 
 std::vector<DicomSeries> scanFolder(const fs::path& folder, const Progress& progress,
-                                    std::vector<std::string>& warnings) {
-  const std::vector<fs::path> files = filesBelow(folder, progress);
+                                    ScanDepth depth, std::vector<std::string>& warnings) {
+  const std::vector<fs::path> files = filesIn(folder, depth, progress);
   std::vector<ScannedFile> scanned = readHeaders(files, progress);
   std::map<std::string, DicomSeries> all;
   std::size_t misnamed = 0;
@@ -135,11 +136,11 @@ std::vector<DicomSeries> scanFolder(const fs::path& folder, const Progress& prog
 
 }  // namespace
 
-std::vector<DicomSeries> scanDicom(const fs::path& path, const Progress& progress,
+std::vector<DicomSeries> scanDicom(const fs::path& path, const Progress& progress, ScanDepth depth,
                                    std::vector<std::string>& warnings) {
   prepareDcmtk();
   std::error_code error;
-  if (fs::is_directory(path, error)) return scanFolder(path, progress, warnings);
+  if (fs::is_directory(path, error)) return scanFolder(path, progress, depth, warnings);
   DicomSeries series;
   const HeaderResult result = readDicomHeader(path, series);
   if (!result.damage.empty())

@@ -111,7 +111,7 @@ struct StackGrid {
 /// be.
 /// @throws IoError (the path cannot be read; the one file is damaged), Cancelled
 std::vector<DicomSeries> scanDicom(const std::filesystem::path& path, const Progress& progress,
-                                   std::vector<std::string>& warnings);
+                                   ScanDepth depth, std::vector<std::string>& warnings);
 
 struct HeaderResult {
   bool image = false;        ///< there was an image, or several

@@ -47,13 +47,16 @@ void addEntries(const fs::path& folder, const fs::path& but, std::vector<fs::pat
 }  // namespace
 
 std::optional<FoundSource> sourceAt(const fs::path& path, const CaseSource& source,
-                                    const Progress& progress) {
-  for (const ImageSummary& summary : describeImages(path)) {
+                                    const Progress& progress, ScanDepth depth) {
+  for (const ImageSummary& summary : describeImages(path, progress.sub(0.0, 0.1), depth)) {
     progress.check();
-    if (!sameGrid(summary.geometry, source.grid)) continue;
+    // The grid of slices that were resampled is known only once they are.
+    const Finding* refusal = summary.refusal();
+    const bool uneven = refusal != nullptr && canBeEvenedOut(refusal->kind);
+    if (!uneven && !sameGrid(summary.geometry, source.grid)) continue;
     FoundSource found;
     found.path = path;
-    found.loaded = readImage(path, summary.info.seriesUid, progress.sub(0.0, 0.9));
+    found.loaded = readImage(summary, path, uneven, progress.sub(0.1, 0.9));
     found.hash = contentHash(found.loaded.image);
     if (found.hash == source.hash) return found;
   }
@@ -65,7 +68,8 @@ std::optional<FoundSource> findSource(const std::vector<fs::path>& places, const
   for (const fs::path& place : places) {
     progress.check();
     try {
-      if (std::optional<FoundSource> found = sourceAt(place, source, progress)) return found;
+      if (std::optional<FoundSource> found = sourceAt(place, source, progress, ScanDepth::Here))
+        return found;
     } catch (const Error&) {
       // Most of what lies about is no image.
     } catch (const fs::filesystem_error&) {

@@ -22,7 +22,8 @@ struct FoundSource {
 /// `source` describes: its headers are compared before its voxels are read.
 /// @throws IoError, InputError (no image), Cancelled
 std::optional<FoundSource> sourceAt(const std::filesystem::path& path, const CaseSource& source,
-                                    const Progress& progress = {});
+                                    const Progress& progress = {},
+                                    ScanDepth depth = ScanDepth::AllBelow);
 
 /// The same for many places, the first that fits; places that hold no image are passed over.
 std::optional<FoundSource> findSource(const std::vector<std::filesystem::path>& places,

@@ -123,10 +123,11 @@ Volume<std::uint8_t> readMask(const fs::path& path) {
   return mask;
 }
 
-std::vector<ImageSummary> describeImages(const fs::path& path, const Progress& progress) {
-  if (isFolder(path)) return describeDicom(path, progress);
+std::vector<ImageSummary> describeImages(const fs::path& path, const Progress& progress,
+                                         ScanDepth depth) {
+  if (isFolder(path)) return describeDicom(path, progress, depth);
   const ImageFormat format = imageFormat(path);
-  if (format == ImageFormat::Dicom) return describeDicom(path, progress);
+  if (format == ImageFormat::Dicom) return describeDicom(path, progress, depth);
   HeaderFacts facts = checkHeader(path, format, false);
   ImageSummary summary = itkDescribe(path, format);
   addFacts(summary.info, std::move(facts));

@@ -78,8 +78,15 @@ struct ImageSummary {
   /// The finding for which no volume can be made of it, or null.
   [[nodiscard]] const Finding* refusal() const;
 };
+/// `depth`: how far a folder is searched.
+enum class ScanDepth { Here, AllBelow };
 std::vector<ImageSummary> describeImages(const std::filesystem::path& path,
-                                         const Progress& progress = {});
+                                         const Progress& progress = {},
+                                         ScanDepth depth = ScanDepth::AllBelow);
+
+/// The entry that is meant when none is chosen: the only one, or the only one of three slices and
+/// more with a position, so that localizers and single pictures do not stand in the way.
+std::optional<std::size_t> loneVolume(const std::vector<ImageSummary>& entries);
 
 /// Reads an entry of a DICOM folder without looking through the folder again.
 /// @throws as readImage()

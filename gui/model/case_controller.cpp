@@ -98,6 +98,11 @@ void CaseController::open(const QString& path) {
                                       nameOf(path).toStdString()));
 }
 
+void CaseController::openSeries(const QString& path, const ImageSummary& entry, bool evenOut) {
+  startLoad(std::make_shared<LoadJob>(QFileInfo(path).absoluteFilePath().toStdString(),
+                                      nameOf(path).toStdString(), entry, evenOut));
+}
+
 void CaseController::openSample() {
   startLoad(std::make_shared<LoadJob>(std::filesystem::path(), "sample"));
 }
@@ -134,6 +139,11 @@ void CaseController::finishLoad() {
     }
   } else if (const auto opening = std::dynamic_pointer_cast<const OpenCaseJob>(job)) {
     finishCase(opening);
+  } else if (!job->choices().empty()) {
+    Q_EMIT seriesFound(QString::fromStdString(job->path().string()), job->choices());
+  } else if (!job->uneven().empty()) {
+    Q_EMIT unevenFound(QString::fromStdString(job->path().string()), *job->entry(),
+                       QString::fromStdString(job->uneven()));
   } else {
     takeLoaded(*job);
     params_ = job->startParameters().value_or(params_);

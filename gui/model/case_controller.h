@@ -50,6 +50,8 @@ class CaseController : public QObject {
 
   // The case.
   void open(const QString& path);
+  /// Loads a volume that seriesFound() listed; `evenOut`: missing or uneven slices are resampled.
+  void openSeries(const QString& path, const ImageSummary& entry, bool evenOut);
   void openSample();
   /// Takes a source that is at hand already.
   void take(Source source);
@@ -166,6 +168,10 @@ class CaseController : public QObject {
   void snapshotArrived();  ///< phi() and liveSurface() moved on
   void message(angiomesh::Severity severity, const QString& text);
   void exported(const QString& path);
+  /// The folder holds several volumes: openSeries() takes one.
+  void seriesFound(const QString& path, const std::vector<ImageSummary>& entries);
+  /// Slices are missing or uneven: openSeries() with `evenOut`, or leave it.
+  void unevenFound(const QString& path, const ImageSummary& entry, const QString& reason);
   void opened(const QString& path);                 ///< a file or folder was loaded
   void sourceSeen(const QString& path);             ///< where the volume of the open case lies
   void caseFound(const angiomesh::CaseView& view);  ///< a case was opened, and looked like this

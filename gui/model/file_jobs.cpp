@@ -44,6 +44,9 @@ Source makeSampleSource(int size, const Progress& progress) {
 LoadJob::LoadJob(std::filesystem::path path, std::string name)
     : path_(std::move(path)), name_(std::move(name)) {}
 
+LoadJob::LoadJob(std::filesystem::path path, std::string name, ImageSummary entry, bool evenOut)
+    : path_(std::move(path)), name_(std::move(name)), entry_(std::move(entry)), evenOut_(evenOut) {}
+
 LoadJob::LoadJob(Source source) : name_(source.name), source_(std::move(source)) {}
 
 void LoadJob::execute() noexcept {
@@ -68,7 +71,22 @@ Source LoadJob::obtain() {
     info_.pixelType = "float32";
     return makeSampleSource(kSampleSize, progress_.sub(0.0, 0.8));
   }
-  LoadedImage loaded = readImage(path_, {}, progress_.sub(0.0, 0.8));
+  if (!entry_) {
+    std::vector<ImageSummary> entries = describeImages(path_, progress_.sub(0.0, 0.2));
+    const std::optional<std::size_t> lone = loneVolume(entries);
+    if (!lone) {
+      choices_ = std::move(entries);
+      return {};
+    }
+    entry_ = std::move(entries[*lone]);
+  }
+  LoadedImage loaded;
+  try {
+    loaded = readImage(*entry_, path_, evenOut_, progress_.sub(0.2, 0.8));
+  } catch (const UnevenSlicesError& failure) {
+    uneven_ = withoutPath(failure.what(), path_, name_);
+    return {};
+  }
   info_ = std::move(loaded.info);
   progress_.check();
   return makeSource(std::move(loaded.image), name_);

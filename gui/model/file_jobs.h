@@ -20,6 +20,8 @@ class LoadJob {
  public:
   /// @param path file or folder; empty: the built-in sample   @param name shown to the user
   LoadJob(std::filesystem::path path, std::string name);
+  /// For a volume that an earlier job listed; `evenOut`: its missing slices are to be resampled.
+  LoadJob(std::filesystem::path path, std::string name, ImageSummary entry, bool evenOut);
   /// For a source that is at hand already.
   explicit LoadJob(Source source);
   virtual ~LoadJob() = default;
@@ -42,6 +44,11 @@ class LoadJob {
   [[nodiscard]] bool cancelled() const { return cancelled_; }
   [[nodiscard]] const std::string& error() const { return error_; }
   [[nodiscard]] const InputInfo& info() const { return info_; }
+  /// The volumes of the folder when one has to be chosen; nothing is loaded then.
+  [[nodiscard]] const std::vector<ImageSummary>& choices() const { return choices_; }
+  /// Why the slices of entry() are no volume unless they are resampled; empty: nothing of the kind.
+  [[nodiscard]] const std::string& uneven() const { return uneven_; }
+  [[nodiscard]] const std::optional<ImageSummary>& entry() const { return entry_; }
   /// Null when there was no source to find.
   [[nodiscard]] std::shared_ptr<Pipeline> pipeline() const { return pipeline_; }
   /// Window and level to begin with: the file's own, else the 1st to the 99.8th percentile.
@@ -61,6 +68,10 @@ class LoadJob {
 
   std::filesystem::path path_;
   std::string name_;
+  std::optional<ImageSummary> entry_;
+  bool evenOut_ = false;
+  std::vector<ImageSummary> choices_;
+  std::string uneven_;
   Source source_;
   std::optional<Parameters> startParameters_;
   Progress progress_;

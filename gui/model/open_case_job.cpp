@@ -73,9 +73,6 @@ Source OpenCaseJob::obtain() {
     return {};
   }
   sourcePath_ = found->path;
-  for (std::string& warning : found->loaded.info.warnings) {
-    warning = withoutPath(warning, sourcePath_, name());
-  }
   setInfo(std::move(found->loaded.info));
   Source source;
   source.image = std::make_shared<const Volume<float>>(std::move(found->loaded.image));

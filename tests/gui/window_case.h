@@ -71,6 +71,15 @@ struct WindowCase {
     options.chooser.save = [this](QWidget*, const QString&, const QString&) { return savePath; };
     options.questions = answers.questions();
     options.recovery = recovery;
+    options.series.choose = [this](QWidget*, const std::vector<ImageSummary>& entries,
+                                   const JobRunnerFactory&) {
+      seriesShown = entries;
+      return seriesChosen;
+    };
+    options.series.resample = [this](QWidget*, const QString& reason) {
+      unevenReason = reason;
+      return resample;
+    };
     window = std::make_unique<MainWindow>(std::move(options));
     window->resize(1240, 860);
     window->show();
@@ -120,6 +129,10 @@ struct WindowCase {
 
   QTemporaryDir folder;
   QString openPath, savePath;
+  std::vector<ImageSummary> seriesShown;
+  std::optional<std::size_t> seriesChosen;
+  QString unevenReason;
+  bool resample = false;
   CaseAnswers answers;
   std::unique_ptr<MainWindow> window;
 };

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/panel/series_questions.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "gui/panel/series_dialog.h"
+
+namespace angiomesh {
+
+SeriesQuestions dialogSeriesQuestions() {
+  SeriesQuestions questions;
+  questions.choose = [](QWidget* parent, const std::vector<ImageSummary>& entries,
+                        const JobRunnerFactory& makeRunner) -> std::optional<std::size_t> {
+    SeriesDialog dialog(entries, makeRunner, parent);
+    if (dialog.exec() != QDialog::Accepted) {
+      return std::nullopt;
+    }
+    return dialog.chosen();
+  };
+  questions.resample = [](QWidget* parent, const QString& reason) {
+    QMessageBox box(QMessageBox::Warning, QObject::tr("Uneven slices"),
+                    QObject::tr("The slices of the series are not at even distances."),
+                    QMessageBox::Cancel, parent);
+    box.setInformativeText(reason);
+    const QPushButton* resample =
+        box.addButton(QObject::tr("Resample them"), QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() == resample;
+  };
+  return questions;
+}
+
+}  // namespace angiomesh
