@@ -27,8 +27,13 @@ PolygonMesh readPly(const std::string& bytes, const std::filesystem::path& path)
 PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readLegacyVtk(const std::string& bytes, const std::filesystem::path& path);
+PolygonMesh readVtp(const std::string& bytes, const std::filesystem::path& path);
 /// .vtp and legacy .vtk, by content.
 PolygonMesh readVtkPolyData(const std::string& bytes, const std::filesystem::path& path);
+
+/// The triangles of a strip, each second one turned round.
+void appendStrip(const std::vector<std::uint32_t>& strip,
+                 std::vector<std::vector<std::uint32_t>>& polygons);
 
 /// Cuts polygons with more than three corners into triangles, n - 2 for n corners. Indices must be
 /// in range.

@@ -30,7 +30,7 @@ class LegacyReader {
       } else if (word == "POLYGONS") {
         for (auto& polygon : readCells()) mesh_.polygons.push_back(std::move(polygon));
       } else if (word == "TRIANGLE_STRIPS") {
-        addStrips(readCells());
+        for (const auto& strip : readCells()) appendStrip(strip, mesh_.polygons);
       } else if (word == "METADATA") {
         skipMetadata();
       } else if (word == "FIELD") {
@@ -155,14 +155,6 @@ class LegacyReader {
       cells.push_back(std::move(cell));
     }
     return cells;
-  }
-
-  void addStrips(const Cells& strips) {
-    for (const std::vector<std::uint32_t>& strip : strips)
-      for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
-        const std::size_t odd = i % 2;
-        mesh_.polygons.push_back({strip[i], strip[i + 1 + odd], strip[i + 2 - odd]});
-      }
   }
 
   /// Names of components and the like, in words up to an empty line.

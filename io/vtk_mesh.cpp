@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataCompressor.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
+#include <vtkLZ4DataCompressor.h>
+#include <vtkLZMADataCompressor.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
@@ -12,19 +15,16 @@
 #include <vtkPolygon.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <limits>
-#include <set>
 
 #include "core/base/error.h"
-#include "io/mesh_number.h"
 #include "io/polygon_mesh.h"
 #include "io/quiet_terminal.h"
+#include "io/vtp_data.h"
 
 namespace angiomesh {
 namespace {
@@ -67,11 +67,6 @@ bool succeeds(const Work& work) {
   return fine && !messages->caught();
 }
 
-std::string fieldText(vtkPolyData* data, const char* name) {
-  auto* array = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
-  return array != nullptr && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : "";
-}
-
 void addField(vtkPolyData* data, const char* name, const std::string& text) {
   vtkNew<vtkStringArray> array;
   array->SetName(name);
@@ -102,118 +97,34 @@ void addPolygon(vtkCellArray* cells, const Polygon& polygon) {
   for (const std::uint32_t corner : polygon) cells->InsertCellPoint(static_cast<vtkIdType>(corner));
 }
 
-std::uint32_t pointNumber(vtkIdType id) {
-  // What does not fit is out of range of any mesh that is read, and refused there.
-  const auto largest = std::numeric_limits<std::uint32_t>::max();
-  return id < 0 || id > static_cast<vtkIdType>(largest) ? largest : static_cast<std::uint32_t>(id);
-}
-
-void appendCells(vtkCellArray* cells, PolygonMesh& mesh) {
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
-    cells->GetCellAtId(c, ids);
-    std::vector<std::uint32_t> polygon;
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-      polygon.push_back(pointNumber(ids->GetId(i)));
-    if (polygon.size() >= 3) mesh.polygons.push_back(std::move(polygon));
-  }
-}
-
-PolygonMesh fromVtk(vtkPolyData* data) {
-  PolygonMesh mesh;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
-    Eigen::Vector3d p;
-    data->GetPoint(i, p.data());
-    mesh.points.push_back(p);
-  }
-  appendCells(data->GetPolys(), mesh);
-  if (data->GetNumberOfStrips() > 0) {
-    vtkNew<vtkCellArray> triangles;
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType c = 0; c < data->GetNumberOfStrips(); ++c) {
-      data->GetStrips()->GetCellAtId(c, ids);
-      for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); ++i) {
-        const vtkIdType odd = i % 2;
-        addPolygon(triangles, std::array<std::uint32_t, 3>{pointNumber(ids->GetId(i)),
-                                                           pointNumber(ids->GetId(i + 1 + odd)),
-                                                           pointNumber(ids->GetId(i + 2 - odd))});
-      }
-    }
-    appendCells(triangles, mesh);
-  }
-  for (const char* name : {"SPACE", "UNIT", "KEY"})
-    mesh.header.read(std::string(name) + "=" + fieldText(data, name));
-  mesh.hasNormals = data->GetPointData()->GetNormals() != nullptr;
-  mesh.hasQuality = data->GetCellData()->HasArray("quality") != 0 ||
-                    data->GetPointData()->HasArray("quality") != 0;
-  return mesh;
-}
-
-/// The list of the cells' beginnings comes from the file too.
-void checkCells(vtkPolyData* data, const fs::path& path) {
-  if (!data->GetPolys()->IsValid() || !data->GetStrips()->IsValid()) throwTruncated(path);
-}
-
-/// Whether the file can hold as many points and cells as its pieces announce: VTK reserves memory
-/// for them first. zlib packs no more than 1032 bytes into one.
-bool countsAreCredible(const std::string& xml) {
-  const bool packed = xml.substr(0, 1000).find("compressor=") != std::string::npos;
-  const double most = static_cast<double>(xml.size()) * (packed ? 1032.0 : 1.0);
-  for (std::size_t at = xml.find("NumberOf"); at != std::string::npos;
-       at = xml.find("NumberOf", at)) {
-    at = xml.find_first_of("=>", at);
-    if (at == std::string::npos || xml[at] == '>' || at + 2 >= xml.size()) continue;
-    double count = 0.0;
-    const std::size_t end = std::min(xml.find(xml[at + 1], at + 2), xml.size());
-    TextScanner number(std::string_view(xml).substr(at + 2, end - at - 2));
-    if (!number.number(count) || !(count >= 0.0) || count > most) return false;
-  }
-  return true;
-}
-
-/// VTK's reader crashes on an array of a type that it does not know.
-bool arrayTypesAreKnown(const std::string& xml) {
-  static const std::set<std::string> types = {"String", "Bit",    "Int8",    "UInt8",
-                                              "Int16",  "UInt16", "Int32",   "UInt32",
-                                              "Int64",  "UInt64", "Float32", "Float64"};
-  for (std::size_t at = xml.find("Array "); at != std::string::npos; at = xml.find("Array ", at)) {
-    const std::size_t end = xml.find('>', at);
-    const std::string tag = xml.substr(at, end == std::string::npos ? end : end - at);
-    const std::size_t type = tag.find(" type=");
-    if (type == std::string::npos || type + 7 >= tag.size()) return false;
-    const std::size_t close = tag.find(tag[type + 6], type + 7);
-    if (close == std::string::npos || types.count(tag.substr(type + 7, close - type - 7)) == 0)
-      return false;
-    at += tag.size();
-  }
-  return true;
-}
-
-PolygonMesh readXml(const std::string& bytes, const fs::path& path) {
-  if (bytes.substr(0, 1000).find("PolyData") == std::string::npos)
-    throw InputError("the VTK file does not hold a surface", path.string(),
-                     "give a .vtp file (PolyData)");
-  if (bytes.rfind("</VTKFile>") == std::string::npos || !arrayTypesAreKnown(bytes) ||
-      !countsAreCredible(bytes))
-    throwTruncated(path);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  if (!succeeds([&] {
-        reader->ReadFromInputStringOn();
-        reader->SetInputString(bytes);
-        reader->Update();
-        return reader->GetErrorCode() == 0 && reader->GetOutput() != nullptr;
-      }))
-    throwTruncated(path);
-  checkCells(reader->GetOutput(), path);
-  return fromVtk(reader->GetOutput());
-}
-
 }  // namespace
 
 PolygonMesh readVtkPolyData(const std::string& bytes, const fs::path& path) {
   if (bytes.starts_with("# vtk DataFile")) return readLegacyVtk(bytes, path);
-  if (bytes.substr(0, 1000).find("<VTKFile") != std::string::npos) return readXml(bytes, path);
+  if (bytes.substr(0, 1000).find("<VTKFile") != std::string::npos) return readVtp(bytes, path);
   throw InputError("not a VTK file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+}
+
+void appendStrip(const std::vector<std::uint32_t>& strip,
+                 std::vector<std::vector<std::uint32_t>>& polygons) {
+  for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
+    const std::size_t odd = i % 2;
+    polygons.push_back({strip[i], strip[i + 1 + odd], strip[i + 2 - odd]});
+  }
+}
+
+bool unpackWithVtk(const std::string& packer, std::string_view packed, std::size_t size,
+                   std::string& bytes) {
+  vtkSmartPointer<vtkDataCompressor> compressor;
+  if (packer == "vtkLZ4DataCompressor") compressor = vtkSmartPointer<vtkLZ4DataCompressor>::New();
+  if (packer == "vtkLZMADataCompressor") compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
+  if (compressor == nullptr || size == 0 || packed.empty()) return false;
+  bytes.resize(size);
+  return succeeds([&] {
+    return compressor->Uncompress(reinterpret_cast<const unsigned char*>(packed.data()),
+                                  packed.size(), reinterpret_cast<unsigned char*>(bytes.data()),
+                                  size) == size;
+  });
 }
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(const PolygonMesh& mesh) {

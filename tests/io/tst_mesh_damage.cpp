@@ -73,6 +73,27 @@ class TestMeshDamage : public QObject {
               "compressor=\"vtkZLibDataCompressor\">\n<PolyData><Piece NumberOf" + what +
               "=\"4000000000\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
               "format=\"ascii\">0 0 0</DataArray></Points></Piece></PolyData></VTKFile>\n");
+    for (const bool packed : {false, true}) {
+      const auto vtp = [&](const std::string& data) {
+        return std::string("<VTKFile type=\"PolyData\" ") +
+               (packed ? "compressor=\"vtkZLibDataCompressor\"" : "") +
+               "><PolyData><Piece NumberOfPoints=\"4000000000\"><Points><DataArray "
+               "type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/>"
+               "</Points></Piece></PolyData><AppendedData encoding=\"raw\">_" +
+               data + "</AppendedData></VTKFile>\n";
+      };
+      // Blocks, and the size of each: many, none, huge.
+      const std::vector<std::array<std::uint32_t, 4>> heads{{4000000000U, 4000000000U, 7, 8},
+                                                            {0, 4000000000U, 4000000000U, 8},
+                                                            {1, 4000000000U, 0, 8},
+                                                            {1, 0, 0, 4000000000U}};
+      for (std::size_t i = 0; i < heads.size(); ++i) {
+        std::string data;
+        for (const std::uint32_t word : heads[i]) append(data, word);
+        row(qPrintable(QString("vtp blocks %1 %2").arg(packed).arg(i)), "m.vtp",
+            vtp(data + std::string(64, '\0')));
+      }
+    }
     std::string face = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
     for (int i = 0; i < 1000000; ++i) face += " 1 2 3";
     row("obj corners", "m.obj", face + "\n");

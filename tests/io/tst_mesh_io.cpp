@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/mesh_io.h"
 
+#include <vtkCellArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -261,6 +269,85 @@ class TestMeshIo : public QObject {
     for (int i = 1; i <= kCorners; ++i) text += " " + std::to_string(i);
     save(folder / "m.obj", text + "\n");
     QCOMPARE(readMesh(folder / "m.obj").triangles.size(), std::size_t{kCorners - 2});
+  }
+
+  void vtpOfAnyKindIsRead_data() {
+    QTest::addColumn<int>("mode");
+    QTest::addColumn<int>("packer");
+    QTest::addColumn<bool>("wide");
+    QTest::addColumn<bool>("big");
+    QTest::addColumn<bool>("base64");
+    for (const int mode : {vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended})
+      for (const int packer :
+           {vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4, vtkXMLWriter::LZMA})
+        for (const bool wide : {false, true})
+          for (const bool big : {false, true})
+            for (const bool base64 : {false, true})
+              QTest::addRow("mode %d packer %d%s%s%s", mode, packer, wide ? " wide" : "",
+                            big ? " big" : "", base64 ? " base64" : "")
+                  << mode << packer << wide << big << base64;
+  }
+  void vtpOfAnyKindIsRead() {
+    QFETCH(int, mode);
+    QFETCH(int, packer);
+    QFETCH(bool, wide);
+    QFETCH(bool, big);
+    QFETCH(bool, base64);
+    const Folder folder;
+    const std::string path = (folder / "m.vtp").string();
+    const TriMesh mesh = randomMesh(3);
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const auto& p : mesh.points) points->InsertNextPoint(p.data());
+    vtkNew<vtkCellArray> polygons, strips, lines;
+    for (std::size_t i = 1; i < mesh.triangles.size(); ++i) {
+      polygons->InsertNextCell(3);
+      for (const std::uint32_t corner : mesh.triangles[i]) polygons->InsertCellPoint(corner);
+    }
+    strips->InsertNextCell(3);
+    lines->InsertNextCell(2);
+    for (const std::uint32_t corner : mesh.triangles[0]) strips->InsertCellPoint(corner);
+    for (const vtkIdType end : {0, 1}) lines->InsertCellPoint(end);
+    data->SetPoints(points);
+    data->SetPolys(polygons);
+    data->SetStrips(strips);
+    data->SetLines(lines);
+    vtkNew<vtkStringArray> space;
+    space->SetName("SPACE");
+    space->InsertNextValue("RAS");
+    data->GetFieldData()->AddArray(space);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(data);
+    writer->SetFileName(path.c_str());
+    writer->SetDataMode(mode);
+    writer->SetCompressorType(packer);
+    writer->SetHeaderType(wide ? vtkXMLWriter::UInt64 : vtkXMLWriter::UInt32);
+    writer->SetByteOrder(big ? vtkXMLWriter::BigEndian : vtkXMLWriter::LittleEndian);
+    writer->SetEncodeAppendedData(base64);
+    QCOMPARE(writer->Write(), 1);
+
+    const LoadedMesh back = loadMesh(path, {Frame::Lps, {}});
+    QVERIFY(back.frameStated && back.warnings.size() == 1);
+    QCOMPARE(back.mesh.points.size(), mesh.points.size());
+    TriMesh turned = mesh;  // the strip comes last
+    std::rotate(turned.triangles.begin(), turned.triangles.begin() + 1, turned.triangles.end());
+    QVERIFY(largestDifference(turned, back.mesh) < (mode == vtkXMLWriter::Ascii ? 1e-7 : 1e-300));
+  }
+
+  void piecesOfAVtpAreJoined() {
+    const Folder folder;
+    const std::string piece =
+        "<Piece NumberOfPoints='3' NumberOfPolys = \"1\"><!-- <Piece> --><Points><DataArray "
+        "type='Float32' NumberOfComponents='3' format='ascii'>0 0 0\n1 0 0 0 1 0"
+        "<InformationKey name='a'><Value index='0'>7</Value></InformationKey></DataArray></Points>"
+        "<Polys><DataArray type='UInt8' Name='offsets'>3</DataArray><DataArray type='Int32' "
+        "Name='connectivity'>0 1 2</DataArray></Polys></Piece>";
+    save(folder / "m.vtp", "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='0'/>" +
+                               piece + piece + "</PolyData></VTKFile>");
+    const TriMesh mesh = readMesh(folder / "m.vtp");
+    QCOMPARE(mesh.points.size(), std::size_t{6});
+    QCOMPARE(mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {3, 4, 5}}));
   }
 
   void aRealSurfaceIsRead() {
