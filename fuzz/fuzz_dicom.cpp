@@ -3,8 +3,8 @@
 #include "fuzz/fuzz_file.h"
 #include "io/image_io.h"
 
-/// A DICOM file, whatever its first bytes are: its header, its series and, where they make a volume,
-/// its pixels.
+/// A DICOM file, whatever its first bytes are: its header, its series and, where they make a
+/// volume, its pixels.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace angiomesh;
   const fuzz::MemoryFile file(data, size);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Debian's ITK 5.2 was configured for GCC alone, and its header refuses any other compiler. This one
-// comes first and says what Clang has; it may go when ITK no longer has that header (5.3).
+// Debian's ITK 5.2 was configured for GCC alone, and its header refuses any other compiler. This
+// one comes first and says what Clang has; it may go when ITK no longer has that header (5.3).
 #define ITK_COMPILER_DETECTION_H
 #define ITK_COMPILER_IS_GNU 0
 #define ITK_COMPILER_IS_Clang 1
