@@ -28,7 +28,8 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-compile angiomesh-bench-segmentation angiomesh-bench-printed-method angiomesh-bench-surface
+compile angiomesh-bench-segmentation angiomesh-bench-printed-method angiomesh-bench-surface \
+  angiomesh-bench-io
 mkdir -p "$output" || fail "cannot make the folder $output: check the permissions" 2
 sizes=64,96,128,192,256 tree=256 trees=(1 2 3)
 if [ "$quick" = yes ]; then sizes=48,64,96 tree=96 trees=(1); fi
@@ -38,6 +39,8 @@ if [ "$(nproc)" -gt 1 ]; then threads=1,2; fi
 "$build/bin/angiomesh-bench-segmentation" --size "$sizes" --threads "$threads" \
   --thread-size "$((tree / 2))" -o "$output" >/dev/null ||
   fail "the benchmark of the segmentation failed: see the lines above"
+"$build/bin/angiomesh-bench-io" -o "$output" >/dev/null ||
+  fail "the benchmark of reading failed: see the lines above"
 for rule in false true; do
   printf 'The printed method, levelset.acrossCrests=%s\n\n' "$rule"
   "$build/bin/angiomesh-bench-printed-method" --clip --set levelset.acrossCrests="$rule" \
@@ -46,4 +49,4 @@ for rule in false true; do
   printf '\n'
 done >"$output/printed-method.md"
 say "Tables and plots: $output"
-cat "$output/segmentation.md" "$output/printed-method.md"
+cat "$output/segmentation.md" "$output/io.md" "$output/printed-method.md"

@@ -1,69 +1,213 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/image_io.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstring>
+#include <mutex>
+#include <new>
 #include <string>
 #include <system_error>
 
 #include "core/base/error.h"
 #include "io/dicom.h"
-#include "io/files.h"
-#include "io/image_format.h"
+#include "io/image_header.h"
 #include "io/itk_image.h"
+#include "io/voxel_convert.h"
 
 namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
 
-void addFacts(InputInfo& info, HeaderFacts facts) {
-  info.modality = std::move(facts.modality);
-  for (std::string& warning : facts.warnings) info.warnings.push_back(std::move(warning));
-}
-
 bool isFolder(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path, error);
 }
 
-LoadedImage read(const fs::path& path, const ReadOptions& options, const Progress& progress) {
-  progress.check();
-  if (isFolder(path)) return readDicom(path, options, progress);
-  const ImageFormat format = imageFormat(path);
-  if (format == ImageFormat::Dicom) return readDicom(path, options, progress);
-  if (!options.series.empty())
+bool isDicom(const fs::path& path) {
+  return isFolder(path) || imageFormat(path) == ImageFormat::Dicom;
+}
+
+const char* formatName(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::MetaImage:
+      return "MetaImage";
+    case ImageFormat::Nrrd:
+      return "NRRD";
+    case ImageFormat::Nifti:
+      return "NIfTI";
+    case ImageFormat::Dicom:
+      break;
+  }
+  return "DICOM";
+}
+
+/// An image file whose header is read and makes sense.
+struct OpenImage {
+  fs::path path;
+  ImageFormat format = ImageFormat::MetaImage;
+  ImageHeader header;
+  Geometry geometry;
+  InputInfo info;
+  std::uintmax_t value = 0;  ///< which one of a voxel
+};
+
+std::uintmax_t chosenValue(const ImageHeader& header, std::optional<int> component,
+                           const fs::path& path) {
+  const VoxelData& data = header.data;
+  if (!component && data.values == 1) return 0;
+  if (component && *component >= 0 && static_cast<std::uintmax_t>(*component) < data.values)
+    return static_cast<std::uintmax_t>(*component);
+  const std::string range = "--component N', N from 0 to " + std::to_string(data.values - 1);
+  if (component)
+    throw InputError("there is no component " + std::to_string(*component), path.string(),
+                     "use '" + range);
+  const std::string advice = "take one of them out with 'angiomesh-cli convert " + range;
+  if (data.interleaved)
+    throw InputError(
+        "each voxel holds " + std::to_string(data.values) + " values (a colour or vector image)",
+        path.string(), advice);
+  throw InputError("a 4D image (" + sizeText(header) + ")", path.string(), advice);
+}
+
+OpenImage openImage(const fs::path& path, const std::string& seriesUid,
+                    std::optional<int> component) {
+  if (!seriesUid.empty())
     throw InputError("a series is chosen, but this is not DICOM", path.string(),
                      "leave the series out");
-  HeaderFacts facts = checkHeader(path, format, true);
-  progress.report(0.4);
-  LoadedImage loaded = itkRead(path, format);
-  addFacts(loaded.info, std::move(facts));
-  progress.report(0.9);
+  OpenImage image;
+  image.path = path;
+  image.format = imageFormat(path);
+  image.header = readHeader(path, image.format);
+  const ImageHeader& header = image.header;
+  image.value = chosenValue(header, component, path);
+  image.geometry = header.geometry ? *header.geometry : itkGeometry(path, image.format);
+  for (std::size_t a = 0; a < 3; ++a)
+    if (image.geometry.size[a] != static_cast<int>(header.size[a]))
+      throw InputError("the size of the image is not clear (" + sizeText(header) + ")",
+                       path.string(), "write the image again with another program");
+  image.info.format = formatName(image.format);
+  image.info.pixelType = voxelTypeName(header.data.type);
+  image.info.modality = header.modality;
+  image.info.warnings = header.warnings;
+  return image;
+}
+
+/// Throws where the voxels, `bytesEach` each, are more than the memory of the machine.
+void checkMemory(const OpenImage& image, std::size_t bytesEach) {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || page <= 0) return;
+  const auto memory = static_cast<std::uintmax_t>(pages) * static_cast<std::uintmax_t>(page);
+  const std::uintmax_t needed = image.header.data.voxels * bytesEach;
+  if (needed <= memory) return;
+  const auto gigabytes = [](std::uintmax_t bytes) { return std::to_string((bytes >> 30U) + 1); };
+  throw InputError("the volume (" + sizeText(image.header) + " voxels, " + gigabytes(needed) +
+                       " GB) does not fit into the memory of this machine (" + gigabytes(memory) +
+                       " GB)",
+                   image.path.string(), "crop or downsample it first");
+}
+
+template <class Take>
+void forRuns(const OpenImage& image, const Take& take, const Progress& progress) {
+  const VoxelData& data = image.header.data;
+  if (!data.pieces.empty()) {
+    readVoxels(data, image.value, take, progress);
+    return;
+  }
+  if (data.values > 1)
+    throw InputError("several values per voxel, written as text", image.path.string(),
+                     "save the image with encoding raw or gzip");
+  const std::vector<char> bytes = itkReadText(image.path, image.format, voxelTypeBytes(data.type));
+  if (bytes.size() != data.bytes()) throwTruncated(image.path, data.bytes(), bytes.size());
+  take(0, std::as_bytes(std::span(bytes)));
+}
+
+LoadedImage readFloats(const OpenImage& image, const Progress& progress) {
+  checkMemory(image, sizeof(float));
+  LoadedImage loaded;
+  loaded.info = image.info;
+  loaded.image.geometry = image.geometry;
+  loaded.image.voxels = unfilled<float>(image.geometry.voxelCount());
+  float* const voxels = loaded.image.voxels.data();
+  RunFacts facts;
+  std::mutex mutex;
+  forRuns(
+      image,
+      [&](std::size_t first, std::span<const std::byte> run) {
+        const RunFacts seen = floatsOf(image.header.data, run, first, voxels + first);
+        const std::lock_guard lock(mutex);
+        facts.values.add(seen.values);
+        facts.rounded = facts.rounded || seen.rounded;
+      },
+      progress);
+  checkUsable(loaded.image.geometry, facts.values, image.path.string());
+  if (facts.rounded)
+    loaded.info.warnings.push_back("some of the " + image.info.pixelType +
+                                   " values were rounded: Angiomesh works in float32");
   return loaded;
 }
 
 template <class T>
-void write(const Volume<T>& volume, const fs::path& path) {
-  const std::string name = path.filename().string();
-  bool known = false;
-  for (const char* extension : {".mha", ".nrrd", ".nii", ".nii.gz"})
-    known = known || name.ends_with(extension);
-  if (!known)
-    throw InputError("cannot tell the image format from the name", path.string(),
-                     "end the name in .mha, .nrrd, .nii or .nii.gz");
-  if (volume.voxels.empty() || volume.voxels.size() != volume.geometry.voxelCount())
-    throw InputError("there are no voxels to write", path.string(), "compute the volume first");
-  writeAtomically(path, [&](const fs::path& temporary) {
-    try {
-      itkWrite(volume, temporary);
-      // A full disk does not always reach us through ITK: count what arrived.
-      checkHeader(temporary, imageFormat(temporary), true);
-    } catch (const Error&) {
-      throw IoError("cannot write the image", path.string(),
-                    "check that the folder may be written to and has free space");
-    }
-  });
+Volume<T> readAs(const OpenImage& image, const Progress& progress) {
+  checkMemory(image, sizeof(T));
+  Volume<T> volume;
+  volume.geometry = image.geometry;
+  volume.voxels = unfilled<T>(image.geometry.voxelCount());
+  forRuns(
+      image,
+      [&](std::size_t first, std::span<const std::byte> run) {
+        std::memcpy(volume.voxels.data() + first, run.data(), run.size());
+      },
+      progress);
+  return volume;
+}
+
+/// The rescaled voxels, in double precision at first.
+AnyVolume readRescaled(const OpenImage& image, const Progress& progress) {
+  checkMemory(image, sizeof(double));
+  const VoxelData& data = image.header.data;
+  Volume<double> volume;
+  volume.geometry = image.geometry;
+  volume.voxels = unfilled<double>(image.geometry.voxelCount());
+  forRuns(
+      image,
+      [&](std::size_t first, std::span<const std::byte> run) {
+        withVoxelType(data.type, [&](auto zero) {
+          for (std::size_t i = 0; i < run.size() / sizeof(zero); ++i) {
+            auto stored = zero;
+            std::memcpy(&stored, run.data() + i * sizeof(zero), sizeof(zero));
+            volume.voxels[first + i] = static_cast<double>(stored) * data.slope + data.intercept;
+          }
+        });
+      },
+      progress);
+  return inNarrowestType(std::move(volume));
+}
+
+Volume<std::uint8_t> maskOfFloats(const Volume<float>& image, const fs::path& path) {
+  Volume<std::uint8_t> mask(image.geometry);
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    if (std::isnan(image.voxels[i]))
+      throw InputError("the mask holds values that are not numbers", path.string(),
+                       "replace NaN by 0 before loading it");
+    mask.voxels[i] = image.voxels[i] != 0.0F ? 1 : 0;
+  }
+  return mask;
+}
+
+/// A volume that the memory cannot hold after all.
+template <class Function>
+auto inMemory(const fs::path& path, const Function& function) {
+  try {
+    return function();
+  } catch (const std::bad_alloc&) {
+    throw InputError("the volume does not fit into memory", path.string(),
+                     "crop or downsample it first");
+  }
 }
 
 }  // namespace
@@ -94,10 +238,18 @@ const Finding* ImageSummary::refusal() const {
 }
 
 LoadedImage readImage(const fs::path& path, const ReadOptions& options, const Progress& progress) {
-  LoadedImage loaded = read(path, options, progress);
-  checkUsable(loaded.image, path.string());
-  progress.report(1.0);
-  return loaded;
+  progress.check();
+  return inMemory(path, [&] {
+    LoadedImage loaded;
+    if (isDicom(path)) {
+      loaded = readDicom(path, options, progress);
+      checkUsable(loaded.image, path.string());
+    } else {
+      loaded = readFloats(openImage(path, options.series, {}), progress);
+    }
+    progress.report(1.0);
+    return loaded;
+  });
 }
 
 LoadedImage readImage(const ImageSummary& entry, const fs::path& path, bool evenOut,
@@ -111,31 +263,53 @@ LoadedImage readImage(const ImageSummary& entry, const fs::path& path, bool even
 }
 
 Volume<std::uint8_t> readMask(const fs::path& path) {
-  const LoadedImage loaded = read(path, {}, {});
-  Volume<std::uint8_t> mask(loaded.image.geometry);
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
-    const float value = loaded.image.voxels[i];
-    if (std::isnan(value))
+  return inMemory(path, [&] {
+    if (isDicom(path)) return maskOfFloats(readDicom(path, {}, {}).image, path);
+    const OpenImage image = openImage(path, {}, {});
+    checkMemory(image, 1);
+    Volume<std::uint8_t> mask;
+    mask.geometry = image.geometry;
+    mask.voxels = unfilled<std::uint8_t>(image.geometry.voxelCount());
+    std::atomic<bool> numbers{true};
+    forRuns(image,
+            [&](std::size_t first, std::span<const std::byte> run) {
+              if (!maskOf(image.header.data, run, mask.voxels.data() + first)) numbers = false;
+            },
+            {});
+    if (!numbers)
       throw InputError("the mask holds values that are not numbers", path.string(),
                        "replace NaN by 0 before loading it");
-    mask.voxels[i] = value != 0.0F ? 1 : 0;
-  }
-  return mask;
+    return mask;
+  });
+}
+
+NativeImage readNative(const fs::path& path, const ReadOptions& options,
+                       std::optional<int> component, const Progress& progress) {
+  progress.check();
+  return inMemory(path, [&]() -> NativeImage {
+    if (isDicom(path)) {
+      if (component)
+        throw InputError("a component is chosen, but this is DICOM", path.string(),
+                         "leave the component out, or choose a series");
+      LoadedImage loaded = readDicom(path, options, progress);
+      return {inNarrowestType(std::move(loaded.image)), std::move(loaded.info)};
+    }
+    const OpenImage image = openImage(path, options.series, component);
+    if (image.header.data.rescaled()) return {readRescaled(image, progress), image.info};
+    return withVoxelType(image.header.data.type, [&](auto zero) -> NativeImage {
+      return {readAs<decltype(zero)>(image, progress), image.info};
+    });
+  });
 }
 
 std::vector<ImageSummary> describeImages(const fs::path& path, const Progress& progress,
                                          ScanDepth depth) {
-  if (isFolder(path)) return describeDicom(path, progress, depth);
+  if (isDicom(path)) return describeDicom(path, progress, depth);
   const ImageFormat format = imageFormat(path);
-  if (format == ImageFormat::Dicom) return describeDicom(path, progress, depth);
-  HeaderFacts facts = checkHeader(path, format, false);
-  ImageSummary summary = itkDescribe(path, format);
-  addFacts(summary.info, std::move(facts));
-  return {std::move(summary)};
+  // The layers of a segmentation share their geometry.
+  const bool segments = readHeader(path, format).fields.count("Segment0_Name") != 0;
+  const OpenImage image = openImage(path, {}, segments ? std::optional<int>(0) : std::nullopt);
+  return {{image.geometry, image.info, {}}};
 }
-
-void writeVolume(const Volume<float>& volume, const fs::path& path) { write(volume, path); }
-
-void writeVolume(const Volume<std::uint8_t>& volume, const fs::path& path) { write(volume, path); }
 
 }  // namespace angiomesh

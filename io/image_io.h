@@ -11,6 +11,7 @@
 #include "core/base/progress.h"
 #include "core/image/projection.h"
 #include "core/image/volume.h"
+#include "io/any_volume.h"
 #include "io/finding.h"
 
 namespace angiomesh {
@@ -60,14 +61,27 @@ struct ReadOptions {
 
 /// Reads .mha/.mhd, .nrrd/.nhdr, .nii/.nii.gz (any pixel type, any direction; NIfTI turned to LPS),
 /// one DICOM file, or a folder in or below which a DICOM series lies (`series` chooses among
-/// several). Checked by checkUsable().
+/// several). What the header claims is compared with the sizes of the files and with the memory of
+/// the machine before anything is allocated. Checked by checkUsable().
 /// @throws IoError (missing, unreadable, truncated), InputError (not 3D, not an image, constant,
-/// NaN, several series), UnevenSlicesError
+/// NaN, several series, more than the memory), UnevenSlicesError
 LoadedImage readImage(const std::filesystem::path& path, const ReadOptions& options = {},
                       const Progress& progress = {});
 
-/// As readImage() but without checkUsable(), for masks: a mask may be constant.
+/// As readImage() but without checkUsable(), for masks: a mask may be constant. 1 where not 0.
 Volume<std::uint8_t> readMask(const std::filesystem::path& path);
+
+struct NativeImage {
+  AnyVolume volume;
+  InputInfo info;
+};
+
+/// The voxels in the type of the file, bit for bit. Rescaled ones (DICOM, NIfTI's scl_slope) in the
+/// narrowest of int16, uint16, float32 and float64 that holds them exactly. `component` takes one
+/// of several values per voxel or one of several points in time, from 0 on. Not checked by
+/// checkUsable(). @throws as readImage()
+NativeImage readNative(const std::filesystem::path& path, const ReadOptions& options = {},
+                       std::optional<int> component = {}, const Progress& progress = {});
 
 /// Geometry, format and pixel type from the headers; DICOM folders give one entry per series.
 struct ImageSummary {
@@ -97,9 +111,16 @@ LoadedImage readImage(const ImageSummary& entry, const std::filesystem::path& pa
 /// percentile, pixels square, the longer side `size` pixels. Empty when it cannot be read.
 Picture thumbnail(const ImageSummary& entry, int size);
 
-/// Writes by extension (.mha, .nrrd, .nii, .nii.gz; compressed) to a temporary name, then renames.
-/// @throws IoError (no such folder, no permission, disk full): nothing is left behind
+/// Writes by extension: .mha, .nrrd and .nii.gz compressed, .nii plain, .mhd with a .raw beside it,
+/// .nhdr with a .raw.gz. All but NIfTI keep the geometry to the last bit or the one before it;
+/// NIfTI keeps it in float32 and holds no skewed axes and no side above 32767 voxels. Files get
+/// temporary names, then are renamed: those of a pair so that no header ever stands beside other
+/// voxels than its own, and a voxel file that belongs to something else is left alone (another name
+/// is taken).
+/// @throws InputError (a name or a geometry that the format does not hold), IoError (no such
+/// folder, no permission, disk full): nothing is left behind
 void writeVolume(const Volume<float>& volume, const std::filesystem::path& path);
 void writeVolume(const Volume<std::uint8_t>& volume, const std::filesystem::path& path);
+void writeVolume(const AnyVolume& volume, const std::filesystem::path& path);
 
 }  // namespace angiomesh

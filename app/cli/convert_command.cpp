@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/mesh_input.h"
@@ -19,6 +18,7 @@ namespace fs = std::filesystem;
 
 struct ConvertOptions {
   ReadOptions reading;
+  std::optional<int> component;
   std::string input, output, unit = "mm", frame = "lps", fromFrame, fromUnit;
   bool ascii = false, normals = false, quality = false;
   std::string meshOption;  ///< one that was given and means nothing for a volume
@@ -34,12 +34,6 @@ std::string extensionOf(const fs::path& path) {
 bool isMeshName(const fs::path& path) {
   const std::string extension = extensionOf(path);
   return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
-}
-
-/// Whole numbers from 0 to 255 fit uint8 without loss.
-bool fitsBytes(const Volume<float>& image) {
-  return std::all_of(image.voxels.begin(), image.voxels.end(),
-                     [](float v) { return v >= 0.0F && v <= 255.0F && v == std::floor(v); });
 }
 
 int convertMesh(const ConvertOptions& options) {
@@ -67,16 +61,12 @@ int convertVolume(const ConvertOptions& options, const Progress& progress) {
   if (!options.meshOption.empty())
     throw InputError("a volume has no such property", options.meshOption,
                      "leave it out, or end the output's name in .ply, .stl, .obj or .vtp");
-  const LoadedImage loaded = readImage(options.input, options.reading, progress);
-  printWarnings(loaded.info);
-  if (loaded.info.pixelType == "uint8" && fitsBytes(loaded.image)) {
-    Volume<std::uint8_t> bytes(loaded.image.geometry);
-    std::transform(loaded.image.voxels.begin(), loaded.image.voxels.end(), bytes.voxels.begin(),
-                   [](float v) { return static_cast<std::uint8_t>(v); });
-    writeVolume(bytes, options.output);
-  } else {
-    writeVolume(loaded.image, options.output);
-  }
+  const NativeImage native =
+      readNative(options.input, options.reading, options.component, progress.sub(0.0, 0.6));
+  checkUsable(native.volume, options.input);
+  printWarnings(native.info);
+  writeVolume(native.volume, options.output);
+  progress.report(1.0);
   return Done;
 }
 
@@ -84,12 +74,17 @@ int convertVolume(const ConvertOptions& options, const Progress& progress) {
 
 void addConvert(CLI::App& program, Session& session) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command =
-      program.add_subcommand("convert", "Between volume formats, or between mesh formats");
+  CLI::App* command = program.add_subcommand(
+      "convert", "Between volume formats (the pixel type stays), or between mesh formats");
   command->add_option("INPUT", options->input, "Volume or mesh")->required();
   command->add_option("-o,--output", options->output, "File to write; its name tells the format")
       ->required();
   addReading(*command, options->reading);
+  command
+      ->add_option("--component", options->component,
+                   "Of a colour, vector or 4D image: which value of a voxel, or which point in "
+                   "time, from 0 on")
+      ->check(CLI::NonNegativeNumber);
   const std::vector<CLI::Option*> ofMeshes{
       command->add_option("--unit", options->unit, "Of the mesh to write: mm or m")
           ->check(CLI::IsMember({"mm", "m"})),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/levelset/mask_distance.h"
 #include "io/image_io.h"
 
 namespace angiomesh::cli {
@@ -27,6 +28,29 @@ Volume<float> readPhiOrMask(const std::string& path) {
   if (valueRange(field)[0] >= 0.0F)
     for (float& value : field.voxels) value = value != 0.0F ? -kHalf : kHalf;
   return field;
+}
+
+MeshInput readMeshInput(const std::string& path, const std::string& label,
+                        const Progress& progress) {
+  MeshInput input;
+  if (label.empty()) {
+    // Before anything that a label image with layers does not go through.
+    const std::vector<ImageSummary> summaries = describeImages(path);
+    const bool isFloat =
+        !summaries.empty() && summaries.front().info.pixelType.starts_with("float");
+    if (isFloat) {
+      input.phi = readImage(path, {}, progress.sub(0.0, 0.2)).image;
+      if (valueRange(input.phi)[0] < 0.0F) return input;
+    }
+  }
+  LabelMask chosen = readLabel(path, label, progress.sub(0.0, 0.2));
+  input.label = chosen.label;
+  input.otherLabels = !chosen.onlyOne;
+  MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 1.0));
+  input.phi = std::move(made.phi);
+  input.largestShiftVoxels = made.largestShiftVoxels;
+  input.maskVolumeMm3 = made.maskVolumeMm3;
+  return input;
 }
 
 }  // namespace angiomesh::cli

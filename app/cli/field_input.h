@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "io/label_image.h"
 
 namespace angiomesh::cli {
 
 /// Reads a level set function, or a mask as the function that is -0.5 inside and 0.5 outside. A
 /// file is a mask when none of its values is negative.
 Volume<float> readPhiOrMask(const std::string& path);
+
+/// Where a surface comes from.
+struct MeshInput {
+  Volume<float> phi;
+  std::optional<Label> label;                            ///< of a mask or label image
+  bool otherLabels = false;                              ///< the image has more of them
+  double largestShiftVoxels = 0.0, maskVolumeMm3 = 0.0;  ///< of a mask, see MaskDistance
+};
+
+/// A level set function (float, with negative values) as it is; of anything else the label that is
+/// chosen (see readLabel()) as a smooth distance.
+/// @throws IoError, InputError, Cancelled
+MeshInput readMeshInput(const std::string& path, const std::string& label,
+                        const Progress& progress);
 
 }  // namespace angiomesh::cli

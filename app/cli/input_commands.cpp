@@ -13,6 +13,7 @@
 #include "core/phantom/phantom.h"
 #include "io/files.h"
 #include "io/image_io.h"
+#include "io/label_image.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -97,6 +98,11 @@ void printDescription(const Json& block) {
   for (const Json& window : block.value("windows", Json::array()))
     std::printf("window     %g, level %g  %s\n", window["width"].get<double>(),
                 window["level"].get<double>(), window.value("name", std::string()).c_str());
+  if (!block.contains("labels")) return;
+  for (const Json& label : block["labels"])
+    std::printf("label      %s, %zu voxels%s%s\n", label["value"].dump().c_str(),
+                label["voxels"].get<std::size_t>(), label.contains("name") ? ", " : "",
+                label.value("name", "").c_str());
 }
 
 struct InfoOptions {
@@ -104,6 +110,30 @@ struct InfoOptions {
   std::string input;
   bool json = false;
 };
+
+/// Adds the labels and the range of a label image; false, and nothing added, when it is none.
+bool addLabels(Json& block, const ImageSummary& summary, const InfoOptions& options,
+               const Progress& progress) {
+  // A scan of whole numbers has more values than anyone gives labels.
+  constexpr std::size_t kMost = 256;
+  if (summary.info.format == "DICOM" || summary.info.pixelType.starts_with("float")) return false;
+  const std::vector<Label> labels = readLabels(options.input, progress.sub(0.0, 0.5));
+  if (labels.empty() || labels.size() > kMost) return false;
+  std::size_t voxels = 0;
+  std::int64_t least = labels.front().value, greatest = 0;
+  for (const Label& label : labels) {
+    Json entry{{"value", label.value}, {"voxels", label.voxels}};
+    if (!label.name.empty()) entry["name"] = label.name;
+    block["labels"].push_back(entry);
+    voxels += label.voxels;
+    least = std::min(least, label.value);
+    greatest = std::max(greatest, label.value);
+  }
+  if (voxels < summary.geometry.voxelCount()) least = 0;
+  if (least == greatest) return false;
+  block["range"] = {least, greatest};
+  return true;
+}
 
 bool isWanted(const ImageSummary& entry, const std::string& series) {
   const std::string& id = entry.info.seriesUid;
@@ -128,9 +158,10 @@ int info(const InfoOptions& options, const Progress& progress) {
   InputInfo single = entries.front().info;
   const bool readable =
       single.findings.empty() || options.reading.evenOut || entries.front().refusal() == nullptr;
-  if (blocks.size() == 1 && readable) {
+  if (blocks.size() == 1 && readable &&
+      !addLabels(blocks.front(), entries.front(), options, progress.sub(0.4, 0.5))) {
     const LoadedImage loaded =
-        readImage(entries.front(), options.input, options.reading.evenOut, progress.sub(0.4, 1.0));
+        readImage(entries.front(), options.input, options.reading.evenOut, progress.sub(0.5, 1.0));
     single = loaded.info;
     single.warnings.insert(single.warnings.begin(), warnings.begin(), warnings.end());
     if (!entries.front().stack) single.warnings = loaded.info.warnings;

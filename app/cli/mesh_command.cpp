@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
@@ -10,6 +11,9 @@
 #include "core/base/error.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/surface_step.h"
+#include "core/surface/mesh_edges.h"
+#include "core/surface/smoothing.h"
+#include "core/surface/tri_mesh.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh::cli {
@@ -17,12 +21,58 @@ namespace {
 
 struct MeshOptions {
   ParameterOptions settings;
-  std::string input, output;
+  std::string input, output, label;
   bool estimate = false, json = false;
 };
 
+using Json = nlohmann::ordered_json;
+
+bool isClosed(const TriMesh& mesh) {
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  for (std::size_t first = 0; first < sides.size();) {
+    const std::size_t end = edgeRunEnd(sides, first);
+    if ((end - first) % 2 != 0) return false;
+    first = end;
+  }
+  return true;
+}
+
+/// Where the surface comes from and, of a mask, how the volumes compare.
+Json sourceBlock(const MeshInput& input, const TriMesh* mesh) {
+  if (!input.label) return {{"kind", "level-set"}};
+  Json block{{"kind", input.otherLabels ? "label" : "mask"}, {"label", input.label->value}};
+  if (!input.label->name.empty()) block["name"] = input.label->name;
+  block["voxels"] = input.label->voxels;
+  block["largest_shift_voxels"] = input.largestShiftVoxels;
+  block["mask_volume_mm3"] = input.maskVolumeMm3;
+  if (mesh != nullptr && isClosed(*mesh)) {
+    const double volume = enclosedVolumeMm3(*mesh);
+    block["mesh_volume_mm3"] = volume;
+    block["volume_change_percent"] = 100.0 * (volume / input.maskVolumeMm3 - 1.0);
+  }
+  return block;
+}
+
+void printJson(const SurfaceOrigin& origin, const Json& source) {
+  Json report = Json::parse(surfaceJson(origin));
+  report["source"] = source;
+  std::printf("%s\n", report.dump(2).c_str());
+}
+
+void printSource(const Json& source) {
+  if (source.at("kind") == "level-set") return;
+  std::string name = source.at("label").dump();
+  if (source.contains("name")) name += " '" + source.at("name").get<std::string>() + "'";
+  std::printf("label %s: %.6g mm3, moved by at most %.2f voxel", name.c_str(),
+              source.at("mask_volume_mm3").get<double>(),
+              source.at("largest_shift_voxels").get<double>());
+  if (source.contains("volume_change_percent"))
+    std::printf("; the mesh holds %+.2f %%", source.at("volume_change_percent").get<double>());
+  std::printf("\n");
+}
+
 int estimate(const SplineField& field, const MeshOptions& options, const SurfaceParams& params,
-             const Progress& progress) {
+             const Json& source, const Progress& progress) {
   if (params.method == SurfaceMethod::MarchingCubes)
     throw InputError("marching cubes follows no size that could be estimated", "--estimate",
                      "choose surface.method advancing-front or remesh");
@@ -30,7 +80,7 @@ int estimate(const SplineField& field, const MeshOptions& options, const Surface
   origin.method = params.method;
   origin.estimatedTriangles = estimateTriangles(field, params, progress);
   if (options.json)
-    std::fputs(surfaceJson(origin).c_str(), stdout);
+    printJson(origin, source);
   else
     std::printf("%.0f triangles estimated\n", *origin.estimatedTriangles);
   return Done;
@@ -41,21 +91,28 @@ int mesh(const MeshOptions& options, const Progress& progress) {
     throw InputError(options.estimate ? "an estimate writes no mesh" : "no mesh to write is named",
                      "-o", "give either -o or --estimate");
   if (!options.estimate) checkOutputFile(options.output);
-  const SurfaceParams params = options.settings.parameters().surface;
-  const Volume<float> phi = readPhiOrMask(options.input);
-  const SplineField field(phi, params.spline);
-  if (options.estimate) return estimate(field, options, params, progress);
-  const MadeSurface made = makeSurface(phi, field, params, progress);
+  const Parameters all = options.settings.parameters();
+  const SurfaceParams& params = all.surface;
+  const MeshInput input = readMeshInput(options.input, options.label, progress.sub(0.0, 0.3));
+  const SplineField field(input.phi, params.spline);
+  const Progress rest = progress.sub(0.3, 1.0);
+  if (options.estimate) return estimate(field, options, params, sourceBlock(input, nullptr), rest);
+  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.0, 0.9));
   if (made.mesh.triangles.empty())
     throw InputError("there is no surface in it", options.input,
                      "give a level set function that is negative inside, or a mask");
+  // Flat triangles inscribed in a thin vessel lose more of the mask's volume than its wall does.
+  if (input.label) made.mesh = smoothSurface(made.mesh, all.smooth, &field, rest.sub(0.9, 1.0));
   for (const std::string& warning : writeMesh(made.mesh, options.output))
     printWarning(warning + ", " + options.output);
   for (const std::string& warning : made.origin.warnings()) printWarning(warning);
-  if (options.json)
-    std::fputs(surfaceJson(made.origin).c_str(), stdout);
-  else
+  const Json source = sourceBlock(input, &made.mesh);
+  if (options.json) {
+    printJson(made.origin, source);
+  } else {
     printSurface(made.mesh.triangles.size(), made.origin);
+    printSource(source);
+  }
   return Done;
 }
 
@@ -63,13 +120,20 @@ int mesh(const MeshOptions& options, const Progress& progress) {
 
 void addMesh(CLI::App& program, Session& session) {
   auto options = std::make_shared<MeshOptions>();
-  CLI::App* command = program.add_subcommand(
-      "mesh", "The surface of a level set function or mask, not smoothed (--set surface.*=...)");
-  command->add_option("INPUT", options->input, "Level set function or mask")->required();
+  CLI::App* command =
+      program.add_subcommand("mesh",
+                             "The surface of a level set function, not smoothed; of a mask or "
+                             "label image, moved outwards by "
+                             "smooth.method so that its triangles hold the mask's volume");
+  command->add_option("INPUT", options->input, "Level set function, mask or label image")
+      ->required();
+  command->add_option("--label", options->label,
+                      "Which label of a label image: its value, or its name in a .seg.nrrd");
   command->add_option("-o,--output", options->output, "Mesh to write: .ply, .stl, .obj or .vtp");
   command->add_flag("--estimate", options->estimate,
                     "Only estimate the number of triangles; writes nothing");
-  command->add_flag("--json", options->json, "Print the block 'surface' of report.json");
+  command->add_flag("--json", options->json,
+                    "Print the block 'surface' of report.json, and 'source'");
   addSettings(*command, options->settings);
   command->callback([options, &session] {
     session.action = [options, &session] { return mesh(*options, session.progress); };

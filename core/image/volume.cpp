@@ -71,8 +71,24 @@ double interpolateLinear(const Volume<float>& image, const Eigen::Vector3d& inde
   return v0 + t[2] * (v1 - v0);
 }
 
+void ValueFacts::add(const ValueFacts& other) {
+  least = std::min(least, other.least);
+  greatest = std::max(greatest, other.greatest);
+  firstNotFinite = std::min(firstNotFinite, other.firstNotFinite);
+}
+
 void checkUsable(const Volume<float>& image, const std::string& where) {
-  const Geometry& g = image.geometry;
+  ValueFacts facts;
+  for (std::size_t i = 0; i < image.voxels.size(); ++i) {
+    const float value = image.voxels[i];
+    if (value < facts.least) facts.least = value;
+    if (value > facts.greatest) facts.greatest = value;
+    if (facts.firstNotFinite == ValueFacts::none && !std::isfinite(value)) facts.firstNotFinite = i;
+  }
+  checkUsable(image.geometry, facts, where);
+}
+
+void checkUsable(const Geometry& g, const ValueFacts& values, const std::string& where) {
   for (int a = 0; a < 3; ++a) {
     if (g.size[a] < 2)
       throw InputError("not a 3D volume (" + std::to_string(g.size[0]) + " x " +
@@ -87,16 +103,14 @@ void checkUsable(const Volume<float>& image, const std::string& where) {
       std::fabs(g.direction.determinant()) < 0.1)
     throw InputError("the direction matrix or the origin is not usable", where,
                      "repair the geometry in the file's header");
-  for (std::size_t i = 0; i < image.voxels.size(); ++i) {
-    if (std::isfinite(image.voxels[i])) continue;
-    const Index3 at = g.indexOf(i);
+  if (values.firstNotFinite != ValueFacts::none) {
+    const Index3 at = g.indexOf(values.firstNotFinite);
     throw InputError("the volume holds values that are not finite numbers",
                      where + ", first at voxel " + std::to_string(at[0]) + "," +
                          std::to_string(at[1]) + "," + std::to_string(at[2]),
                      "replace NaN and infinity before loading it");
   }
-  const auto range = valueRange(image);
-  if (range[0] == range[1])
+  if (values.least == values.greatest)
     throw InputError("all voxels have the same value", where, "give an image that shows vessels");
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -80,9 +81,20 @@ std::vector<double> percentiles(const Volume<float>& image, const std::vector<do
 /// Trilinear interpolation at a continuous index, clamped to the border.
 double interpolateLinear(const Volume<float>& image, const Eigen::Vector3d& index);
 
+/// What checkUsable() asks of the voxels, for those who looked at them on the way.
+struct ValueFacts {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  float least = std::numeric_limits<float>::infinity();
+  float greatest = -std::numeric_limits<float>::infinity();
+  std::size_t firstNotFinite = none;  ///< in memory
+
+  void add(const ValueFacts& other);
+};
+
 /// @throws InputError unless the volume is 3D (each size >= 2), finite, not constant, with positive
 /// spacing and an invertible direction. `where` names the source in the message.
 void checkUsable(const Volume<float>& image, const std::string& where);
+void checkUsable(const Geometry& geometry, const ValueFacts& values, const std::string& where);
 
 /// Voxels labelled 1..count by component of `mask` != 0 (0 elsewhere), largest component first,
 /// ties by position in memory; 26-connected, or 6-connected. `sizes[l - 1]` is the number of voxels

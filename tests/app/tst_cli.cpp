@@ -526,6 +526,33 @@ class TestCli : public QObject {
     QCOMPARE(self.json().value("truth").toObject().value("hd95_mm").toDouble(), 0.0);
   }
 
+  void masksBecomeMeshesOfTheirVolume() {
+    const CliResult mesh = cli({"mesh", "p/truth.mha", "-o", "mask.ply", "--json"});
+    QVERIFY2(mesh.code == 0, mesh.errors.constData());
+    const QJsonObject source = mesh.json().value("source").toObject();
+    QCOMPARE(source.value("kind").toString(), QString("mask"));
+    QVERIFY(source.value("largest_shift_voxels").toDouble() < 0.5);
+    QVERIFY(std::fabs(source.value("volume_change_percent").toDouble()) < 1.0);
+
+    // The same mask beside another label.
+    Volume<std::uint8_t> labels = readMask(nativePath(at("p/truth.mha")));
+    for (std::uint8_t& voxel : labels.voxels) voxel = voxel != 0 ? 5 : 0;
+    labels.voxels[0] = 9;
+    writeVolume(labels, nativePath(at("labels.nii.gz")));
+    const CliResult none = cli({"mesh", "labels.nii.gz", "-o", "label.ply"});
+    QCOMPARE(none.code, 2);
+    QVERIFY(none.errors.contains("9 (1 voxels)") && none.errors.contains("--label"));
+    const CliResult five =
+        cli({"mesh", "labels.nii.gz", "-o", "label.ply", "--label", "5", "--json"});
+    QVERIFY2(five.code == 0, five.errors.constData());
+    QCOMPARE(five.json().value("source").toObject().value("kind").toString(), QString("label"));
+    QCOMPARE(five.json().value("surface"), mesh.json().value("surface"));
+    const QJsonArray listed =
+        cli({"info", "labels.nii.gz", "--json"}).json()["input"].toObject()["labels"].toArray();
+    QCOMPARE(listed.size(), 2);
+    QCOMPARE(listed.at(1).toObject().value("value").toInt(), 9);
+  }
+
   void convertKeepsValuesAndPlaces() {
     QCOMPARE(cli({"convert", "p/image.mha", "-o", "image.nii.gz"}).code, 0);
     const Volume<float> before = readImage(nativePath(at("p/image.mha"))).image;

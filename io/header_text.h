@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <istream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/image_header.h"
+
+namespace angiomesh {
+
+extern const char* const kNoSpacing;  ///< a warning
+
+[[noreturn]] void throwBadHeader(const std::filesystem::path& path, const std::string& what);
+
+/// "key SIGN value" lines up to an empty line or the key `last`; `in` then stands behind it. Lines
+/// that begin with # are left out, "key:=value" is kept under "key:".
+std::map<std::string, std::string> textFields(std::istream& in, const char* signs,
+                                              const std::string& last);
+
+/// "2 3 4" as positive numbers whose product is below 2^44; empty when it is anything else.
+std::vector<std::uintmax_t> parseSizes(const std::string& text);
+std::uintmax_t productOf(const std::vector<std::uintmax_t>& sizes);
+
+/// The whole number in the text. @throws InputError naming `field`
+long long parseWhole(const std::string& text, const std::string& field,
+                     const std::filesystem::path& path);
+
+/// How the header says where the voxels are.
+struct VoxelPlace {
+  bool local = false;             ///< in the header's file, from `start` on
+  std::string file;               ///< a name, "LIST ...", or a pattern with its numbers
+  std::vector<std::string> list;  ///< the names after LIST
+  std::uintmax_t start = 0;       ///< first, bytes to skip in each file
+  long long skipLines = 0;        ///< then lines
+  std::uintmax_t skipBytes = 0;   ///< then bytes of what is not compressed
+  bool atEnd = false;             ///< the voxels are the last bytes of the file
+};
+
+/// Finds the files and compares their sizes with what `header.data` needs; fills its pieces.
+/// @throws IoError, InputError
+void placeVoxels(const VoxelPlace& place, const std::filesystem::path& path, ImageHeader& header);
+
+/// The same for voxels written as text, of at least `leastBytes` in all: the pieces stay empty.
+void placeText(const VoxelPlace& place, const std::filesystem::path& path,
+               std::uintmax_t leastBytes, const ImageHeader& header);
+
+}  // namespace angiomesh

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <zlib.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <span>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "io/files.h"
+#include "io/image_io.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLevel = 2;       // of zlib: further ones cost more time than they save bytes
+constexpr double kSkew = 1e-5;  // of the axes that NIfTI's quaternion holds as rotation
+const char* const kAdvice = "check that the folder may be written to and has free space";
+
+/// What is written: the voxels as bytes, with all that a header tells.
+struct Content {
+  const Geometry& geometry;
+  VoxelType type;
+  std::span<const std::byte> bytes;
+};
+
+[[noreturn]] void throwNotWritten(const fs::path& path) {
+  throw IoError("cannot write the image (" + std::generic_category().message(errno) + ")",
+                path.string(), kAdvice);
+}
+
+/// The shortest text that reads back as the same number.
+std::string exactText(double number) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
+  return {text.data(), end.ptr};
+}
+
+void put(std::ostream& out, std::span<const std::byte> bytes) {
+  out.write(reinterpret_cast<const char*>(bytes.data()),
+            static_cast<std::streamsize>(bytes.size()));
+}
+
+enum class Wrapper { Zlib, Gzip };
+
+/// Writes `parts` one after the other as one zlib or gzip stream; the number of bytes written.
+std::uintmax_t deflateTo(std::ostream& out, Wrapper wrapper,
+                         std::initializer_list<std::span<const std::byte>> parts) {
+  z_stream stream{};
+  const int bits = wrapper == Wrapper::Gzip ? 15 + 16 : 15;
+  if (deflateInit2(&stream, kLevel, Z_DEFLATED, bits, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
+  const std::unique_ptr<z_stream, int (*)(z_streamp)> guard(&stream, deflateEnd);
+  std::vector<std::byte> packed(std::size_t{1} << 17);
+  std::uintmax_t total = 0;
+  const auto drain = [&](int flush) {
+    int state = Z_OK;
+    do {
+      stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+      stream.avail_out = static_cast<unsigned>(packed.size());
+      state = deflate(&stream, flush);
+      const std::size_t got = packed.size() - stream.avail_out;
+      put(out, {packed.data(), got});
+      total += got;
+    } while (out && stream.avail_out == 0 && state != Z_STREAM_END);
+  };
+  for (const std::span<const std::byte> part : parts)
+    for (std::size_t at = 0; at < part.size() && out;) {
+      const std::size_t count = std::min(part.size() - at, std::size_t{1} << 24);
+      // zlib reads its input only; its interface is older than const.
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(part.data() + at));
+      stream.avail_in = static_cast<unsigned>(count);
+      drain(Z_NO_FLUSH);
+      at += count;
+    }
+  drain(Z_FINISH);
+  return total;
+}
+
+std::string metaTypeName(VoxelType type) {
+  static const std::array<const char*, 10> names = {
+      "MET_CHAR", "MET_UCHAR",     "MET_SHORT",      "MET_USHORT", "MET_INT",
+      "MET_UINT", "MET_LONG_LONG", "MET_ULONG_LONG", "MET_FLOAT",  "MET_DOUBLE"};
+  return names[static_cast<std::size_t>(type)];
+}
+
+std::string nrrdTypeName(VoxelType type) {
+  if (type == VoxelType::Float32) return "float";
+  if (type == VoxelType::Float64) return "double";
+  return voxelTypeName(type);
+}
+
+template <class Vector>
+std::string spaced(const Vector& v) {
+  return exactText(v[0]) + " " + exactText(v[1]) + " " + exactText(v[2]);
+}
+
+std::string sizesText(const Geometry& g) {
+  return std::to_string(g.size[0]) + " " + std::to_string(g.size[1]) + " " +
+         std::to_string(g.size[2]);
+}
+
+constexpr bool kBigEndian = std::endian::native == std::endian::big;
+
+/// A MetaImage header up to the fields that say where the voxels are.
+std::string metaHeader(const Content& content) {
+  const Geometry& g = content.geometry;
+  std::string axes;
+  for (Eigen::Index a = 0; a < 3; ++a) axes += " " + spaced(g.direction.col(a));
+  return std::string("ObjectType = Image\nNDims = 3\nBinaryData = True\n") +
+         "BinaryDataByteOrderMSB = " + (kBigEndian ? "True" : "False") +
+         "\nTransformMatrix =" + axes + "\nOffset = " + spaced(g.origin) +
+         "\nCenterOfRotation = 0 0 0\nElementSpacing = " + spaced(g.spacing) +
+         "\nDimSize = " + sizesText(g) + "\nElementType = " + metaTypeName(content.type) + "\n";
+}
+
+void writeMha(std::ofstream& out, const Content& content) {
+  constexpr int kDigits = 20;
+  out << metaHeader(content) << "CompressedData = True\nCompressedDataSize = ";
+  const std::streampos place = out.tellp();
+  out << std::string(kDigits, ' ') << "\nElementDataFile = LOCAL\n";
+  const std::uintmax_t packed = deflateTo(out, Wrapper::Zlib, {content.bytes});
+  out.seekp(place);
+  out << packed;
+}
+
+std::string nrrdHeader(const Content& content, const std::string& encoding,
+                       const std::string& dataFile) {
+  const Geometry& g = content.geometry;
+  const auto vector = [](const Eigen::Vector3d& v) {
+    return "(" + exactText(v[0]) + "," + exactText(v[1]) + "," + exactText(v[2]) + ")";
+  };
+  std::string axes;
+  for (Eigen::Index a = 0; a < 3; ++a) axes += " " + vector(g.spacing[a] * g.direction.col(a));
+  std::string text = "NRRD0004\n# http://teem.sourceforge.net/nrrd/format.html\ntype: " +
+                     nrrdTypeName(content.type) +
+                     "\ndimension: 3\nspace: left-posterior-superior\nsizes: " + sizesText(g) +
+                     "\nspace directions:" + axes + "\nkinds: domain domain domain\n";
+  if (voxelTypeBytes(content.type) > 1)
+    text += std::string("endian: ") + (kBigEndian ? "big" : "little") + "\n";
+  text += "encoding: " + encoding + "\nspace origin: " + vector(g.origin) + "\n";
+  return dataFile.empty() ? text + "\n" : text + "data file: " + dataFile + "\n";
+}
+
+template <class T>
+void set(std::array<std::byte, 352>& header, std::size_t offset, T value) {
+  std::memcpy(header.data() + offset, &value, sizeof value);
+}
+
+/// The quaternion and the sign of the third axis (nifti1.h, method 2) of an orthogonal matrix.
+Eigen::Quaterniond quaternionOf(Eigen::Matrix3d axes, float& sign) {
+  sign = axes.determinant() < 0.0 ? -1.0F : 1.0F;
+  axes.col(2) *= static_cast<double>(sign);
+  Eigen::Quaterniond q(axes);
+  q.normalize();
+  if (q.w() < 0.0) q.coeffs() *= -1.0;
+  return q;
+}
+
+void checkNiftiHolds(const Geometry& g, const fs::path& path) {
+  if (*std::max_element(g.size.begin(), g.size.end()) > 32767)
+    throw InputError("NIfTI holds no side above 32767 voxels", path.string(),
+                     "end the name in .mha or .nrrd");
+  const Eigen::Matrix3d skew = g.direction.transpose() * g.direction - Eigen::Matrix3d::Identity();
+  if (!(skew.cwiseAbs().maxCoeff() <= kSkew))
+    throw InputError("NIfTI holds no skewed axes", path.string(), "end the name in .mha or .nrrd");
+}
+
+/// Header and the empty extension behind it; positions turned to RAS.
+std::array<std::byte, 352> niftiHeader(const Content& content) {
+  static constexpr std::array<std::int16_t, 10> kTypes = {256, 2,    4,    512, 8,
+                                                          768, 1024, 1280, 16,  64};
+  const Geometry& g = content.geometry;
+  std::array<std::byte, 352> h{};
+  set<std::int32_t>(h, 0, 348);
+  set<char>(h, 38, 'r');
+  set<std::int16_t>(h, 40, 3);
+  for (std::size_t a = 0; a < 7; ++a)
+    set(h, 42 + 2 * a, static_cast<std::int16_t>(a < 3 ? g.size[a] : 1));
+  set(h, 70, kTypes[static_cast<std::size_t>(content.type)]);
+  set(h, 72, static_cast<std::int16_t>(8 * voxelTypeBytes(content.type)));
+  Eigen::Matrix3d axes = g.direction;
+  axes.topRows<2>() *= -1.0;
+  const Eigen::Vector3d origin(-g.origin.x(), -g.origin.y(), g.origin.z());
+  float sign = 1.0F;
+  const Eigen::Quaterniond q = quaternionOf(axes, sign);
+  set(h, 76, sign);
+  for (std::size_t a = 0; a < 3; ++a)
+    set(h, 80 + 4 * a, static_cast<float>(g.spacing[static_cast<Eigen::Index>(a)]));
+  for (std::size_t a = 3; a < 7; ++a) set(h, 80 + 4 * a, 1.0F);
+  set(h, 108, 352.0F);
+  set(h, 112, 1.0F);     // scl_slope
+  set<char>(h, 123, 2);  // mm
+  set<std::int16_t>(h, 252, 1);
+  set<std::int16_t>(h, 254, 1);
+  const std::array<double, 6> form{q.x(), q.y(), q.z(), origin.x(), origin.y(), origin.z()};
+  for (std::size_t n = 0; n < 6; ++n) set(h, 256 + 4 * n, static_cast<float>(form[n]));
+  for (std::size_t row = 0; row < 3; ++row) {
+    const auto r = static_cast<Eigen::Index>(row);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto c = static_cast<Eigen::Index>(a);
+      set(h, 280 + 16 * row + 4 * a, static_cast<float>(axes(r, c) * g.spacing[c]));
+    }
+    set(h, 292 + 16 * row, static_cast<float>(origin[r]));
+  }
+  std::memcpy(h.data() + 344, "n+1", 4);
+  return h;
+}
+
+void writeFile(const fs::path& path, const std::function<void(std::ofstream&)>& write) {
+  writeAtomically(path, [&](const fs::path& temporary) {
+    errno = 0;
+    std::ofstream out(temporary, std::ios::binary);
+    write(out);
+    out.close();
+    if (!out) throwNotWritten(path);
+  });
+}
+
+/// Whether a header in the folder, other than `header`, names the voxel file.
+bool isNamedElsewhere(const std::string& voxelFile, const fs::path& header) {
+  std::error_code error;
+  const fs::path folder = header.has_parent_path() ? header.parent_path() : fs::path(".");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const fs::path& other = entry.path();
+    if (other.filename() == header.filename()) continue;
+    if (other.extension() != ".mhd" && other.extension() != ".nhdr") continue;
+    std::string head(std::size_t{1} << 16, '\0');
+    std::ifstream in(other, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    if (head.find(voxelFile) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// The voxel file that a former header names, when it is one that we would have named so.
+std::string formerVoxelFile(const fs::path& header, const std::string& stem,
+                            const std::string& extension) {
+  std::ifstream in(header, std::ios::binary);
+  for (std::string line; std::getline(in, line);)
+    for (const char* key : {"ElementDataFile = ", "data file: "})
+      if (line.starts_with(key)) {
+        const std::string name = line.substr(std::strlen(key));
+        if (name.starts_with(stem) && name.ends_with(extension) &&
+            name.find('/') == std::string::npos)
+          return name;
+      }
+  return {};
+}
+
+/// Writes the voxels under a name that is free, then the header that names them: the header's
+/// rename is the moment at which the new image is there. What the old header named goes last.
+void writePair(const fs::path& path, const std::string& extension,
+               const std::function<void(std::ofstream&)>& voxels,
+               const std::function<std::string(const std::string&)>& headerFor) {
+  const std::string stem = path.stem().string();
+  std::string name = stem + extension;
+  std::error_code error;
+  for (int n = 1; fs::exists(fs::symlink_status(path.parent_path() / name, error)); ++n)
+    name = stem + "-" + std::to_string(n) + extension;
+  const std::string former = formerVoxelFile(path, stem, extension);
+  const fs::path voxelFile = path.parent_path() / name;
+  writeFile(voxelFile, voxels);
+  try {
+    writeFile(path, [&](std::ofstream& out) { out << headerFor(name); });
+  } catch (...) {
+    fs::remove(voxelFile, error);
+    throw;
+  }
+  if (!former.empty() && former != name && !isNamedElsewhere(former, path))
+    fs::remove(path.parent_path() / former, error);
+}
+
+void writeMhd(const Content& content, const fs::path& path) {
+  writePair(
+      path, ".raw", [&](std::ofstream& out) { put(out, content.bytes); },
+      [&](const std::string& name) {
+        return metaHeader(content) + "CompressedData = False\nElementDataFile = " + name + "\n";
+      });
+}
+
+void writeNhdr(const Content& content, const fs::path& path) {
+  writePair(
+      path, ".raw.gz", [&](std::ofstream& out) { deflateTo(out, Wrapper::Gzip, {content.bytes}); },
+      [&](const std::string& name) { return nrrdHeader(content, "gzip", name); });
+}
+
+void writeNifti(const Content& content, const fs::path& path, bool packed) {
+  checkNiftiHolds(content.geometry, path);
+  const std::array<std::byte, 352> header = niftiHeader(content);
+  writeFile(path, [&](std::ofstream& out) {
+    if (packed) {
+      deflateTo(out, Wrapper::Gzip, {header, content.bytes});
+    } else {
+      put(out, header);
+      put(out, content.bytes);
+    }
+  });
+}
+
+void write(const Content& content, const fs::path& path) {
+  const std::string name = path.filename().string();
+  if (content.bytes.empty() ||
+      content.bytes.size() != content.geometry.voxelCount() * voxelTypeBytes(content.type))
+    throw InputError("there are no voxels to write", path.string(), "compute the volume first");
+  if (name.ends_with(".mha"))
+    writeFile(path, [&](std::ofstream& out) { writeMha(out, content); });
+  else if (name.ends_with(".mhd"))
+    writeMhd(content, path);
+  else if (name.ends_with(".nrrd"))
+    writeFile(path, [&](std::ofstream& out) {
+      out << nrrdHeader(content, "gzip", {});
+      deflateTo(out, Wrapper::Gzip, {content.bytes});
+    });
+  else if (name.ends_with(".nhdr"))
+    writeNhdr(content, path);
+  else if (name.ends_with(".nii") || name.ends_with(".nii.gz"))
+    writeNifti(content, path, name.ends_with(".gz"));
+  else
+    throw InputError("cannot tell the image format from the name", path.string(),
+                     "end the name in .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz");
+}
+
+template <class T>
+Content contentOf(const Volume<T>& volume, VoxelType type) {
+  return {volume.geometry, type, std::as_bytes(std::span(volume.voxels))};
+}
+
+}  // namespace
+
+void writeVolume(const Volume<float>& volume, const fs::path& path) {
+  write(contentOf(volume, VoxelType::Float32), path);
+}
+
+void writeVolume(const Volume<std::uint8_t>& volume, const fs::path& path) {
+  write(contentOf(volume, VoxelType::UInt8), path);
+}
+
+void writeVolume(const AnyVolume& volume, const fs::path& path) {
+  std::visit([&](const auto& v) { write(contentOf(v, voxelTypeOf(volume)), path); }, volume);
+}
+
+}  // namespace angiomesh

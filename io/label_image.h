@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/image/volume.h"
+
+namespace angiomesh {
+
+/// One label of a segmentation.
+struct Label {
+  std::int64_t value = 0;
+  std::string name;  ///< of 3D Slicer's segmentations, else ""
+  int layer = 0;     ///< of 3D Slicer's segmentations whose segments overlap
+  std::size_t voxels = 0;
+};
+
+/// The labels of an image: its values other than 0, ascending, by layers; empty where it is no
+/// label image, because a value is negative or no whole number or there are more than 4096.
+/// ITK-SNAP, 3D Slicer (.seg.nrrd, with names and layers), nnU-Net, TotalSegmentator and plain
+/// masks.
+/// @throws IoError, InputError
+std::vector<Label> readLabels(const std::filesystem::path& path, const Progress& progress = {});
+
+struct LabelMask {
+  Volume<std::uint8_t> mask;  ///< 1 where the label is
+  Label label;
+  bool onlyOne = false;  ///< the image has no other label
+};
+
+/// The voxels of one label, chosen by value or by name; "" where there is only one.
+/// @throws IoError, InputError (no label image; no such label, or several and none chosen: the
+/// message lists them)
+LabelMask readLabel(const std::filesystem::path& path, const std::string& choice,
+                    const Progress& progress = {});
+
+}  // namespace angiomesh

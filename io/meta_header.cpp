@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <bit>
+#include <fstream>
+
+#include "io/header_text.h"
+#include "io/image_header.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostFiles = 100000;
+
+VoxelType metaType(const std::string& type, const fs::path& path) {
+  // MET_LONG has 4 bytes in every file, whatever the machine.
+  static const std::map<std::string, VoxelType> types = {
+      {"MET_CHAR", VoxelType::Int8},       {"MET_UCHAR", VoxelType::UInt8},
+      {"MET_SHORT", VoxelType::Int16},     {"MET_USHORT", VoxelType::UInt16},
+      {"MET_INT", VoxelType::Int32},       {"MET_UINT", VoxelType::UInt32},
+      {"MET_LONG", VoxelType::Int32},      {"MET_ULONG", VoxelType::UInt32},
+      {"MET_LONG_LONG", VoxelType::Int64}, {"MET_ULONG_LONG", VoxelType::UInt64},
+      {"MET_FLOAT", VoxelType::Float32},   {"MET_DOUBLE", VoxelType::Float64}};
+  const auto found = types.find(type);
+  if (found == types.end()) throwBadHeader(path, "ElementType is '" + type + "'");
+  return found->second;
+}
+
+bool isTrue(const std::string& text) {
+  return !text.empty() && (text[0] == 'T' || text[0] == 't' || text[0] == '1');
+}
+
+VoxelPlace metaPlace(std::map<std::string, std::string>& fields, std::istream& in,
+                     const fs::path& path) {
+  VoxelPlace place;
+  place.file = fields["ElementDataFile"];
+  place.local = place.file == "LOCAL" || place.file == "Local" || place.file == "local";
+  if (place.local) {
+    const std::streamoff at = in.tellg();
+    // Without a line end behind LOCAL no voxel follows.
+    place.start = at < 0 ? fs::file_size(path) : static_cast<std::uintmax_t>(at);
+    return place;
+  }
+  if (place.file.starts_with("LIST")) {
+    std::string line;
+    while (place.list.size() < kMostFiles && std::getline(in, line)) {
+      while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+      if (!line.empty()) place.list.push_back(line);
+    }
+  }
+  if (fields.count("HeaderSize") != 0) {
+    const long long skip = parseWhole(fields["HeaderSize"], "HeaderSize", path);
+    if (skip < -1) throwBadHeader(path, "HeaderSize is '" + fields["HeaderSize"] + "'");
+    place.atEnd = skip == -1;
+    place.start = static_cast<std::uintmax_t>(std::max(skip, 0LL));
+  }
+  return place;
+}
+
+}  // namespace
+
+ImageHeader readMetaImageHeader(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  auto fields = textFields(in, "=:", "ElementDataFile");
+  if (fields["ElementDataFile"].empty()) throwBadHeader(path, "ElementDataFile is missing");
+  ImageHeader header;
+  VoxelData& data = header.data;
+  data.type = metaType(fields["ElementType"], path);
+  header.size = parseSizes(fields["DimSize"]);
+  if (header.size.empty()) throwBadHeader(path, "DimSize is '" + fields["DimSize"] + "'");
+  if (fields["NDims"] != std::to_string(header.size.size()))
+    throwBadHeader(path, "NDims and DimSize differ");
+  std::uintmax_t channels = 1;
+  if (fields.count("ElementNumberOfChannels") != 0) {
+    channels = productOf(parseSizes(fields["ElementNumberOfChannels"]));
+    if (channels > 4096) throwBadHeader(path, "ElementNumberOfChannels");
+  }
+  const std::uintmax_t all = productOf(header.size);
+  header.size.resize(std::min<std::size_t>(header.size.size(), 3));
+  data.voxels = productOf(header.size);
+  data.values = all / data.voxels * channels;
+  data.interleaved = channels > 1;
+  if (channels > 1 && all > data.voxels) throwBadHeader(path, "several channels in 4D");
+  data.swapBytes =
+      (isTrue(fields["BinaryDataByteOrderMSB"]) || isTrue(fields["ElementByteOrderMSB"])) ==
+      (std::endian::native == std::endian::little);
+
+  if (fields["Modality"] == "MET_MOD_MR") header.modality = "MR";
+  if (fields["Modality"] == "MET_MOD_CT") header.modality = "CT";
+  if (fields.count("ElementSpacing") == 0 && fields.count("ElementSize") == 0)
+    header.warnings.emplace_back(kNoSpacing);
+
+  const VoxelPlace place = metaPlace(fields, in, path);
+  data.deflated = isTrue(fields["CompressedData"]);
+  if (fields.count("BinaryData") != 0 && !isTrue(fields["BinaryData"]))
+    placeText(place, path, 2 * data.voxels * data.values - 1, header);
+  else
+    placeVoxels(place, path, header);
+  return header;
+}
+
+}  // namespace angiomesh

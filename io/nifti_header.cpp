@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <zlib.h>
+
+#include <Eigen/Dense>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "io/header_text.h"
+#include "io/image_header.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kHeader = 348;
+constexpr double kSkew = 1e-4;   // of the dot product of two unit axes, as in ITK
+constexpr double kAlike = 1e-4;  // relative, between sform and qform
+
+/// The fields of a NIfTI-1 header by their offsets (nifti1.h).
+class Fields {
+ public:
+  explicit Fields(std::string bytes) : bytes_(std::move(bytes)) {
+    swap_ = raw<std::int32_t>(0, false) != static_cast<std::int32_t>(kHeader);
+  }
+  template <class T>
+  [[nodiscard]] T at(std::size_t offset) const {
+    return raw<T>(offset, swap_);
+  }
+  [[nodiscard]] double real(std::size_t offset) const {
+    return static_cast<double>(at<float>(offset));
+  }
+  [[nodiscard]] int whole(std::size_t offset) const { return at<std::int16_t>(offset); }
+  [[nodiscard]] bool swapped() const { return swap_; }
+  [[nodiscard]] bool singleFile() const { return bytes_.compare(344, 3, "n+1") == 0; }
+  [[nodiscard]] int unitsOfSpace() const { return bytes_[123] & 7; }
+
+ private:
+  template <class T>
+  [[nodiscard]] T raw(std::size_t offset, bool swap) const {
+    std::array<char, sizeof(T)> value{};
+    std::memcpy(value.data(), bytes_.data() + offset, sizeof(T));
+    if (swap)
+      for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(value[i], value[sizeof(T) - 1 - i]);
+    return std::bit_cast<T>(value);
+  }
+
+  std::string bytes_;
+  bool swap_ = false;
+};
+
+Fields readFields(const fs::path& path) {
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
+  std::string bytes(kHeader, '\0');
+  if (!file ||
+      gzread(file.get(), bytes.data(), static_cast<unsigned>(kHeader)) != static_cast<int>(kHeader))
+    throw IoError("the file is truncated", path.string(), "copy or download it again");
+  return Fields(bytes);
+}
+
+VoxelType niftiType(int code, const fs::path& path) {
+  static const std::map<int, VoxelType> types = {
+      {256, VoxelType::Int8},   {2, VoxelType::UInt8},     {4, VoxelType::Int16},
+      {512, VoxelType::UInt16}, {8, VoxelType::Int32},     {768, VoxelType::UInt32},
+      {1024, VoxelType::Int64}, {1280, VoxelType::UInt64}, {16, VoxelType::Float32},
+      {64, VoxelType::Float64}};
+  const auto found = types.find(code);
+  if (found != types.end()) return found->second;
+  if (code == 128 || code == 2304)
+    throw InputError("a colour image", path.string(), "give an image with one value per voxel");
+  if (code == 32 || code == 1792 || code == 2048)
+    throw InputError("an image of complex numbers", path.string(),
+                     "save their magnitude and give that");
+  throwBadHeader(path, "datatype is " + std::to_string(code));
+}
+
+/// Index to mm, RAS.
+using Affine = Eigen::Matrix<double, 3, 4>;
+
+Affine sform(const Fields& h) {
+  Affine m;
+  for (Eigen::Index row = 0; row < 3; ++row)
+    for (Eigen::Index column = 0; column < 4; ++column)
+      m(row, column) =
+          h.real(280 + 16 * static_cast<std::size_t>(row) + 4 * static_cast<std::size_t>(column));
+  return m;
+}
+
+/// The quaternion (a, b, c, d), a >= 0 left to be found from the others (nifti1.h, method 2).
+Affine qform(const Fields& h, const Eigen::Vector3d& spacing) {
+  Eigen::Vector3d v(h.real(256), h.real(260), h.real(264));
+  double rest = 1.0 - v.squaredNorm();
+  if (rest < 1e-7) {
+    v.normalize();
+    rest = 0.0;
+  }
+  const Eigen::Quaterniond q(std::sqrt(rest), v.x(), v.y(), v.z());
+  Affine m;
+  m.leftCols<3>() = q.toRotationMatrix() * spacing.asDiagonal();
+  if (h.real(76) < 0.0) m.col(2) *= -1.0;
+  m.col(3) = Eigen::Vector3d(h.real(268), h.real(272), h.real(276));
+  return m;
+}
+
+bool orthogonal(const Affine& m) {
+  if (!m.allFinite()) return false;
+  Eigen::Matrix3d axes = m.leftCols<3>();
+  for (Eigen::Index a = 0; a < 3; ++a) {
+    if (!(axes.col(a).norm() > 0.0)) return false;
+    axes.col(a).normalize();
+  }
+  return (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= kSkew;
+}
+
+/// Which of the two ways of NIfTI to say where the patient lies is taken, as ITK does: the sform
+/// where it is no skew and alone, or that of the scanner, or says the same; else the qform.
+Affine chosenForm(const Fields& h, const Eigen::Vector3d& spacing, const fs::path& path,
+                  std::vector<std::string>& warnings) {
+  const int qCode = h.whole(252), sCode = h.whole(254);
+  Affine identity = Affine::Zero();  // in LPS, as ITK has it
+  identity.leftCols<3>() = Eigen::Vector3d(-spacing.x(), -spacing.y(), spacing.z()).asDiagonal();
+  if (qCode <= 0 && sCode <= 0) {
+    warnings.emplace_back("the file does not state the patient's orientation");
+    return identity;
+  }
+  const Affine s = sform(h), q = qform(h, spacing);
+  if (sCode > 0 && orthogonal(s)) {
+    const double size = std::max(s.leftCols<3>().cwiseAbs().maxCoeff(), 1.0);
+    const bool alike = (s - q).cwiseAbs().maxCoeff() <= kAlike * size;
+    if (qCode <= 0 || sCode == 1 || alike) return s;
+  } else if (sCode > 0 && qCode <= 0) {
+    throw InputError("the axes of the grid are skewed (sform)", path.string(),
+                     "resample the image to a rectangular grid");
+  } else if (sCode > 0) {
+    warnings.emplace_back("the skewed sform of the file is left out: its qform is taken");
+  }
+  if (!q.allFinite()) throwBadHeader(path, "the qform is not finite");
+  return q;
+}
+
+Geometry geometryOf(const Fields& h, const ImageHeader& header, const fs::path& path,
+                    std::vector<std::string>& warnings) {
+  // nifti1.h: metres, millimetres, micrometres; unknown units are taken for mm.
+  const int units = h.unitsOfSpace();
+  const double mm = units == 1 ? 1000.0 : units == 3 ? 0.001 : 1.0;
+  Geometry g;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double spacing = std::fabs(h.real(80 + 4 * a));
+    if (!(spacing > 0.0) || !std::isfinite(spacing))
+      throwBadHeader(path, "a voxel spacing is not positive");
+    g.size[a] = static_cast<int>(header.size[a]);
+    g.spacing[static_cast<Eigen::Index>(a)] = spacing;
+  }
+  Affine m = chosenForm(h, g.spacing, path, warnings) * mm;
+  m.topRows<2>() *= -1.0;  // RAS to LPS
+  for (Eigen::Index a = 0; a < 3; ++a) {
+    g.spacing[a] = m.col(a).norm();
+    g.direction.col(a) = m.col(a) / g.spacing[a];
+  }
+  g.origin = m.col(3);
+  g.direction.array() += 0.0;  // -0 becomes 0
+  g.origin.array() += 0.0;
+  return g;
+}
+
+void takeSizes(const Fields& h, const fs::path& path, ImageHeader& header) {
+  const int dimensions = h.whole(40);
+  if (dimensions < 1 || dimensions > 7) throwBadHeader(path, "dim[0] is not 1 to 7");
+  VoxelData& data = header.data;
+  for (int a = 1; a <= dimensions; ++a) {
+    const int size = h.whole(40 + 2 * static_cast<std::size_t>(a));
+    if (size < 1 && a < 4) throwBadHeader(path, "a size is not positive");
+    const auto length = static_cast<std::uintmax_t>(std::max(size, 1));
+    if (a <= 3)
+      header.size.push_back(length);
+    else
+      data.values *= length;
+    if (data.values > (1ULL << 44U) / productOf(header.size))
+      throwBadHeader(path, "the sizes in dim");
+  }
+  data.voxels = productOf(header.size);
+}
+
+}  // namespace
+
+ImageHeader readNiftiHeader(const fs::path& path) {
+  const Fields h = readFields(path);
+  if (!h.singleFile())
+    throw InputError("a NIfTI header without its voxels, or an Analyze file", path.string(),
+                     "convert the .hdr/.img pair to .nii");
+  ImageHeader header;
+  VoxelData& data = header.data;
+  takeSizes(h, path, header);
+  const int bits = h.whole(72);
+  if (bits < 8 || bits % 8 != 0 || bits > 256) throwBadHeader(path, "bits per voxel");
+  data.type = niftiType(h.whole(70), path);
+  if (static_cast<std::size_t>(bits) != 8 * voxelTypeBytes(data.type))
+    throwBadHeader(path, "datatype and bitpix differ");
+  data.swapBytes = h.swapped();
+  const double offset = h.real(108);
+  if (!(offset >= static_cast<double>(kHeader)) || offset > 1e8) throwBadHeader(path, "vox_offset");
+  const double slope = h.real(112), intercept = h.real(116);
+  if (!std::isfinite(slope) || (slope != 0.0 && !std::isfinite(intercept)))
+    throwBadHeader(path, "scl_slope or scl_inter is not a finite number");
+  if (slope != 0.0) {
+    data.slope = slope;
+    data.intercept = intercept;
+  }
+  if (header.size.size() == 3) header.geometry = geometryOf(h, header, path, header.warnings);
+
+  std::array<unsigned char, 2> magic{};
+  std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(magic.data()), 2);
+  data.deflated = magic[0] == 0x1f && magic[1] == 0x8b;
+  VoxelPlace place;
+  place.local = true;
+  (data.deflated ? data.skipInflated : place.start) = static_cast<std::uintmax_t>(offset);
+  placeVoxels(place, path, header);
+  return header;
+}
+
+}  // namespace angiomesh
