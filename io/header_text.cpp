@@ -70,7 +70,10 @@ std::vector<std::string> namesOf(const VoxelPlace& place, const fs::path& path) 
   in >> pattern >> first >> last;
   if (!in) throwBadHeader(path, "the file pattern is '" + place.file + "'");
   in >> step;
-  if (step == 0 || (last - first) / step < 0 || (last - first) / step > kMostLines)
+  constexpr long long kMost = 1000000000;
+  const auto sane = [](long long n) { return n >= -kMost && n <= kMost; };
+  if (!sane(first) || !sane(last) || !sane(step) || step == 0 || (last - first) / step < 0 ||
+      (last - first) / step > kMostLines)
     throwBadHeader(path, "the file pattern is '" + place.file + "'");
   std::vector<std::string> names;
   for (long long n = first; step > 0 ? n <= last : n >= last; n += step)

@@ -79,7 +79,7 @@ std::vector<std::string> failures(const Gate& gate, const MeshQuality& q) {
 
 struct QualityOptions {
   ParameterOptions settings;
-  std::string mesh, phi, spline, against, gate, frame, unit;
+  std::string mesh, phi, label, spline, against, gate, frame, unit;
   bool json = false;
 
   /// The interpolant of phi and the wanted edge length, by --set surface.* and --spline.
@@ -159,7 +159,9 @@ int quality(const QualityOptions& options, const Progress& progress) {
   const Gate* gate = options.gate.empty() ? nullptr : &findGate(options.gate);
   const SurfaceParams surface = options.surface();
   std::optional<SplineField> phi;
-  if (!options.phi.empty()) phi.emplace(readPhiOrMask(options.phi), surface.spline);
+  if (!options.phi.empty())
+    phi.emplace(readMeshInput(options.phi, options.label, progress.sub(0.0, 0.2)).phi,
+                surface.spline);
   const SplineField* field = phi ? &*phi : nullptr;
   const TriMesh mesh = measuredMesh(options);
   const MeshQuality mine = measureQuality(mesh, field, progress.sub(0.0, 0.4));
@@ -198,7 +200,9 @@ void addQuality(CLI::App& program, Session& session) {
   auto options = std::make_shared<QualityOptions>();
   CLI::App* command = program.add_subcommand("quality", "What a mesh is worth to a solver");
   command->add_option("MESH", options->mesh, "Mesh to measure")->required();
-  command->add_option("--phi", options->phi, "Level set function or mask to measure against");
+  command->add_option("--phi", options->phi,
+                      "Level set function, mask or label image to measure against");
+  command->add_option("--label", options->label, "Which label of it, by value or name");
   command->add_option("--spline", options->spline,
                       "Interpolant of phi: interpolating-bspline, bspline or catmull-rom");
   command->add_option("--against", options->against, "Another mesh, to be measured beside it");

@@ -19,7 +19,7 @@ namespace {
 struct StepOptions {
   ParameterOptions settings;
   ReadOptions reading;
-  std::string input, output, phi, method;
+  std::string input, output, phi, label, method;
 };
 
 RunResult runUntil(Step step, const StepOptions& options, const Progress& progress) {
@@ -57,8 +57,11 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
   const LoadedMesh loaded = loadMesh(options.input);
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   std::optional<SplineField> phi;
-  if (!options.phi.empty()) phi.emplace(readPhiOrMask(options.phi), params.surface.spline);
-  const TriMesh smooth = smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr, progress);
+  if (!options.phi.empty())
+    phi.emplace(readMeshInput(options.phi, options.label, progress.sub(0.0, 0.3)).phi,
+                params.surface.spline);
+  const TriMesh smooth =
+      smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr, progress.sub(0.3, 1.0));
   for (const std::string& warning : writeMesh(smooth, options.output))
     printWarning(warning + ", " + options.output);
   return Done;
@@ -110,8 +113,11 @@ void addSegment(CLI::App& program, Session& session) {
 void addSmooth(CLI::App& program, Session& session) {
   const auto options = addStep(program, session, "smooth", "Smooth a mesh", "Mesh",
                                "Mesh to write: .ply, .stl, .obj or .vtp", smoothCommand);
-  program.get_subcommand("smooth")->add_option(
-      "--phi", options->phi, "Level set function whose wall 'keep-wall' keeps (else the mesh's)");
+  CLI::App* command = program.get_subcommand("smooth");
+  command->add_option(
+      "--phi", options->phi,
+      "Level set function, mask or label image whose wall 'keep-wall' keeps (else the mesh's)");
+  command->add_option("--label", options->label, "Which label of it, by value or name");
 }
 
 }  // namespace angiomesh::cli

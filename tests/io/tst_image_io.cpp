@@ -6,6 +6,8 @@
 // After Eigen: ITK's own copy of it stays out then.
 #include <itkImage.h>
 #include <itkImageFileReader.h>
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 
 #include <QTest>
@@ -148,29 +150,47 @@ class TestImageIo : public QObject {
     QVERIFY(sameCorners(describeImages(path).at(0).geometry, mask.geometry, tolerance));
   }
 
-  void otherProgramsSeeTheMaskInPlace() {
+  void otherProgramsSeeImagesInPlace_data() {
+    QTest::addColumn<QString>("extension");
+    for (const char* extension : {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"})
+      QTest::newRow(extension) << QString(extension);
+  }
+  void otherProgramsSeeImagesInPlace() {
+    QFETCH(QString, extension);
     const Folder folder;
-    const auto mask = numbered<std::uint8_t>(rotated());
-    writeVolume(mask, folder / "mask.nrrd");
+    for (const bool left : {false, true}) {
+      const auto before = numbered<std::int16_t>(rotated(left));
+      const fs::path path = folder / ("v" + extension.toStdString());
+      writeVolume(AnyVolume(before), path);
+      using Image = itk::Image<short, 3>;
+      const auto reader = itk::ImageFileReader<Image>::New();
+      if (extension.startsWith(".mh")) reader->SetImageIO(itk::MetaImageIO::New());
+      if (extension.startsWith(".n") && !extension.startsWith(".ni"))
+        reader->SetImageIO(itk::NrrdImageIO::New());
+      if (extension.startsWith(".ni")) reader->SetImageIO(itk::NiftiImageIO::New());
+      reader->SetFileName(path.string());
+      reader->Update();
+      const Image& image = *reader->GetOutput();
+      const double tolerance = extension.startsWith(".ni") ? 1e-4 : 1e-9;
+      for (int k = 0; k < before.geometry.size[2]; ++k)
+        for (int j = 0; j < before.geometry.size[1]; ++j)
+          for (int i = 0; i < before.geometry.size[0]; ++i) {
+            const Image::IndexType index{{i, j, k}};
+            Image::PointType point;
+            image.TransformIndexToPhysicalPoint(index, point);
+            const Eigen::Vector3d ours = before.geometry.toPhysical(Eigen::Vector3d(i, j, k));
+            QVERIFY((ours - Eigen::Vector3d(point[0], point[1], point[2])).norm() < tolerance);
+            QCOMPARE(image.GetPixel(index), before.at(i, j, k));
+          }
+    }
+  }
+
+  void segmentationsAreCompressedAndInLps() {
+    const Folder folder;
+    writeVolume(numbered<std::uint8_t>(rotated()), folder / "mask.nrrd");
     const std::string head = bytesOf(folder / "mask.nrrd").substr(0, 1000);
     QVERIFY(head.find("space: left-posterior-superior") != std::string::npos);
     QVERIFY(head.find("encoding: gzip") != std::string::npos);
-    using Image = itk::Image<unsigned char, 3>;
-    const auto reader = itk::ImageFileReader<Image>::New();
-    reader->SetImageIO(itk::NrrdImageIO::New());
-    reader->SetFileName((folder / "mask.nrrd").string());
-    reader->Update();
-    const Image& image = *reader->GetOutput();
-    for (int k = 0; k < mask.geometry.size[2]; ++k)
-      for (int j = 0; j < mask.geometry.size[1]; ++j)
-        for (int i = 0; i < mask.geometry.size[0]; ++i) {
-          const Image::IndexType index{{i, j, k}};
-          Image::PointType point;
-          image.TransformIndexToPhysicalPoint(index, point);
-          const Eigen::Vector3d ours = mask.geometry.toPhysical(Eigen::Vector3d(i, j, k));
-          QVERIFY((ours - Eigen::Vector3d(point[0], point[1], point[2])).norm() < 1e-9);
-          QCOMPARE(image.GetPixel(index), mask.at(i, j, k));
-        }
   }
 
   void everyPixelTypeIsRead_data() {
