@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/image_io.h"
 #include "io/mesh_io.h"
+#include "io/mesh_place.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -24,15 +24,8 @@ struct ConvertOptions {
   std::string meshOption;  ///< one that was given and means nothing for a volume
 };
 
-std::string extensionOf(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 bool isMeshName(const fs::path& path) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = meshExtension(path);
   return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
 }
 
@@ -50,7 +43,7 @@ int convertMesh(const ConvertOptions& options) {
   write.normals = options.normals;
   write.quality = options.quality;
   write.key = loaded.key;
-  if (options.ascii && extensionOf(options.output) == ".stl") write.parts = loaded.parts;
+  if (options.ascii && meshExtension(options.output) == ".stl") write.parts = loaded.parts;
   for (const std::string& warning : writeMesh(loaded.mesh, options.output, write))
     printWarning(warning + ", " + options.output);
   checkMeshFile(loaded.mesh, options.output, write);
