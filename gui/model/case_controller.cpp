@@ -178,18 +178,9 @@ void CaseController::takeLoaded(const LoadJob& job) {
 }
 
 void CaseController::sayOpened(const InputInfo& info) {
-  const Geometry& grid = image()->geometry;
-  say(Severity::Info,
-      tr("Opened %1: %2 × %3 × %4 voxels of %5 × %6 × %7 mm%8.")
-          .arg(name_)
-          .arg(grid.size[0])
-          .arg(grid.size[1])
-          .arg(grid.size[2])
-          .arg(grid.spacing[0], 0, 'g', 4)
-          .arg(grid.spacing[1], 0, 'g', 4)
-          .arg(grid.spacing[2], 0, 'g', 4)
-          .arg(info.modality.empty() ? QString()
-                                     : tr(", ") + QString::fromStdString(info.modality)));
+  const QString modality =
+      info.modality.empty() ? QString() : tr(", ") + QString::fromStdString(info.modality);
+  say(Severity::Info, tr("Opened %1: %2%3.").arg(name_, gridText(image()->geometry), modality));
   for (const std::string& warning : screenWarnings(info)) {
     say(Severity::Warning, QString::fromStdString(warning));
   }

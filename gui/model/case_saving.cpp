@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "gui/model/case_controller.h"
+#include "gui/model/step_text.h"
 
 namespace angiomesh {
 
@@ -12,14 +13,8 @@ namespace {
 constexpr std::size_t kMostRestored = 50;
 
 QString inWords(const CaseSource& source) {
-  const Geometry& grid = source.grid;
-  return CaseController::tr("%1 × %2 × %3 voxels of %4 × %5 × %6 mm, %7")
-      .arg(grid.size[0])
-      .arg(grid.size[1])
-      .arg(grid.size[2])
-      .arg(grid.spacing[0], 0, 'g', 4)
-      .arg(grid.spacing[1], 0, 'g', 4)
-      .arg(grid.spacing[2], 0, 'g', 4)
+  return CaseController::tr("%1, %2")
+      .arg(gridText(source.grid))
       .arg(source.files > 1 ? CaseController::tr("%1 series of %2 files")
                                   .arg(QString::fromStdString(source.format))
                                   .arg(source.files)

@@ -154,6 +154,16 @@ QString meshTitle(MeshKind kind) {
   return {};
 }
 
+QString gridText(const Geometry& grid) {
+  return QObject::tr("%1 × %2 × %3 voxels of %4 × %5 × %6 mm")
+      .arg(grid.size[0])
+      .arg(grid.size[1])
+      .arg(grid.size[2])
+      .arg(grid.spacing[0], 0, 'g', 4)
+      .arg(grid.spacing[1], 0, 'g', 4)
+      .arg(grid.spacing[2], 0, 'g', 4);
+}
+
 QString boxSizeText(const Eigen::Vector3d& size, LengthUnit unit) {
   const bool metres = unit == LengthUnit::Metre;
   const int decimals = metres ? 5 : 2;

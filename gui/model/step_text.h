@@ -16,6 +16,9 @@ QString meshTitle(MeshKind kind);
 /// The step whose result a parameter goes into.
 Step stepOfField(const Field& field);
 
+/// "512 × 512 × 120 voxels of 0.41 × 0.41 × 1.5 mm".
+QString gridText(const Geometry& grid);
+
 /// "40.00 × 30.00 × 20.00 mm", of a size in `unit`.
 QString boxSizeText(const Eigen::Vector3d& size, LengthUnit unit);
 
