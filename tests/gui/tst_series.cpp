@@ -14,17 +14,7 @@ using namespace angiomesh::test;
 namespace {
 
 void saveSecond(const fs::path& folder) {
-  saveSeries(
-      folder,
-      [](Slice& slice) {
-        slice.series = "1.2.3.4.2000002";
-        slice.description = "phase";
-        slice.instance += ".9";
-        slice.rescaled = true;
-        slice.intercept = 5000.0;
-        return slice.k != 2;
-      },
-      EXS_LittleEndianExplicit, "b");
+  saveSecondSeries(folder, [](const Slice& slice) { return slice.k != 2; });
 }
 
 }  // namespace

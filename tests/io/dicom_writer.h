@@ -141,6 +141,23 @@ inline void saveSeries(const fs::path& folder, const std::function<bool(Slice&)>
   }
 }
 
+/// Another series ("phase", values 5000 higher) beside the one that saveSeries() writes, in files
+/// whose names begin with "b".
+inline void saveSecondSeries(const fs::path& folder,
+                             const std::function<bool(Slice&)>& change = {}) {
+  saveSeries(
+      folder,
+      [&](Slice& slice) {
+        slice.series = "1.2.3.4.2000002";
+        slice.description = "phase";
+        slice.rescaled = true;
+        slice.intercept = 5000.0;
+        slice.instance += ".9";
+        return !change || change(slice);
+      },
+      EXS_LittleEndianExplicit, "b");
+}
+
 /// An enhanced multi-frame object with `order[f]` the slice that frame f shows.
 inline void saveEnhanced(const fs::path& path, const std::vector<int>& order,
                          bool withGroups = true,

@@ -46,14 +46,7 @@ class TestDicomScan : public QObject {
   void aDamagedFileConcernsItsOwnSeriesOnly() {
     const Folder folder;
     saveSeries(folder.path());
-    saveSeries(
-        folder.path(),
-        [](Slice& slice) {
-          slice.series = "1.2.3.4.2000002";
-          slice.instance += ".9";
-          return true;
-        },
-        EXS_LittleEndianExplicit, "b");
+    saveSecondSeries(folder.path());
     const std::string whole = bytesOf(folder / "b0.dcm");
     save(folder / "b0.dcm", whole.substr(0, whole.size() - 20));
     verifyVoxels(readImage(folder.path(), {"1000001", false}).image, plain);
@@ -189,17 +182,7 @@ class TestDicomScan : public QObject {
   void seriesAreChosenByTheirUid() {
     const Folder folder;
     saveSeries(folder.path());
-    saveSeries(
-        folder.path(),
-        [](Slice& slice) {
-          slice.series = "1.2.3.4.2000002";
-          slice.description = "phase";
-          slice.rescaled = true;
-          slice.intercept = 5000.0;
-          slice.instance += ".9";
-          return true;
-        },
-        EXS_LittleEndianExplicit, "b");
+    saveSecondSeries(folder.path());
     const QString message = refusal(folder.path());
     QVERIFY2(message.startsWith("Input: there are 2 series"), qPrintable(message));
     for (const char* part :
