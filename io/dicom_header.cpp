@@ -236,7 +236,7 @@ void addFrames(DcmDataset& data, const DicomFile& file, DicomSeries& series) {
   for (int f = 0; f < file.frames; ++f) {
     const auto f1 = static_cast<unsigned long>(f);
     DcmItem* own = perFrame != nullptr && f1 < perFrame->card() ? perFrame->getItem(f1) : nullptr;
-    if (own == nullptr && f > 0 && (perFrame == nullptr || f1 >= perFrame->card())) {
+    if (own == nullptr && f > 0) {
       // One frame that lies nowhere tells as much as all of them.
       DicomFrame frame;
       frame.file = number;

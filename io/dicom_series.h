@@ -79,8 +79,7 @@ struct DicomSeries {
 /// Images of one series that belong to one volume, sorted along the normal of their planes.
 struct DicomStack {
   std::string uid, description, modality, number, date;
-  int part = 0;  ///< 1-based where a series splits into several volumes, else 0
-  int parts = 1;
+  int part = 0;       ///< 1-based where a series splits into several volumes, else 0
   std::string label;  ///< what is particular to the part
   std::vector<DicomFile> files;
   std::vector<DicomFrame> frames;

@@ -313,10 +313,8 @@ std::vector<DicomStack> splitSeries(DicomSeries series) {
              {}});
     }
   }
-  for (std::size_t i = 0; i < stacks.size() && stacks.size() > 1; ++i) {
+  for (std::size_t i = 0; i < stacks.size() && stacks.size() > 1; ++i)
     stacks[i].part = static_cast<int>(i) + 1;
-    stacks[i].parts = static_cast<int>(stacks.size());
-  }
   return stacks;
 }
 
