@@ -78,21 +78,30 @@ std::string seriesWord(const Stacks& all) {
                                    : " volumes in " + std::to_string(uids.size()) + " series";
 }
 
+/// The only one, or the only one that is a volume.
+std::optional<std::size_t> loneOf(const Stacks& all) {
+  if (all.size() == 1) return 0;
+  std::optional<std::size_t> lone;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!isVolume(*all[i])) continue;
+    if (lone) return std::nullopt;
+    lone = i;
+  }
+  return lone;
+}
+
 std::shared_ptr<const DicomStack> chooseAlone(const Stacks& all, const fs::path& path,
                                               std::vector<std::string>& warnings) {
-  if (all.size() == 1) return all.front();
-  std::vector<std::size_t> volumes;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (isVolume(*all[i])) volumes.push_back(i);
-  if (volumes.size() == 1) {
+  const std::optional<std::size_t> lone = loneOf(all);
+  if (!lone)
+    throw InputError(
+        "there are " + std::to_string(all.size()) + seriesWord(all) + " (" + listOf(all) + ")",
+        path.string(), kChoose);
+  if (all.size() > 1)
     warnings.push_back("of " + std::to_string(all.size()) + seriesWord(all) +
                        " all but one hold fewer than " + std::to_string(kLeastSlices) +
                        " slices with a position and were left out");
-    return all[volumes.front()];
-  }
-  throw InputError(
-      "there are " + std::to_string(all.size()) + seriesWord(all) + " (" + listOf(all) + ")",
-      path.string(), kChoose);
+  return all[*lone];
 }
 
 std::shared_ptr<const DicomStack> choose(const Stacks& all, const std::string& id,
@@ -101,7 +110,7 @@ std::shared_ptr<const DicomStack> choose(const Stacks& all, const std::string& i
   Stacks fitting;
   for (const auto& stack : all) {
     if (stack->id() == id) return stack;
-    if (stack->id().ends_with(id) || stack->uid.ends_with(id)) fitting.push_back(stack);
+    if (fitsSeries(stack->id(), id)) fitting.push_back(stack);
   }
   if (fitting.size() == 1) return fitting.front();
   throw InputError((fitting.empty() ? "there is no series " + id + " ("
@@ -222,13 +231,13 @@ LoadedImage readDicom(const fs::path& path, const ReadOptions& options, const Pr
 
 std::optional<std::size_t> loneVolume(const std::vector<ImageSummary>& entries) {
   if (entries.size() == 1) return 0;
-  std::optional<std::size_t> lone;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (!entries[i].stack || !isVolume(*entries[i].stack)) continue;
-    if (lone) return std::nullopt;
-    lone = i;
-  }
-  return lone;
+  Stacks stacks;
+  for (const ImageSummary& entry : entries) stacks.push_back(entry.stack);
+  return loneOf(stacks);
+}
+
+bool fitsSeries(const std::string& id, const std::string& wanted) {
+  return id.ends_with(wanted) || id.substr(0, id.find('/')).ends_with(wanted);
 }
 
 std::vector<ImageSummary> describeDicom(const fs::path& path, const Progress& progress,

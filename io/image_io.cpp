@@ -111,6 +111,16 @@ void checkMemory(const OpenImage& image, std::size_t bytesEach) {
                    image.path.string(), "crop or downsample it first");
 }
 
+/// A volume for the image's voxels, which are not set yet.
+template <class T>
+Volume<T> roomFor(const OpenImage& image) {
+  checkMemory(image, sizeof(T));
+  Volume<T> volume;
+  volume.geometry = image.geometry;
+  volume.voxels = unfilled<T>(image.geometry.voxelCount());
+  return volume;
+}
+
 template <class Take>
 void forRuns(const OpenImage& image, const Take& take, const Progress& progress) {
   const VoxelData& data = image.header.data;
@@ -127,11 +137,9 @@ void forRuns(const OpenImage& image, const Take& take, const Progress& progress)
 }
 
 LoadedImage readFloats(const OpenImage& image, const Progress& progress) {
-  checkMemory(image, sizeof(float));
   LoadedImage loaded;
   loaded.info = image.info;
-  loaded.image.geometry = image.geometry;
-  loaded.image.voxels = unfilled<float>(image.geometry.voxelCount());
+  loaded.image = roomFor<float>(image);
   float* const voxels = loaded.image.voxels.data();
   RunFacts facts;
   std::mutex mutex;
@@ -153,10 +161,7 @@ LoadedImage readFloats(const OpenImage& image, const Progress& progress) {
 
 template <class T>
 Volume<T> readAs(const OpenImage& image, const Progress& progress) {
-  checkMemory(image, sizeof(T));
-  Volume<T> volume;
-  volume.geometry = image.geometry;
-  volume.voxels = unfilled<T>(image.geometry.voxelCount());
+  Volume<T> volume = roomFor<T>(image);
   forRuns(
       image,
       [&](std::size_t first, std::span<const std::byte> run) {
@@ -168,11 +173,8 @@ Volume<T> readAs(const OpenImage& image, const Progress& progress) {
 
 /// The rescaled voxels, in double precision at first.
 AnyVolume readRescaled(const OpenImage& image, const Progress& progress) {
-  checkMemory(image, sizeof(double));
   const VoxelData& data = image.header.data;
-  Volume<double> volume;
-  volume.geometry = image.geometry;
-  volume.voxels = unfilled<double>(image.geometry.voxelCount());
+  Volume<double> volume = roomFor<double>(image);
   forRuns(
       image,
       [&](std::size_t first, std::span<const std::byte> run) {
@@ -257,6 +259,7 @@ LoadedImage readImage(const ImageSummary& entry, const fs::path& path, bool even
   if (!entry.stack) return readImage(path, {}, progress);
   progress.phase("reading");
   LoadedImage loaded = readDicomStack(entry.stack, evenOut, path, progress.sub(0.0, 0.9));
+  loaded.info.warnings = entry.info.warnings;
   checkUsable(loaded.image, path.string());
   progress.report(1.0);
   return loaded;
@@ -266,10 +269,7 @@ Volume<std::uint8_t> readMask(const fs::path& path) {
   return inMemory(path, [&] {
     if (isDicom(path)) return maskOfFloats(readDicom(path, {}, {}).image, path);
     const OpenImage image = openImage(path, {}, {});
-    checkMemory(image, 1);
-    Volume<std::uint8_t> mask;
-    mask.geometry = image.geometry;
-    mask.voxels = unfilled<std::uint8_t>(image.geometry.voxelCount());
+    Volume<std::uint8_t> mask = roomFor<std::uint8_t>(image);
     std::atomic<bool> numbers{true};
     forRuns(image,
             [&](std::size_t first, std::span<const std::byte> run) {

@@ -102,6 +102,9 @@ std::vector<ImageSummary> describeImages(const std::filesystem::path& path,
 /// more with a position, so that localizers and single pictures do not stand in the way.
 std::optional<std::size_t> loneVolume(const std::vector<ImageSummary>& entries);
 
+/// True when `wanted` is the end of a volume's id, or of the UID of its series.
+bool fitsSeries(const std::string& id, const std::string& wanted);
+
 /// Reads an entry of a DICOM folder without looking through the folder again.
 /// @throws as readImage()
 LoadedImage readImage(const ImageSummary& entry, const std::filesystem::path& path, bool evenOut,

@@ -135,16 +135,12 @@ bool addLabels(Json& block, const ImageSummary& summary, const InfoOptions& opti
   return true;
 }
 
-bool isWanted(const ImageSummary& entry, const std::string& series) {
-  const std::string& id = entry.info.seriesUid;
-  return id.ends_with(series) || id.substr(0, id.find('/')).ends_with(series);
-}
-
 std::vector<ImageSummary> wantedEntries(const InfoOptions& options, const Progress& progress) {
   std::vector<ImageSummary> entries = describeImages(options.input, progress);
   std::vector<ImageSummary> wanted;
   for (ImageSummary& entry : entries)
-    if (isWanted(entry, options.reading.series)) wanted.push_back(std::move(entry));
+    if (fitsSeries(entry.info.seriesUid, options.reading.series))
+      wanted.push_back(std::move(entry));
   if (wanted.empty())
     throw InputError("no such series", options.input, "list the series without --series");
   return wanted;
@@ -163,8 +159,6 @@ int info(const InfoOptions& options, const Progress& progress) {
     const LoadedImage loaded =
         readImage(entries.front(), options.input, options.reading.evenOut, progress.sub(0.5, 1.0));
     single = loaded.info;
-    single.warnings.insert(single.warnings.begin(), warnings.begin(), warnings.end());
-    if (!entries.front().stack) single.warnings = loaded.info.warnings;
     warnings = single.warnings;
     blocks.front() = describe(loaded.image.geometry, loaded.info);
     const std::array<float, 2> range = valueRange(loaded.image);
