@@ -203,7 +203,9 @@ LoadedImage readDicomStack(const std::shared_ptr<const DicomStack>& stack, bool 
   loaded.info = infoOf(*stack, grid);
   Geometry frames = grid.geometry;
   frames.size[2] = static_cast<int>(stack->frames.size());
-  Volume<float> image(frames);
+  Volume<float> image;
+  image.geometry = frames;
+  image.voxels = unfilled<float>(frames.voxelCount());
   const std::size_t padded = readFrames(*stack, image, progress);
   if (padded > 0)
     loaded.info.findings.push_back(

@@ -111,7 +111,8 @@ bool readNative(const DicomFile& file, const std::vector<int>& frames, const Fra
   const OpenFile open(file.path);
   const std::uint64_t start = pixelsAtEnd(open, file);
   if (start == 0) return false;
-  std::vector<unsigned char> words(frameBytes(file));
+  thread_local std::vector<unsigned char> words;  // fresh memory costs more than the reading
+  words.resize(frameBytes(file));
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const std::uint64_t at =
         start + static_cast<std::uint64_t>(frames[n]) * static_cast<std::uint64_t>(words.size());

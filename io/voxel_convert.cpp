@@ -3,60 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <type_traits>
-
-#include "core/base/simd.h"
 
 namespace angiomesh {
 namespace {
 
 constexpr std::size_t kBlock = 1024;  // voxels that stay in the first cache
-
-/// Floats in their order as whole numbers, NaN beyond the infinities: unlike those of floats, their
-/// minimum and maximum may be taken in any order, and so by a vector at a time.
-inline std::int32_t keyOf(float value) {
-  const auto bits = std::bit_cast<std::int32_t>(value);
-  return bits ^ ((bits >> 31) & 0x7fffffff);
-}
-inline float valueOf(std::int32_t key) {
-  return std::bit_cast<float>(key ^ ((key >> 31) & 0x7fffffff));
-}
-
-ANGIOMESH_SIMD
-void keyRange(const float* values, std::size_t count, std::int32_t* least, std::int32_t* greatest) {
-  std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = -low - 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::int32_t key = keyOf(values[i]);
-    low = key < low ? key : low;
-    high = key > high ? key : high;
-  }
-  *least = low;
-  *greatest = high;
-}
-
-/// The facts of `count` floats that begin at voxel `first`.
-ValueFacts factsOf(const float* values, std::size_t count, std::size_t first) {
-  std::int32_t least = 0, greatest = 0;
-  keyRange(values, count, &least, &greatest);
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  ValueFacts facts;
-  if (least > keyOf(-kInfinity) && greatest < keyOf(kInfinity)) {
-    facts.least = valueOf(least);
-    facts.greatest = valueOf(greatest);
-    return facts;
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    if (!std::isfinite(values[i])) {
-      facts.firstNotFinite = first + i;
-      break;
-    }
-  return facts;
-}
 
 template <class T>
 constexpr bool kAlwaysExact = sizeof(T) < 4 || std::is_same_v<T, float>;
@@ -85,7 +40,7 @@ RunFacts convert(const VoxelData& data, std::span<const std::byte> run, std::siz
         to[i] = static_cast<float>(static_cast<double>(block[i]) * data.slope + data.intercept);
     else
       for (std::size_t i = 0; i < n; ++i) to[i] = static_cast<float>(block[i]);
-    facts.values.add(factsOf(to, n, first + at));
+    facts.values.add(valueFacts(to, n, first + at));
     if constexpr (!kAlwaysExact<T>)
       for (std::size_t i = 0; i < n && !facts.rounded && !data.rescaled(); ++i)
         facts.rounded = !holds(to[i], block[i]);

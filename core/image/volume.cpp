@@ -3,12 +3,41 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/simd.h"
 
 namespace angiomesh {
+namespace {
+
+/// Floats in their order as whole numbers, NaN beyond the infinities: unlike those of floats, their
+/// minimum and maximum may be taken in any order, and so by a vector at a time.
+inline std::int32_t keyOf(float value) {
+  const auto bits = std::bit_cast<std::int32_t>(value);
+  return bits ^ ((bits >> 31) & 0x7fffffff);
+}
+inline float valueOf(std::int32_t key) {
+  return std::bit_cast<float>(key ^ ((key >> 31) & 0x7fffffff));
+}
+
+ANGIOMESH_SIMD
+void keyRange(const float* values, std::size_t count, std::int32_t* least, std::int32_t* greatest) {
+  std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = -low - 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int32_t key = keyOf(values[i]);
+    low = key < low ? key : low;
+    high = key > high ? key : high;
+  }
+  *least = low;
+  *greatest = high;
+}
+
+}  // namespace
 
 Eigen::Matrix3d Geometry::physicalToIndexMatrix() const {
   return spacing.cwiseInverse().asDiagonal() * direction.inverse();
@@ -77,15 +106,38 @@ void ValueFacts::add(const ValueFacts& other) {
   firstNotFinite = std::min(firstNotFinite, other.firstNotFinite);
 }
 
-void checkUsable(const Volume<float>& image, const std::string& where) {
+ValueFacts valueFacts(const float* values, std::size_t count, std::size_t first) {
+  std::int32_t least = 0, greatest = 0;
+  keyRange(values, count, &least, &greatest);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   ValueFacts facts;
-  for (std::size_t i = 0; i < image.voxels.size(); ++i) {
-    const float value = image.voxels[i];
-    if (value < facts.least) facts.least = value;
-    if (value > facts.greatest) facts.greatest = value;
-    if (facts.firstNotFinite == ValueFacts::none && !std::isfinite(value)) facts.firstNotFinite = i;
+  if (least > keyOf(-kInfinity) && greatest < keyOf(kInfinity)) {
+    facts.least = valueOf(least);
+    facts.greatest = valueOf(greatest);
+    return facts;
   }
-  checkUsable(image.geometry, facts, where);
+  for (std::size_t i = 0; i < count; ++i)
+    if (!std::isfinite(values[i])) {
+      facts.firstNotFinite = first + i;
+      break;
+    }
+  return facts;
+}
+
+ValueFacts valueFacts(const Volume<float>& image) {
+  constexpr std::size_t kGrain = std::size_t{1} << 16;
+  ValueFacts facts;
+  std::mutex mutex;
+  parallelFor(0, image.voxels.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    const ValueFacts own = valueFacts(image.voxels.data() + first, last - first, first);
+    const std::lock_guard lock(mutex);
+    facts.add(own);
+  });
+  return facts;
+}
+
+void checkUsable(const Volume<float>& image, const std::string& where) {
+  checkUsable(image.geometry, valueFacts(image), where);
 }
 
 void checkUsable(const Geometry& g, const ValueFacts& values, const std::string& where) {

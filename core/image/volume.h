@@ -91,6 +91,10 @@ struct ValueFacts {
   void add(const ValueFacts& other);
 };
 
+/// The facts of `count` values that begin at voxel `first`.
+ValueFacts valueFacts(const float* values, std::size_t count, std::size_t first);
+ValueFacts valueFacts(const Volume<float>& image);
+
 /// @throws InputError unless the volume is 3D (each size >= 2), finite, not constant, with positive
 /// spacing and an invertible direction. `where` names the source in the message.
 void checkUsable(const Volume<float>& image, const std::string& where);
