@@ -9,13 +9,11 @@
 #include <cstdio>
 #include <ctime>
 #include <list>
-#include <thread>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/levelset/comparison_methods.h"
-#include "core/levelset/redistance.h"
+#include "core/pipeline/evolve_step.h"
 #include "core/pipeline/segments.h"
 #include "core/vesselness/thickest.h"
 
@@ -75,132 +73,6 @@ SeedsResult computeSeeds(const Volume<float>& image, const VesselnessResult& ves
   fixed.sigmaMinMm = vessels.scalesMm.front();
   const double average = 0.5 * (vessels.scalesMm.front() + vessels.scalesMm.back());
   return {findSeeds(vesselnessAtScale(image, average, fixed, vessels.c, progress), params.seeds)};
-}
-
-void postSnapshot(const LevelSetEvolution& evolution, const RunOptions& options,
-                  const Progress& progress) {
-  const auto snapshot = std::make_shared<EvolutionSnapshot>();
-  snapshot->iterations = evolution.iterations();
-  snapshot->change = evolution.change();
-  snapshot->phi = std::make_shared<const Volume<float>>(evolution.phi());
-  snapshot->surface = std::make_shared<const TriMesh>(
-      marchingCubes(*snapshot->phi, SurfaceBorder::Cap, progress.sub(0.0, 0.0)));
-  options.snapshots->post(snapshot);
-}
-
-/// Steps the evolution to its end, obeying `options.control` and posting snapshots.
-StopReason evolveWatched(LevelSetEvolution& evolution, const RunOptions& options,
-                         const Progress& progress) {
-  Clock::time_point shown = Clock::now() - std::chrono::hours(1);
-  int posted = -1;
-  while (!evolution.converged()) {
-    int wanted = 5;
-    if (options.control) {
-      EvolutionControl& control = *options.control;
-      if (control.finishNow) return StopReason::Stopped;
-      if (control.paused) {
-        const int asked = control.stepsWanted.exchange(0);
-        if (asked <= 0) {
-          if (options.snapshots && posted != evolution.iterations()) {
-            postSnapshot(evolution, options, progress);
-            posted = evolution.iterations();
-          }
-          progress.check();
-          std::this_thread::sleep_for(std::chrono::milliseconds(5));
-          continue;
-        }
-        wanted = asked;
-      }
-    }
-    evolution.step(wanted, progress);
-    if (options.snapshots && secondsSince(shown) >= options.snapshotSeconds) {
-      postSnapshot(evolution, options, progress);
-      posted = evolution.iterations();
-      shown = Clock::now();
-    }
-  }
-  return evolution.stopReason();
-}
-
-/// The methods of segmentation.method other than our own.
-EvolveResult evolveOtherwise(const Volume<float>& image, const SeedsResult& seeds,
-                             const Parameters& params, const RunOptions& options,
-                             const Progress& progress, std::vector<std::string>& warnings) {
-  const auto stop = [&options] { return options.control && options.control->finishNow; };
-  ComparisonResult found = segmentByComparison(
-      image, params.segmentation.method, seeds.pointsLps, params.seeds.radiusVoxels,
-      params.comparison, params.vesselness.polarity, stop, progress.sub(0.0, 0.8));
-  EvolveResult result;
-  result.iterations = found.iterations;
-  result.stopReason = found.stopReason;
-  result.converged = found.stopReason == StopReason::Converged;
-  result.lower = found.lower;
-  result.upper = found.upper;
-  if (found.stopReason == StopReason::Limit)
-    warnings.push_back("the contour ended at comparison.gac.iterations before it came to rest");
-  result.phi = std::make_shared<const Volume<float>>(
-      redistance(std::move(found.phi), 5.0, progress.sub(0.8, 1.0)));
-  return result;
-}
-
-EvolveResult evolve(const Volume<float>& image, std::shared_ptr<const VesselnessResult> vessels,
-                    const SeedsResult& seeds, const Parameters& params, const RunOptions& options,
-                    const Progress& progress, std::vector<std::string>& warnings) {
-  if (params.segmentation.method != SegmentationMethod::LevelSet)
-    return evolveOtherwise(image, seeds, params, options, progress, warnings);
-  const LevelSetParams& p = params.levelset;
-  EvolveResult result;
-  result.thresholds = thresholdsFor(*vessels, p);
-  if (result.thresholds.clamped)
-    warnings.push_back("b was clamped to " + std::to_string(result.thresholds.b) +
-                       ": eq. 3.20 lies outside levelset.bMin to levelset.bMax on this image");
-  std::shared_ptr<const Volume<float>> v = vessels->multiScale;
-  vessels.reset();
-  Volume<std::uint8_t> found;
-  Volume<float> phi;
-  {
-    Volume<float> start;
-    if (p.start == StartRule::Flood) {
-      found = floodVessels(*v, result.thresholds.b, seeds.pointsLps, params.seeds.radiusVoxels,
-                           static_cast<std::size_t>(p.floodLeastVoxels));
-      start = floodStart(*v, result.thresholds.b, found);
-    } else {
-      start = fastMarchingStart(v->geometry, seeds.pointsLps, params.seeds.radiusVoxels);
-    }
-    LevelSetEvolution evolution(std::move(v), result.thresholds, std::move(start), p);
-    result.stopReason = evolveWatched(evolution, options, progress.sub(0.0, 0.6));
-    result.iterations = evolution.iterations();
-    if (evolution.insideVoxels() == 0)
-      throw NumericError("the level set shrank to nothing", "evolve",
-                         "lower levelset.b or levelset.xi, or check the range of vessel sizes "
-                         "(vesselness.sigmaMinMm, vesselness.sigmaMaxMm) and the seeds");
-    if (options.snapshots) postSnapshot(evolution, options, progress);
-    phi = evolution.takePhi();
-  }
-  result.converged = result.stopReason == StopReason::Converged;
-  // Where the wall is placed anew, a front that flickers about it to the end does no harm.
-  if (result.stopReason == StopReason::Limit && !params.lumen.enabled)
-    warnings.push_back("the evolution ended at levelset.maxIterations before it converged");
-  const Progress rest = progress.sub(0.8, 1.0);
-  if (!params.lumen.enabled) {
-    result.phi = std::make_shared<const Volume<float>>(redistance(std::move(phi), 5.0, rest));
-    return result;
-  }
-  // What the evolution lost of a thin vessel was one all the same, unless somebody stopped it.
-  if (found.voxels.empty() || result.stopReason == StopReason::Stopped)
-    found = insideMask(phi);
-  else
-    for (std::size_t i = 0; i < found.voxels.size(); ++i)
-      if (phi.voxels[i] < 0.0F && found.voxels[i] == 0) found.voxels[i] = 1;
-  phi = {};
-  releaseFreedMemory();
-  Volume<float> wall =
-      refineLumen(image, found, params.lumen, params.vesselness.polarity, rest.sub(0.0, 0.5));
-  found = {};
-  releaseFreedMemory();
-  result.phi =
-      std::make_shared<const Volume<float>>(redistance(std::move(wall), 5.0, rest.sub(0.5, 1.0)));
-  return result;
 }
 
 SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
@@ -398,9 +270,9 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   if (!wanted(Step::Evolve)) return finished();
   const auto evolveStep = [&](Warnings& warnings) {
     auto vessels = options.keepResults ? run.vesselness : std::exchange(run.vesselness, nullptr);
-    return std::make_shared<const EvolveResult>(evolve(*run.preprocessed, std::move(vessels),
-                                                       *run.seeds, params, options,
-                                                       progress.sub(0.35, 0.8), warnings));
+    return std::make_shared<const EvolveResult>(
+        makeSegmentation(*run.preprocessed, std::move(vessels), *run.seeds, params, options,
+                         progress.sub(0.35, 0.8), warnings));
   };
   run.evolve = state_->obtain<EvolveResult>(Step::Evolve, run.key, run, evolveStep);
   if (run.evolve->stopReason == StopReason::Stopped) state_->forget(Step::Evolve, run.key);
