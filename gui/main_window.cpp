@@ -78,6 +78,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   // Asked once the controller is done with the job: a dialog runs a loop of its own.
   connect(controller_, &CaseController::seriesFound, this, &MainWindow::chooseSeries,
           Qt::QueuedConnection);
+  connect(controller_, &CaseController::labelsFound, this, &MainWindow::chooseLabel,
+          Qt::QueuedConnection);
   connect(controller_, &CaseController::unevenFound, this, &MainWindow::askToResample,
           Qt::QueuedConnection);
   connect(state_, &ViewState::changed, this, &MainWindow::refreshViewActions);
@@ -324,7 +326,7 @@ void MainWindow::showProgress() {
 }
 
 void MainWindow::chooseSeries(const QString& path, const std::vector<ImageSummary>& entries) {
-  if (const auto chosen = options_.series.choose(this, entries, options_.makeRunner)) {
+  if (const auto chosen = options_.opening.choose(this, entries, options_.makeRunner)) {
     if (thenRun_) {
       runOnceLoaded();
     }
@@ -334,11 +336,21 @@ void MainWindow::chooseSeries(const QString& path, const std::vector<ImageSummar
 
 void MainWindow::askToResample(const QString& path, const ImageSummary& entry,
                                const QString& reason) {
-  if (options_.series.resample(this, reason)) {
+  if (options_.opening.resample(this, reason)) {
     if (thenRun_) {
       runOnceLoaded();
     }
     controller_->openSeries(path, entry, true);
+  }
+}
+
+void MainWindow::chooseLabel(const QString& path, const std::vector<Label>& labels,
+                             double voxelMm3) {
+  if (const auto answer = options_.opening.label(this, labels, voxelMm3)) {
+    if (thenRun_) {
+      runOnceLoaded();
+    }
+    controller_->openLabel(path, *answer ? std::optional(labels[**answer]) : std::nullopt);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "gui/model/job_runner.h"
 #include "gui/panel/case_questions.h"
 #include "gui/panel/export_dialog.h"
-#include "gui/panel/series_questions.h"
+#include "gui/panel/open_questions.h"
 
 class QActionGroup;
 class QComboBox;
@@ -29,7 +29,7 @@ struct MainWindowOptions {
   JobRunnerFactory makeRunner = makeThreadedJobRunner;
   PathChooser chooser = dialogPathChooser();
   CaseQuestions questions = dialogCaseQuestions();
-  SeriesQuestions series = dialogSeriesQuestions();
+  OpenQuestions opening = dialogOpenQuestions();
   /// For the edits of cases that were never saved; empty: they are not kept.
   std::filesystem::path recovery = {};
 };
@@ -90,6 +90,7 @@ class MainWindow : public QMainWindow {
   void refreshViewActions();
   void refreshRecent();
   void chooseSeries(const QString& path, const std::vector<ImageSummary>& entries);
+  void chooseLabel(const QString& path, const std::vector<Label>& labels, double voxelMm3);
   void askToResample(const QString& path, const ImageSummary& entry, const QString& reason);
   void showProgress();
   void showExport();

@@ -61,6 +61,10 @@ Json toJson(const CachedEvolve& evolve) {
                {"warnings", evolve.report.warnings}};
   if (r.lower) json["lower"] = *r.lower;
   if (r.upper) json["upper"] = *r.upper;
+  if (r.label)
+    json["label"] = {{"voxels", r.label->voxels},
+                     {"largestShiftVoxels", r.label->largestShiftVoxels},
+                     {"maskVolumeMm3", r.label->maskVolumeMm3}};
   return json;
 }
 
@@ -76,6 +80,11 @@ CachedEvolve fromJson(const Json& json) {
   r.stopReason = static_cast<StopReason>(json.at("stopReason").get<int>());
   if (json.contains("lower")) r.lower = json.at("lower").get<double>();
   if (json.contains("upper")) r.upper = json.at("upper").get<double>();
+  if (json.contains("label")) {
+    const Json& label = json.at("label");
+    r.label = {label.at("voxels").get<std::size_t>(), label.at("largestShiftVoxels").get<double>(),
+               label.at("maskVolumeMm3").get<double>()};
+  }
   evolve.report.step = Step::Evolve;
   evolve.report.key = json.at("key").get<std::string>();
   evolve.report.seconds = json.at("seconds").get<double>();

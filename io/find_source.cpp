@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/label_image.h"
 
 namespace angiomesh {
 namespace {
@@ -54,11 +55,15 @@ std::optional<FoundSource> sourceAt(const fs::path& path, const CaseSource& sour
     const Finding* refusal = summary.refusal();
     const bool uneven = refusal != nullptr && canBeEvenedOut(refusal->kind);
     if (!uneven && !sameGrid(summary.geometry, source.grid)) continue;
-    FoundSource found;
-    found.path = path;
-    found.loaded = readImage(summary, path, uneven, progress.sub(0.1, 0.9));
-    found.hash = contentHash(found.loaded.image);
-    if (found.hash == source.hash) return found;
+    const int layers = summary.stack ? 1 : segmentationLayers(path);
+    for (int layer = 0; layer < layers; ++layer) {
+      FoundSource found;
+      found.path = path;
+      found.loaded = layers > 1 ? readLayer(path, layer, progress.sub(0.1, 0.9))
+                                : readImage(summary, path, uneven, progress.sub(0.1, 0.9));
+      found.hash = contentHash(found.loaded.image);
+      if (found.hash == source.hash) return found;
+    }
   }
   return std::nullopt;
 }

@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "io/image_header.h"
-#include "io/image_io.h"
 
 namespace angiomesh {
 namespace {
@@ -16,6 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLabels = 4096, kListed = 20;
+constexpr std::size_t kMostLikely = 255;  ///< labels of what may as well be a scan
+constexpr double kLeastAlike = 0.9;
 constexpr int kMostLayers = 256;
 
 /// A segment of 3D Slicer: its name by layer and value.
@@ -55,17 +56,19 @@ Segments segmentsOf(const fs::path& path) {
   return segments;
 }
 
-AnyVolume readLayer(const fs::path& path, const Segments& segments, int layer,
-                    const Progress& progress) {
+NativeImage nativeLayer(const fs::path& path, const Segments& segments, int layer,
+                        const Progress& progress) {
   const std::optional<int> component =
       segments.layers > 1 ? std::optional<int>(layer) : std::nullopt;
-  return readNative(path, {}, component, progress).volume;
+  return readNative(path, {}, component, progress);
 }
+
+using Counts = std::map<std::int64_t, std::size_t>;
 
 /// How often each value is there; nothing when one is no label.
 template <class T>
-std::optional<std::map<std::int64_t, std::size_t>> countValues(const Volume<T>& volume) {
-  std::map<std::int64_t, std::size_t> counts;
+std::optional<Counts> countValues(const Volume<T>& volume) {
+  Counts counts;
   std::int64_t last = 0;
   std::size_t run = 0;
   for (const T value : volume.voxels) {
@@ -125,18 +128,38 @@ const Label& chosen(const std::vector<Label>& labels, const std::string& choice,
   return *found;
 }
 
+void addLabels(const Counts& counts, int layer, const Segments& segments,
+               std::vector<Label>& labels) {
+  for (const auto& [value, voxels] : counts) {
+    const auto name = segments.names.find({layer, value});
+    labels.push_back(
+        {value, name == segments.names.end() ? std::string() : name->second, layer, voxels});
+  }
+}
+
+/// The share of alike ones among neighbours along x of which neither is 0; 1 without any.
+double alikeness(const Volume<float>& image) {
+  const auto nx = static_cast<std::size_t>(image.geometry.size[0]);
+  std::size_t pairs = 0, alike = 0;
+  for (std::size_t row = 0; row < image.voxels.size(); row += nx)
+    for (std::size_t i = row + 1; i < row + nx; ++i) {
+      const float a = image.voxels[i - 1], b = image.voxels[i];
+      const bool both = a != 0.0F && b != 0.0F;
+      pairs += both ? 1 : 0;
+      alike += both && a == b ? 1 : 0;
+    }
+  return pairs > 0 ? static_cast<double>(alike) / static_cast<double>(pairs) : 1.0;
+}
+
 std::vector<Label> labelsOf(const fs::path& path, const Segments& segments,
                             const Progress& progress) {
   std::vector<Label> labels;
   for (int layer = 0; layer < segments.layers; ++layer) {
-    const auto counts = std::visit([](const auto& volume) { return countValues(volume); },
-                                   readLayer(path, segments, layer, progress.sub(0.0, 0.5)));
+    const auto counts =
+        std::visit([](const auto& volume) { return countValues(volume); },
+                   nativeLayer(path, segments, layer, progress.sub(0.0, 0.5)).volume);
     if (!counts) return {};
-    for (const auto& [value, voxels] : *counts) {
-      const auto name = segments.names.find({layer, value});
-      labels.push_back(
-          {value, name == segments.names.end() ? std::string() : name->second, layer, voxels});
-    }
+    addLabels(*counts, layer, segments, labels);
   }
   return labels;
 }
@@ -145,6 +168,34 @@ std::vector<Label> labelsOf(const fs::path& path, const Segments& segments,
 
 std::vector<Label> readLabels(const fs::path& path, const Progress& progress) {
   return labelsOf(path, segmentsOf(path), progress);
+}
+
+std::vector<Label> labelsOfSegmentation(const fs::path& path, const Volume<float>& image,
+                                        const Progress& progress) {
+  progress.check();
+  if (alikeness(image) < kLeastAlike) return {};
+  const std::optional<Counts> counts = countValues(image);
+  if (!counts || counts->size() > kMostLikely) return {};
+  std::vector<Label> labels;
+  addLabels(*counts, 0, segmentsOf(path), labels);
+  return labels;
+}
+
+int segmentationLayers(const fs::path& path) { return segmentsOf(path).layers; }
+
+LoadedImage readLayer(const fs::path& path, int layer, const Progress& progress) {
+  const Segments segments = segmentsOf(path);
+  if (segments.layers == 1) return readImage(path, {}, progress);
+  NativeImage native = nativeLayer(path, segments, layer, progress);
+  LoadedImage loaded;
+  loaded.info = std::move(native.info);
+  std::visit(
+      [&](const auto& volume) {
+        loaded.image.geometry = volume.geometry;
+        loaded.image.voxels.assign(volume.voxels.begin(), volume.voxels.end());
+      },
+      native.volume);
+  return loaded;
 }
 
 LabelMask readLabel(const fs::path& path, const std::string& choice, const Progress& progress) {
@@ -165,7 +216,7 @@ LabelMask readLabel(const fs::path& path, const std::string& choice, const Progr
                          return static_cast<std::int64_t>(value) == result.label.value ? 1 : 0;
                        });
       },
-      readLayer(path, segments, result.label.layer, progress.sub(0.5, 1.0)));
+      nativeLayer(path, segments, result.label.layer, progress.sub(0.5, 1.0)).volume);
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "io/image_io.h"
 
 namespace angiomesh {
 
@@ -27,6 +28,18 @@ struct Label {
 /// masks.
 /// @throws IoError, InputError
 std::vector<Label> readLabels(const std::filesystem::path& path, const Progress& progress = {});
+
+/// The labels of an image that looks like a segmentation: as readLabels(), but at most 255, and
+/// neighbours within them alike, which the noise of a scan does not allow. Empty: a scan. `path` is
+/// where the image came from.
+std::vector<Label> labelsOfSegmentation(const std::filesystem::path& path,
+                                        const Volume<float>& image, const Progress& progress = {});
+
+/// The number of layers of a 3D Slicer segmentation whose segments overlap; 1 for any other file.
+int segmentationLayers(const std::filesystem::path& path);
+
+/// One layer of such a segmentation as an image of its labels. @throws as readImage()
+LoadedImage readLayer(const std::filesystem::path& path, int layer, const Progress& progress = {});
 
 struct LabelMask {
   Volume<std::uint8_t> mask;  ///< 1 where the label is

@@ -101,7 +101,11 @@ void printSegmentation(const RunResult& result) {
   std::printf("\n%-13s %s", "method", fieldText(method.get(result.params), method).c_str());
   if (evolve.lower) std::printf(", intensities from %.4g", *evolve.lower);
   if (evolve.upper) std::printf("%s to %.4g", evolve.lower ? "" : ", intensities", *evolve.upper);
-  std::printf("; %zu seeds\n", seeds);
+  if (evolve.label)
+    std::printf(" %d, %zu voxels, moved by at most %.2f voxel\n", result.params.segmentation.label,
+                evolve.label->voxels, evolve.label->largestShiftVoxels);
+  else
+    std::printf("; %zu seeds\n", seeds);
 }
 
 }  // namespace

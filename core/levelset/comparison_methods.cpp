@@ -271,7 +271,8 @@ ComparisonResult segmentByComparison(const Volume<float>& image, SegmentationMet
   ComparisonResult result;
   switch (method) {
     case SegmentationMethod::LevelSet:
-      throw InputError("the level set is no comparison method", "segmentation.method",
+    case SegmentationMethod::Label:
+      throw InputError("the level set and a label are no comparison methods", "segmentation.method",
                        "use geodesic-active-contour, confidence-connected or threshold");
     case SegmentationMethod::GeodesicActiveContour:
       result = activeContour(image, seedsLps, seedRadiusVoxels, params, stop, progress);

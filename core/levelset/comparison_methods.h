@@ -17,7 +17,8 @@ enum class SegmentationMethod {
   LevelSet,               ///< LevelSetEvolution, not made here
   GeodesicActiveContour,  ///< Caselles, Kimmel, Sapiro 1997
   ConfidenceConnected,    ///< region growing by mean and standard deviation of the region
-  Threshold
+  Threshold,
+  Label  ///< the image is a segmentation already: see smoothDistance(), not made here
 };
 
 /// Of the methods that the thesis compares itself with (chapter 5), as ITK has them.

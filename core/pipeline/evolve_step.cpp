@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/levelset/comparison_methods.h"
+#include "core/levelset/mask_distance.h"
 #include "core/levelset/redistance.h"
 
 namespace angiomesh {
@@ -145,6 +146,28 @@ EvolveResult makeSegmentation(const Volume<float>& image,
   releaseFreedMemory();
   result.phi =
       std::make_shared<const Volume<float>>(redistance(std::move(wall), 5.0, rest.sub(0.5, 1.0)));
+  return result;
+}
+
+EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
+                       const Progress& progress) {
+  const auto label = static_cast<float>(params.segmentation.label);
+  Volume<std::uint8_t> mask(image.geometry);
+  std::size_t voxels = 0;
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    mask.voxels[i] = image.voxels[i] == label ? 1 : 0;
+    voxels += mask.voxels[i];
+  }
+  if (voxels == 0 || voxels == mask.voxels.size())
+    throw InputError(voxels == 0 ? "no voxel has this value" : "all voxels have this value",
+                     "segmentation.label = " + std::to_string(params.segmentation.label),
+                     "choose another label, or another segmentation.method for a scan");
+  MaskDistance made = distanceOfMask(mask, progress);
+  EvolveResult result;
+  result.label = {voxels, made.largestShiftVoxels, made.maskVolumeMm3};
+  result.converged = true;
+  result.stopReason = StopReason::Converged;
+  result.phi = std::make_shared<const Volume<float>>(std::move(made.phi));
   return result;
 }
 

@@ -18,4 +18,9 @@ EvolveResult makeSegmentation(const Volume<float>& image,
                               const RunOptions& options, const Progress& progress,
                               std::vector<std::string>& warnings);
 
+/// The same of a segmentation: the voxels of segmentation.label as a smooth distance.
+/// @throws InputError (no such voxels, or nothing else), Cancelled
+EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
+                       const Progress& progress);
+
 }  // namespace angiomesh

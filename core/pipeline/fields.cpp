@@ -234,6 +234,20 @@ void addVesselness(Table& t) {
            "vessels are brighter or darker than their surroundings");
 }
 
+std::string idleUnless(const Parameters& p, SegmentationMethod method) {
+  static const Field& field = findField("segmentation.method");
+  if (p.segmentation.method == method) return "";
+  Parameters wanted;
+  wanted.segmentation.method = method;
+  return "of segmentation.method " + fieldText(field.get(wanted), field) + " alone";
+}
+
+/// Whether the field serves to find vessels in a scan.
+bool isOfScans(const std::string& key) {
+  return key.starts_with("vesselness.") || (key.starts_with("seeds.") && key != "seeds.points") ||
+         (key.starts_with("preprocess.") && key != "preprocess.roi");
+}
+
 void addLevelSet(Table& t) {
   t.boolean("seeds.automatic", MEMBER(seeds.automatic), "find seeds by vesselness");
   t.real("seeds.topPercent", MEMBER(seeds.topPercent), 1e-4, 10.0, "%",
@@ -247,10 +261,14 @@ void addLevelSet(Table& t) {
   t.points("seeds.points", MEMBER(seeds.points),
            "seeds by hand, x,y,z,... in mm LPS, added to the automatic ones");
   t.choice("segmentation.method", MEMBER(segmentation.method),
-           {"level-set", "geodesic-active-contour", "confidence-connected", "threshold"},
-           "how the step evolve segments; the others are there to compare the level set with, from "
-           "the same seeds")
+           {"level-set", "geodesic-active-contour", "confidence-connected", "threshold", "label"},
+           "how the step evolve segments; label: the image is a segmentation; the others are there "
+           "to compare the level set with, from the same seeds")
       .main = true;
+  Field& label = t.integer("segmentation.label", MEMBER(segmentation.label), 1, 1000000000,
+                           "value of the voxels of a segmentation that are vessel");
+  label.main = true;
+  label.idle = [](const Parameters& p) { return idleUnless(p, SegmentationMethod::Label); };
   t.choice(
       "levelset.start", MEMBER(levelset.start), {"flood", "seeds"},
       "flood: all that is connected to a seed at v >= b, at once; seeds: the front goes all the "
@@ -311,14 +329,6 @@ void addLevelSet(Table& t) {
   t.real("levelset.refineReachVoxels", MEMBER(lumen.reachVoxels), 1.0, 10.0, "voxels",
          "from what the evolution found to where the wall is looked for")
       .idle = idle;
-}
-
-std::string idleUnless(const Parameters& p, SegmentationMethod method) {
-  static const Field& field = findField("segmentation.method");
-  if (p.segmentation.method == method) return "";
-  Parameters wanted;
-  wanted.segmentation.method = method;
-  return "of segmentation.method " + fieldText(field.get(wanted), field) + " alone";
 }
 
 /// The methods that ours is compared with, in the order of the step evolve.
@@ -505,12 +515,18 @@ const std::vector<Field>& parameterFields() {
     addSurface(table);
     addSmooth(table);
     std::vector<Field> all = table.take();
-    for (Field& field : all)
+    for (Field& field : all) {
+      if (isOfScans(field.key))
+        field.idle = [among = field.idle](const Parameters& p) {
+          if (isSegmented(p)) return std::string("of scans alone: this is a segmentation");
+          return among ? among(p) : std::string();
+        };
       if (field.key.starts_with("levelset."))
         field.idle = [among = field.idle](const Parameters& p) {
           const std::string why = idleUnless(p, SegmentationMethod::LevelSet);
           return !why.empty() || !among ? why : among(p);
         };
+    }
     return all;
   }();
   return fields;

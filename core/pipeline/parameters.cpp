@@ -279,7 +279,7 @@ void validate(const Parameters& params) {
                      "comparison.threshold.lower = " + numberText(*c.thresholdLower) +
                          ", comparison.threshold.upper = " + numberText(*c.thresholdUpper),
                      "make upper at least lower");
-  if (!params.seeds.automatic && params.seeds.points.empty())
+  if (!params.seeds.automatic && params.seeds.points.empty() && !isSegmented(params))
     throw InputError("there are no seeds", "seeds.automatic, seeds.points",
                      "give seeds by hand or turn seeds.automatic on");
 }
@@ -287,6 +287,10 @@ void validate(const Parameters& params) {
 bool evolves(const Parameters& params) {
   return params.segmentation.method == SegmentationMethod::LevelSet ||
          params.segmentation.method == SegmentationMethod::GeodesicActiveContour;
+}
+
+bool isSegmented(const Parameters& params) {
+  return params.segmentation.method == SegmentationMethod::Label;
 }
 
 const std::vector<std::string>& presetNames() {

@@ -24,6 +24,7 @@ enum class KeepComponents { All, Largest, Seeded };
 
 struct SegmentationParams {
   SegmentationMethod method = SegmentationMethod::LevelSet;  ///< of the step evolve
+  int label = 1;  ///< of SegmentationMethod::Label: the value of the voxels that are vessel
   KeepComponents keep = KeepComponents::All;
   double minVolumeMm3 = 0.0;
   std::vector<double>
@@ -54,6 +55,10 @@ struct Parameters {
 
 /// Whether the segmentation is a front that moves until it comes to rest.
 bool evolves(const Parameters& params);
+
+/// Whether the image is a segmentation, of which nothing but the step evolve and those after it
+/// make anything.
+bool isSegmented(const Parameters& params);
 
 /// A field's value: monostate stands for the field's empty word ("auto", "none").
 using FieldValue =

@@ -37,6 +37,17 @@ const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
      {"smooth."},
      {}}};
 
+/// The same where the image is a segmentation.
+const std::array<std::vector<std::string_view>, kStepCount> kLabelParams{
+    {{},
+     {"segmentation.method", "preprocess.roi"},
+     {},
+     {"seeds.points"},  // for segmentation.keep
+     {"segmentation.label"},
+     kStepParams[static_cast<std::size_t>(Step::Surface)],
+     kStepParams[static_cast<std::size_t>(Step::Smooth)],
+     {}}};
+
 std::string hex(std::uint64_t hash) {
   std::array<char, 17> text{};
   std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
@@ -118,6 +129,14 @@ QualityResult measure(const RunResult& run, const SplineField& field, const Prog
   return result;
 }
 
+/// What preprocessing may do to a segmentation.
+PreprocessParams cropAlone(const PreprocessParams& params) {
+  PreprocessParams alone;
+  alone.isotropic = Isotropic::Off;
+  alone.roi = params.roi;
+  return alone;
+}
+
 /// One remembered result of a step.
 struct Entry {
   std::string key;
@@ -196,10 +215,11 @@ const Source& Pipeline::source() const { return state_->source; }
 
 std::string Pipeline::key(Step step, const Parameters& params) const {
   std::string text = state_->source.hash;
+  const auto& names = isSegmented(params) ? kLabelParams : kStepParams;
   for (std::size_t s = 1; s <= static_cast<std::size_t>(step); ++s) {
     text += std::string("|") + kStepIds[s] + std::to_string(kStepVersions[s]);
     for (const Field& field : parameterFields())
-      for (const std::string_view prefix : kStepParams[s])
+      for (const std::string_view prefix : names[s])
         if (field.key.starts_with(prefix))
           text += ";" + field.key + "=" + fieldText(field.get(params), field);
   }
@@ -247,13 +267,17 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
 
   if (!wanted(Step::Preprocess)) return finished();
   run.preprocessed = state_->obtain<Volume<float>>(Step::Preprocess, run.key, run, [&](Warnings&) {
-    if (leavesAlone(params.preprocess, run.source.image->geometry)) return run.source.image;
+    const PreprocessParams prepared =
+        isSegmented(params) ? cropAlone(params.preprocess) : params.preprocess;
+    if (leavesAlone(prepared, run.source.image->geometry)) return run.source.image;
     return std::make_shared<const Volume<float>>(
-        preprocess(*run.source.image, params.preprocess, progress.sub(0.0, 0.05)));
+        preprocess(*run.source.image, prepared, progress.sub(0.0, 0.05)));
   });
   // With the evolution's result at hand nothing needs what only it depends on.
   const bool evolved = options.until >= Step::Evolve && has(Step::Evolve, params);
-  const auto needed = [&](Step step) { return !evolved || has(step, params); };
+  const auto needed = [&](Step step) {
+    return !isSegmented(params) && (!evolved || has(step, params));
+  };
   if (!wanted(Step::Vesselness)) return finished();
   if (needed(Step::Vesselness))
     run.vesselness =
@@ -269,6 +293,9 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
     });
   if (!wanted(Step::Evolve)) return finished();
   const auto evolveStep = [&](Warnings& warnings) {
+    if (isSegmented(params))
+      return std::make_shared<const EvolveResult>(
+          takeLabel(*run.preprocessed, params, progress.sub(0.35, 0.8)));
     auto vessels = options.keepResults ? run.vesselness : std::exchange(run.vesselness, nullptr);
     return std::make_shared<const EvolveResult>(
         makeSegmentation(*run.preprocessed, std::move(vessels), *run.seeds, params, options,

@@ -55,10 +55,17 @@ struct SegmentComponent {
 };
 constexpr std::size_t kMeasuredComponents = 200;
 
+/// What came of a label, see MaskDistance.
+struct LabelFacts {
+  std::size_t voxels = 0;
+  double largestShiftVoxels = 0.0, maskVolumeMm3 = 0.0;
+};
+
 struct EvolveResult {
   std::shared_ptr<const Volume<float>> phi;  ///< redistanced, mm, clamped at +-5 working voxels
   Thresholds thresholds;                     ///< of the level set method alone
   std::optional<double> lower, upper;        ///< intensities, of the methods that go by them
+  std::optional<LabelFacts> label;           ///< of the method label alone
   int iterations = 0;
   bool converged = false;
   StopReason stopReason = StopReason::Running;
@@ -86,7 +93,8 @@ struct StageReport {
 };
 
 /// What a run produced; pointers are empty for steps after `until` (see also
-/// RunOptions::keepResults). Everything is immutable and shared.
+/// RunOptions::keepResults), and those of vesselness and seeds where the image is a segmentation.
+/// Everything is immutable and shared.
 struct RunResult {
   Parameters params;
   Source source;

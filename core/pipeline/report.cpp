@@ -129,6 +129,11 @@ Json segmentationBlock(const RunResult& result) {
                            {"b", evolve.thresholds.b},
                            {"v_avg", evolve.thresholds.vAverage},
                            {"clamped", evolve.thresholds.clamped}};
+  if (evolve.label)
+    block["label"] = {{"value", result.params.segmentation.label},
+                      {"voxels", evolve.label->voxels},
+                      {"largest_shift_voxels", evolve.label->largestShiftVoxels},
+                      {"mask_volume_mm3", evolve.label->maskVolumeMm3}};
   if (evolve.lower) block["intensity"]["lower"] = *evolve.lower;
   if (evolve.upper) block["intensity"]["upper"] = *evolve.upper;
   if (result.seeds) block["seeds"] = result.seeds->pointsLps.size();

@@ -50,11 +50,28 @@ void pushPartner(Parameters& params, const std::string& key) {
   }
 }
 
-/// Places, unlike the rest, mean something in one image only.
+/// Places and labels, unlike the rest, mean something in one image only.
 void copyPlaces(const Parameters& from, Parameters& to) {
   to.preprocess.roi = from.preprocess.roi;
   to.seeds.points = from.seeds.points;
   to.segmentation.drop = from.segmentation.drop;
+  if (isSegmented(from)) {
+    to.segmentation.method = from.segmentation.method;
+    to.segmentation.label = from.segmentation.label;
+  } else if (isSegmented(to)) {
+    to.segmentation.method = SegmentationParams().method;
+    to.segmentation.label = SegmentationParams().label;
+  }
+}
+
+/// Parameters to begin with on another image.
+void forgetPlaces(const std::optional<Label>& label, Parameters& params) {
+  Parameters fresh;
+  if (label) {
+    fresh.segmentation.method = SegmentationMethod::Label;
+    fresh.segmentation.label = static_cast<int>(label->value);
+  }
+  copyPlaces(fresh, params);
 }
 
 }  // namespace
@@ -103,6 +120,11 @@ void CaseController::openSeries(const QString& path, const ImageSummary& entry, 
                                       nameOf(path).toStdString(), entry, evenOut));
 }
 
+void CaseController::openLabel(const QString& path, const std::optional<Label>& label) {
+  startLoad(std::make_shared<LoadJob>(QFileInfo(path).absoluteFilePath().toStdString(),
+                                      nameOf(path).toStdString(), label));
+}
+
 void CaseController::openSample() {
   startLoad(std::make_shared<LoadJob>(std::filesystem::path(), "sample"));
 }
@@ -141,15 +163,21 @@ void CaseController::finishLoad() {
     finishCase(opening);
   } else if (!job->choices().empty()) {
     Q_EMIT seriesFound(QString::fromStdString(job->path().string()), job->choices());
+  } else if (!job->labels().empty()) {
+    Q_EMIT labelsFound(QString::fromStdString(job->path().string()), job->labels(),
+                       job->entry()->geometry.voxelVolumeMm3());
   } else if (!job->uneven().empty()) {
     Q_EMIT unevenFound(QString::fromStdString(job->path().string()), *job->entry(),
                        QString::fromStdString(job->uneven()));
   } else {
     takeLoaded(*job);
     params_ = job->startParameters().value_or(params_);
-    copyPlaces(Parameters(), params_);
+    forgetPlaces(job->label(), params_);
     store_.begin({describeSource(), params_, {}, 0}, nullptr);
     sayOpened(job->info());
+    if (job->label()) {
+      sayLabel(*job->label());
+    }
     Q_EMIT caseChanged();
     Q_EMIT parametersChanged();
     Q_EMIT resultsChanged();
@@ -184,6 +212,16 @@ void CaseController::sayOpened(const InputInfo& info) {
   for (const std::string& warning : screenWarnings(info)) {
     say(Severity::Warning, QString::fromStdString(warning));
   }
+}
+
+void CaseController::sayLabel(const Label& label) {
+  const QString name =
+      label.name.empty() ? QString() : tr(" (%1)").arg(QString::fromStdString(label.name));
+  say(Severity::Info, tr("Taken as a segmentation: its label %1%2, %3 voxels, is the vessel. For a "
+                         "scan choose another segmentation.method.")
+                          .arg(label.value)
+                          .arg(name)
+                          .arg(label.voxels));
 }
 
 QString CaseController::caseName() const { return name_; }

@@ -52,6 +52,8 @@ class CaseController : public QObject {
   void open(const QString& path);
   /// Loads a volume that seriesFound() listed; `evenOut`: missing or uneven slices are resampled.
   void openSeries(const QString& path, const ImageSummary& entry, bool evenOut);
+  /// Loads a label that labelsFound() listed; nothing: the file is a scan after all.
+  void openLabel(const QString& path, const std::optional<Label>& label);
   void openSample();
   /// Takes a source that is at hand already.
   void take(Source source);
@@ -172,6 +174,8 @@ class CaseController : public QObject {
   void seriesFound(const QString& path, const std::vector<ImageSummary>& entries);
   /// Slices are missing or uneven: openSeries() with `evenOut`, or leave it.
   void unevenFound(const QString& path, const ImageSummary& entry, const QString& reason);
+  /// A segmentation with several labels: openLabel() takes one.
+  void labelsFound(const QString& path, const std::vector<Label>& labels, double voxelMm3);
   void opened(const QString& path);                 ///< a file or folder was loaded
   void sourceSeen(const QString& path);             ///< where the volume of the open case lies
   void caseFound(const angiomesh::CaseView& view);  ///< a case was opened, and looked like this
@@ -195,6 +199,7 @@ class CaseController : public QObject {
   void finishLoad();
   void takeLoaded(const LoadJob& job);
   void sayOpened(const InputInfo& info);
+  void sayLabel(const Label& label);
   void finishCase(const std::shared_ptr<const OpenCaseJob>& job);
   void noteEdit();
   void cacheEvolve();

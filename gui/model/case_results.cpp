@@ -27,6 +27,9 @@ StepState CaseController::state(Step step) const {
   if (!pipeline_) {
     return StepState::Empty;
   }
+  if (isSegmented(params_) && (step == Step::Vesselness || step == Step::Seeds)) {
+    return StepState::Empty;  // not needed
+  }
   const std::string now = pipeline_->key(step, params_);
   // What follows from an evolution that was ended by hand has a key, but is computed again.
   const bool wanted = key != now || !pipeline_->has(step, params_);

@@ -150,8 +150,8 @@ void CaseController::refreshFromCache() {
   for (int i = static_cast<int>(Step::Preprocess); i < kStepCount; ++i) {
     const Step step = static_cast<Step>(i);
     if (!pipeline_->has(step, params_)) {
-      if (step != Step::Preprocess && pipeline_->has(Step::Evolve, params_) &&
-          step < Step::Evolve) {
+      if (step != Step::Preprocess && step < Step::Evolve &&
+          (isSegmented(params_) || pipeline_->has(Step::Evolve, params_))) {
         continue;  // not needed: see Pipeline::restore()
       }
       break;
@@ -262,7 +262,12 @@ void CaseController::accept(const StepResult& result) {
       livePhi_.reset();
       iterations_ = run.evolve->iterations;
       if (!quietRun_) {
-        if (run.params.segmentation.method == SegmentationMethod::LevelSet) {
+        if (run.evolve->label) {
+          say(Severity::Info, tr("Evolve: label %1, %2 voxels, moved by at most %3 voxel.")
+                                  .arg(run.params.segmentation.label)
+                                  .arg(run.evolve->label->voxels)
+                                  .arg(run.evolve->label->largestShiftVoxels, 0, 'f', 2));
+        } else if (run.params.segmentation.method == SegmentationMethod::LevelSet) {
           say(Severity::Info, tr("Evolve: %1 after %2 iterations, threshold b = %3.")
                                   .arg(stopText(run.evolve->stopReason))
                                   .arg(run.evolve->iterations)

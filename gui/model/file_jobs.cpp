@@ -47,6 +47,12 @@ LoadJob::LoadJob(std::filesystem::path path, std::string name)
 LoadJob::LoadJob(std::filesystem::path path, std::string name, ImageSummary entry, bool evenOut)
     : path_(std::move(path)), name_(std::move(name)), entry_(std::move(entry)), evenOut_(evenOut) {}
 
+LoadJob::LoadJob(std::filesystem::path path, std::string name, std::optional<Label> label)
+    : path_(std::move(path)),
+      name_(std::move(name)),
+      asScan_(!label.has_value()),
+      label_(std::move(label)) {}
+
 LoadJob::LoadJob(Source source) : name_(source.name), source_(std::move(source)) {}
 
 void LoadJob::execute() noexcept {
@@ -82,7 +88,18 @@ Source LoadJob::obtain() {
   }
   LoadedImage loaded;
   try {
-    loaded = readImage(*entry_, path_, evenOut_, progress_.sub(0.2, 0.8));
+    if (!entry_->stack && segmentationLayers(path_) > 1 && !asScan_) {
+      if (!label_) {
+        labels_ = readLabels(path_, progress_.sub(0.2, 0.8));
+        return {};
+      }
+      loaded = readLayer(path_, label_->layer, progress_.sub(0.2, 0.8));
+    } else {
+      loaded = readImage(*entry_, path_, evenOut_, progress_.sub(0.2, 0.8));
+      if (!entry_->stack && findLabels(loaded.image)) {
+        return {};
+      }
+    }
   } catch (const UnevenSlicesError& failure) {
     uneven_ = withoutPath(failure.what(), path_, name_);
     return {};
@@ -90,6 +107,18 @@ Source LoadJob::obtain() {
   info_ = std::move(loaded.info);
   progress_.check();
   return makeSource(std::move(loaded.image), name_);
+}
+
+bool LoadJob::findLabels(const Volume<float>& image) {
+  if (asScan_ || label_) {
+    return false;
+  }
+  labels_ = labelsOfSegmentation(path_, image, progress_);
+  if (labels_.size() == 1) {
+    label_ = labels_.front();
+    labels_.clear();
+  }
+  return !labels_.empty();
 }
 
 void LoadJob::load() {

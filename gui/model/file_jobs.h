@@ -11,6 +11,7 @@
 #include "core/base/progress.h"
 #include "core/pipeline/pipeline.h"
 #include "io/image_io.h"
+#include "io/label_image.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh {
@@ -22,6 +23,8 @@ class LoadJob {
   LoadJob(std::filesystem::path path, std::string name);
   /// For a volume that an earlier job listed; `evenOut`: its missing slices are to be resampled.
   LoadJob(std::filesystem::path path, std::string name, ImageSummary entry, bool evenOut);
+  /// For a label that an earlier job listed; nothing: the image is a scan.
+  LoadJob(std::filesystem::path path, std::string name, std::optional<Label> label);
   /// For a source that is at hand already.
   explicit LoadJob(Source source);
   virtual ~LoadJob() = default;
@@ -49,6 +52,10 @@ class LoadJob {
   /// Why the slices of entry() are no volume unless they are resampled; empty: nothing of the kind.
   [[nodiscard]] const std::string& uneven() const { return uneven_; }
   [[nodiscard]] const std::optional<ImageSummary>& entry() const { return entry_; }
+  /// The labels of a segmentation when one has to be chosen; nothing is loaded then.
+  [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
+  /// The one that was taken; nothing: a scan.
+  [[nodiscard]] const std::optional<Label>& label() const { return label_; }
   /// Null when there was no source to find.
   [[nodiscard]] std::shared_ptr<Pipeline> pipeline() const { return pipeline_; }
   /// Window and level to begin with: the file's own, else the 1st to the 99.8th percentile.
@@ -65,11 +72,16 @@ class LoadJob {
 
  private:
   void load();
+  /// Whether a label is to be chosen; takes the only one.
+  bool findLabels(const Volume<float>& image);
 
   std::filesystem::path path_;
   std::string name_;
   std::optional<ImageSummary> entry_;
   bool evenOut_ = false;
+  bool asScan_ = false;
+  std::optional<Label> label_;
+  std::vector<Label> labels_;
   std::vector<ImageSummary> choices_;
   std::string uneven_;
   Source source_;

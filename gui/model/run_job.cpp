@@ -81,8 +81,11 @@ void RunJob::runSteps() {
 }
 
 bool RunJob::skips(Step step) const {
-  return (step == Step::Vesselness || step == Step::Seeds) && until_ >= Step::Evolve &&
-         pipeline_->has(Step::Evolve, params_) && !pipeline_->has(step, params_);
+  if (step != Step::Vesselness && step != Step::Seeds) {
+    return false;
+  }
+  return isSegmented(params_) || (until_ >= Step::Evolve && pipeline_->has(Step::Evolve, params_) &&
+                                  !pipeline_->has(step, params_));
 }
 
 Progress RunJob::begin(Step step) {

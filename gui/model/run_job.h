@@ -63,7 +63,7 @@ class RunJob {
  private:
   void runSteps();
   /// A run beyond the evolution leaves out what its result, brought back from the disk, was made
-  /// of.
+  /// of; a run on a segmentation what it does not need.
   [[nodiscard]] bool skips(Step step) const;
   Progress begin(Step step);
   void collect(Step first, RunResult run);

@@ -88,8 +88,9 @@ class TestPipeline : public QObject {
 
   void everyParameterBelongsToAStep() {
     Pipeline pipeline(makeSource(twoTubes(), "tubes"));
-    const Parameters base;
     for (const Field& field : parameterFields()) {
+      Parameters base;
+      if (field.key == "segmentation.label") base.segmentation.method = SegmentationMethod::Label;
       Parameters changed = base;
       FieldValue value = field.get(base);
       if (field.kind == FieldKind::Boolean)
@@ -247,6 +248,44 @@ class TestPipeline : public QObject {
     RunOptions options;
     options.until = Step::Vesselness;
     QVERIFY(second.run(smallParams(), options).vesselness);
+  }
+
+  void aSegmentationIsMeshedAsItIs() {
+    // Two labels that touch, thick slices, a region of interest.
+    Volume<float> labels(cube(40));
+    labels.geometry.spacing = {0.5, 0.5, 1.0};
+    for (int k = 0; k < 40; ++k)
+      for (int j = 0; j < 40; ++j)
+        for (int i = 0; i < 40; ++i)
+          if (std::hypot(i - 18.3, j - 19.6, 0.3 * (k - 19.0)) < 5.0)
+            labels.at(i, j, k) = i < 18 ? 7.0F : 3.0F;
+    const double voxels = double(std::count(labels.voxels.begin(), labels.voxels.end(), 7.0F));
+    const double voxelMm3 = labels.geometry.voxelVolumeMm3();
+    Pipeline pipeline(makeSource(labels, "labels"));
+    Parameters params;
+    params.segmentation.method = SegmentationMethod::Label;
+    params.segmentation.label = 7;
+    const RunResult run = pipeline.run(params);
+    QVERIFY(!run.vesselness && !run.seeds);
+    QCOMPARE(run.evolve->phi->geometry.size, labels.geometry.size);
+    QCOMPARE(double(run.evolve->label->voxels), voxels);
+    QVERIFY(run.evolve->label->largestShiftVoxels < 0.5);
+    QCOMPARE(double(run.surface->insideVoxels), voxels);
+    QVERIFY(run.quality->mesh.closed);
+    QVERIFY(std::fabs(run.quality->mesh.volumeMm3 / (voxels * voxelMm3) - 1.0) < 0.01);
+
+    // Nothing of a scan's parameters counts, the label does.
+    Parameters other = params;
+    other.vesselness.sigmaMaxMm = 9.0;
+    other.preprocess.sigmoidEnabled = true;
+    other.seeds.automatic = false;
+    QCOMPARE(pipeline.run(other).stages.back().reused, true);
+    other.segmentation.label = 3;
+    QVERIFY(pipeline.run(other).evolve->label->voxels != run.evolve->label->voxels);
+    other.segmentation.label = 5;
+    QVERIFY_EXCEPTION_THROWN(pipeline.run(other), InputError);
+    params.preprocess.roi = {0.0, 0.0, 0.0, 20.0, 20.0, 20.0};
+    QCOMPARE(pipeline.run(params).evolve->phi->geometry.size, (Index3{40, 40, 21}));
   }
 
   void cancelAndFailuresLeaveThePipelineUsable() {

@@ -71,14 +71,18 @@ struct WindowCase {
     options.chooser.save = [this](QWidget*, const QString&, const QString&) { return savePath; };
     options.questions = answers.questions();
     options.recovery = recovery;
-    options.series.choose = [this](QWidget*, const std::vector<ImageSummary>& entries,
-                                   const JobRunnerFactory&) {
+    options.opening.choose = [this](QWidget*, const std::vector<ImageSummary>& entries,
+                                    const JobRunnerFactory&) {
       seriesShown = entries;
       return seriesChosen;
     };
-    options.series.resample = [this](QWidget*, const QString& reason) {
+    options.opening.resample = [this](QWidget*, const QString& reason) {
       unevenReason = reason;
       return resample;
+    };
+    options.opening.label = [this](QWidget*, const std::vector<Label>& labels, double) {
+      labelsShown = labels;
+      return labelChosen;
     };
     window = std::make_unique<MainWindow>(std::move(options));
     window->resize(1240, 860);
@@ -131,6 +135,8 @@ struct WindowCase {
   QString openPath, savePath;
   std::vector<ImageSummary> seriesShown;
   std::optional<std::size_t> seriesChosen;
+  std::vector<Label> labelsShown;
+  std::optional<LabelAnswer> labelChosen;
   QString unevenReason;
   bool resample = false;
   CaseAnswers answers;

@@ -2,6 +2,7 @@
 #include "io/label_image.h"
 
 #include <QTest>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "io/image_io.h"
@@ -86,6 +87,52 @@ class TestLabelImage : public QObject {
       QCOMPARE(found[0].voxels, std::size_t{10});
       QCOMPARE(found[1].value, std::int64_t{255});
       QCOMPARE(found[1].voxels, std::size_t{5});
+    }
+  }
+
+  void aSegmentationIsToldFromAScan() {
+    const Folder f;
+    const fs::path path = f / "x.mha";  // for the names of segments alone
+    writeVolume(AnyVolume(labels<std::uint8_t>(1, 2)), path);
+    Geometry g;
+    g.size = {16, 16, 16};
+    Volume<float> scan(g), masked(g), mask(g), many(g);
+    std::uint32_t noise = 1;
+    for (int k = 0; k < 16; ++k)
+      for (int j = 0; j < 16; ++j)
+        for (int i = 0; i < 16; ++i) {
+          noise = noise * 1664525U + 1013904223U;
+          const float grey = static_cast<float>(20 + (noise >> 27U));
+          const bool inside = std::hypot(i - 8.0, j - 8.0, k - 8.0) < 6.0;
+          scan.at(i, j, k) = grey;
+          masked.at(i, j, k) = inside ? grey : 0.0F;
+          mask.at(i, j, k) = inside ? 2.0F : 0.0F;
+          many.at(i, j, k) = static_cast<float>(1 + i / 4 + 4 * (j / 4));
+        }
+    QVERIFY(labelsOfSegmentation(path, scan).empty());
+    QVERIFY(labelsOfSegmentation(path, masked).empty());
+    QCOMPARE(labelsOfSegmentation(path, mask).size(), std::size_t{1});
+    // Blocks of four: of 15 neighbours along a row 12 are alike.
+    QVERIFY(labelsOfSegmentation(path, many).empty());
+    for (float& value : many.voxels) value = value > 8.0F ? 2.0F : value > 4.0F ? 1.0F : 0.0F;
+    QCOMPARE(labelsOfSegmentation(path, many).size(), std::size_t{2});
+    mask.voxels[5] = -1.0F;
+    QVERIFY(labelsOfSegmentation(path, mask).empty());
+    mask.voxels[5] = 0.5F;
+    QVERIFY(labelsOfSegmentation(path, mask).empty());
+    // A line across the rows has no neighbours along them.
+    Volume<float> line(g);
+    for (int k = 0; k < 16; ++k) line.at(4, 5, k) = 3.0F;
+    QCOMPARE(labelsOfSegmentation(path, line).at(0).voxels, std::size_t{16});
+  }
+
+  void realScansAreNotTakenForSegmentations() {
+    const QString data = qEnvironmentVariable("ANGIOMESH_DATA");
+    if (data.isEmpty()) QSKIP("ANGIOMESH_DATA is not set");
+    for (const char* file : {"aorta-mra/aorta.mha", "avf-mra/avf_float_32.nrrd",
+                             "brain-tof-crop/mra.mha", "brain-tof-masked/mra.nii.gz"}) {
+      const fs::path path = fs::path(data.toStdString()) / file;
+      QVERIFY2(labelsOfSegmentation(path, readImage(path).image).empty(), file);
     }
   }
 

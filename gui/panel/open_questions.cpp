@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/series_questions.h"
+#include "gui/panel/open_questions.h"
 
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "gui/panel/label_dialog.h"
 #include "gui/panel/series_dialog.h"
 
 namespace angiomesh {
 
-SeriesQuestions dialogSeriesQuestions() {
-  SeriesQuestions questions;
+OpenQuestions dialogOpenQuestions() {
+  OpenQuestions questions;
   questions.choose = [](QWidget* parent, const std::vector<ImageSummary>& entries,
                         const JobRunnerFactory& makeRunner) -> std::optional<std::size_t> {
     SeriesDialog dialog(entries, makeRunner, parent);
@@ -27,6 +28,14 @@ SeriesQuestions dialogSeriesQuestions() {
         box.addButton(QObject::tr("Resample them"), QMessageBox::AcceptRole);
     box.exec();
     return box.clickedButton() == resample;
+  };
+  questions.label = [](QWidget* parent, const std::vector<Label>& labels,
+                       double voxelMm3) -> std::optional<LabelAnswer> {
+    LabelDialog dialog(labels, voxelMm3, parent);
+    if (dialog.exec() != QDialog::Accepted) {
+      return std::nullopt;
+    }
+    return dialog.answer();
   };
   return questions;
 }
