@@ -11,6 +11,14 @@ bool isWordByte(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 
 
 bool isPrintable(char c) { return c > ' ' && c < 127; }
 
+/// 64 bits in hexadecimal, as the pipeline's keys are. Other words behind KEY= are somebody's own
+/// and may tell a patient's name.
+bool isPipelineKey(std::string_view value) {
+  constexpr std::size_t kDigits = 16;
+  return value.size() == kDigits &&
+         value.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 /// The values of "NAME=value" in the text. COLORSPACE=sRGB is no SPACE.
 std::vector<std::string> valuesOf(std::string_view text, std::string_view name,
                                   bool (*belongs)(char)) {
@@ -51,7 +59,7 @@ void MeshHeader::read(std::string_view text) {
   take("SPACE", frame, frameWord, std::vector{Frame::Lps, Frame::Ras});
   take("UNIT", unit, unitWord, std::vector{LengthUnit::Millimetre, LengthUnit::Metre});
   for (const std::string& value : valuesOf(text, "KEY", isPrintable))
-    if (key.empty()) key = value;
+    if (key.empty() && isPipelineKey(value)) key = value;
 }
 
 std::string cleanKey(const std::string& key) {

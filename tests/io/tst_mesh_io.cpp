@@ -203,6 +203,15 @@ class TestMeshIo : public QObject {
     }
   }
 
+  void onlyThePipelinesKeyIsTakenForOne() {
+    const Folder folder;
+    for (const std::string key :
+         {"0123456789abcdef", "Doe", "19700101", "0123456789ABCDEF", "0123456789abcdef0"}) {
+      save(folder / "m.obj", "# KEY=" + key + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+      QCOMPARE(loadMesh(folder / "m.obj").key, key == "0123456789abcdef" ? key : std::string());
+    }
+  }
+
   void solidsOfAnyNameAreRead() {
     const Folder folder;
     const auto facet = [](int z) {

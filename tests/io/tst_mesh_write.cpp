@@ -81,7 +81,7 @@ class TestMeshWrite : public QObject {
     MeshWriteOptions options;
     options.unit = metre ? LengthUnit::Metre : LengthUnit::Millimetre;
     options.frame = ras ? Frame::Ras : Frame::Lps;
-    options.key = "0123abc";
+    options.key = "0123456789abcdef";
     options.encoding = ascii ? MeshEncoding::Ascii : MeshEncoding::Binary;
     const bool single = extension == ".stl" && !ascii;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
