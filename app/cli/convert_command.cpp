@@ -20,7 +20,7 @@ struct ConvertOptions {
   ReadOptions reading;
   std::optional<int> component;
   std::string input, output, unit = "mm", frame = "lps", fromFrame, fromUnit;
-  bool ascii = false, normals = false, quality = false;
+  bool ascii = false, normals = false, quality = false, solidNames = false;
   std::string meshOption;  ///< one that was given and means nothing for a volume
 };
 
@@ -29,7 +29,19 @@ bool isMeshName(const fs::path& path) {
   return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
 }
 
+/// The solids by number. Programs put names of files and of patients there.
+std::vector<MeshPart> withoutNames(std::vector<MeshPart> parts) {
+  if (parts.size() == 1) return {};
+  int number = 0;
+  for (MeshPart& part : parts) part.name = "part-" + std::to_string(++number);
+  return parts;
+}
+
 int convertMesh(const ConvertOptions& options) {
+  const bool hasSolids = options.ascii && meshExtension(options.output) == ".stl";
+  if (options.solidNames && !hasSolids)
+    throw InputError("only ASCII STL has solids with names", "--solid-names",
+                     "leave it out, or write .stl with --ascii");
   const LoadedMesh loaded =
       loadMesh(options.input, meshReadOptions(options.fromFrame, options.fromUnit));
   for (const std::string& warning : loaded.warnings) printWarning(warning);
@@ -43,7 +55,10 @@ int convertMesh(const ConvertOptions& options) {
   write.normals = options.normals;
   write.quality = options.quality;
   write.key = loaded.key;
-  if (options.ascii && meshExtension(options.output) == ".stl") write.parts = loaded.parts;
+  if (hasSolids) write.parts = options.solidNames ? loaded.parts : withoutNames(loaded.parts);
+  if (hasSolids && !options.solidNames && loaded.parts.size() > 1)
+    printWarning("the solids are numbered, their names may tell who the patient is, " +
+                 options.input + ": give --solid-names to keep them");
   for (const std::string& warning : writeMesh(loaded.mesh, options.output, write))
     printWarning(warning + ", " + options.output);
   checkMeshFile(loaded.mesh, options.output, write);
@@ -94,7 +109,9 @@ void addConvert(CLI::App& program, Session& session) {
       command->add_flag("--ascii", options->ascii, "Write PLY or STL as text"),
       command->add_flag("--normals", options->normals, "Write the vertices' normals (PLY, VTP)"),
       command->add_flag("--quality", options->quality,
-                        "Write each face's radius ratio, 1 if equilateral (PLY, VTP)")};
+                        "Write each face's radius ratio, 1 if equilateral (PLY, VTP)"),
+      command->add_flag("--solid-names", options->solidNames,
+                        "Keep the names of an ASCII STL file's solids (ASCII STL)")};
   command->callback([options, ofMeshes, &session] {
     for (const CLI::Option* option : ofMeshes)
       if (option->count() > 0) options->meshOption = option->get_name();

@@ -129,11 +129,17 @@ class TestConvert : public QObject {
     write.encoding = MeshEncoding::Ascii;
     write.parts = {{"wall", 0, 8}, {"inlet", 8, 4}};
     writeMesh(mesh, at("solids.stl"), write);
-    QCOMPARE(cli({"convert", "solids.stl", "-o", "again.stl", "--ascii"}).code, 0);
-    const LoadedMesh back = loadMesh(at("again.stl"));
-    QCOMPARE(back.parts.size(), std::size_t{2});
-    QCOMPARE(back.parts[1].name, std::string("inlet"));
-    QCOMPARE(back.parts[1].first, std::size_t{8});
+    for (const bool named : {false, true}) {
+      QStringList command{"convert", "solids.stl", "-o", "again.stl", "--ascii"};
+      if (named) command << "--solid-names";
+      const CliResult result = cli(command);
+      QCOMPARE(result.code, 0);
+      QCOMPARE(result.errors.contains("--solid-names"), !named);
+      const LoadedMesh back = loadMesh(at("again.stl"));
+      QCOMPARE(back.parts.size(), std::size_t{2});
+      QCOMPARE(back.parts[1].name, std::string(named ? "inlet" : "part-2"));
+      QCOMPARE(back.parts[1].first, std::size_t{8});
+    }
   }
 
   void whatTheOutputHasNotIsRefused_data() {
@@ -141,7 +147,8 @@ class TestConvert : public QObject {
     for (const char* line :
          {"convert ball.ply -o x.stl --normals", "convert ball.ply -o x.obj --quality",
           "convert ball.ply -o x.vtp --ascii", "convert ball.ply -o x.nrrd --unit m",
-          "convert ball.ply -o x.nrrd --ascii", "convert ball.ply -o x.ply --from-frame up"})
+          "convert ball.ply -o x.nrrd --ascii", "convert ball.ply -o x.ply --from-frame up",
+          "convert ball.ply -o x.stl --solid-names"})
       QTest::newRow(line) << line;
   }
   void whatTheOutputHasNotIsRefused() {
