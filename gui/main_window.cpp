@@ -20,6 +20,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "gui/model/known_sources.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
 #include "gui/panel/inspector_panel.h"
@@ -60,6 +61,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       state_(new ViewState(*controller_, this)),
       views_(new ViewGrid(*controller_, *state_, this)) {
   setObjectName("mainWindow");
+  keepSettingsPrivate();
   setAcceptDrops(true);
   const QSize room = screen()->availableSize();
   resize(std::min(kWidth, room.width()), std::min(kHeight, room.height()));

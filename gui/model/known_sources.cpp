@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/model/known_sources.h"
 
+#include <QCoreApplication>
+#include <QFileInfo>
 #include <QSettings>
 #include <QStringList>
+#include <system_error>
 
 namespace angiomesh {
 
@@ -12,6 +15,19 @@ const char* const kKey = "sources";
 constexpr int kMost = 500;
 
 }  // namespace
+
+void keepSettingsPrivate() {
+  namespace fs = std::filesystem;
+  const QFileInfo folder(QFileInfo(QSettings().fileName()).path());
+  // Where the settings share a folder with those of other programs, it is left as it is.
+  if (folder.fileName() != QCoreApplication::organizationName()) {
+    return;
+  }
+  const fs::path path = folder.filePath().toStdString();
+  std::error_code error;
+  fs::create_directories(path, error);
+  fs::permissions(path, fs::perms::owner_all, error);
+}
 
 KnownSources knownSources() {
   KnownSources known;

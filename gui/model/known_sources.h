@@ -12,6 +12,9 @@ namespace angiomesh {
 /// paths may tell a patient's name, so no case holds one.
 using KnownSources = std::vector<std::pair<std::string, std::filesystem::path>>;
 
+/// The folder of the settings becomes readable by the user alone, for their paths.
+void keepSettingsPrivate();
+
 KnownSources knownSources();
 void rememberSource(const std::string& hash, const std::filesystem::path& path);
 
