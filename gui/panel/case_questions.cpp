@@ -5,6 +5,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "gui/panel/shared_history.h"
+
 namespace angiomesh {
 
 namespace {
@@ -77,6 +79,7 @@ SourceAnswer findSource(QWidget* parent, const QString& what, const QString& rea
 CaseQuestions dialogCaseQuestions() {
   CaseQuestions questions;
   questions.saveCaseAs = [](QWidget* parent, const QString& suggested) {
+    const SharedHistory history;
     return QFileDialog::getSaveFileName(
         parent, QObject::tr("Save case as"), suggested, QObject::tr("Cases (*.angiomesh)"), nullptr,
         QFileDialog::DontUseNativeDialog | QFileDialog::DontConfirmOverwrite);

@@ -15,6 +15,7 @@
 
 #include "gui/model/case_controller.h"
 #include "gui/model/step_text.h"
+#include "gui/panel/shared_history.h"
 
 namespace angiomesh {
 
@@ -57,17 +58,20 @@ const Format& chosenFormat(const QComboBox& combo) {
 PathChooser dialogPathChooser() {
   PathChooser chooser;
   chooser.openFile = [](QWidget* parent) {
+    const SharedHistory history;
     return QFileDialog::getOpenFileName(
         parent, QObject::tr("Open a volume"), {},
         QObject::tr("Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm);;All files (*)"),
         nullptr, QFileDialog::DontUseNativeDialog);
   };
   chooser.openFolder = [](QWidget* parent) {
+    const SharedHistory history;
     return QFileDialog::getExistingDirectory(
         parent, QObject::tr("Open a DICOM folder"), {},
         QFileDialog::ShowDirsOnly | QFileDialog::DontUseNativeDialog);
   };
   chooser.save = [](QWidget* parent, const QString& suggested, const QString& filter) {
+    const SharedHistory history;
     return QFileDialog::getSaveFileName(parent, QObject::tr("Export"), suggested, filter, nullptr,
                                         QFileDialog::DontUseNativeDialog);
   };
