@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "app/cli/commands.h"
 #include "app/cli/mesh_input.h"
@@ -29,11 +32,35 @@ bool isMeshName(const fs::path& path) {
   return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
 }
 
-/// The solids by number. Programs put names of files and of patients there.
-std::vector<MeshPart> withoutNames(std::vector<MeshPart> parts) {
-  if (parts.size() == 1) return {};
+/// Whether a name holds nothing but words that models for flow solvers use, and numbers.
+bool isPlainName(const std::string& name) {
+  static const std::set<std::string> words{
+      "aneurysm", "aorta",   "artery", "boundary", "branch",  "cap",   "end",
+      "face",     "in",      "inflow", "inlet",    "left",    "lumen", "mesh",
+      "out",      "outflow", "outlet", "part",     "patch",   "right", "solid",
+      "stl",      "surface", "vein",   "vessel",   "vessels", "wall",  "walls"};
+  std::string word;
+  for (const char c : name + ' ') {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      continue;
+    }
+    if (!word.empty() && words.count(word) == 0) return false;
+    word.clear();
+  }
+  // A long number may be a patient's.
+  return std::count_if(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; }) <= 3;
+}
+
+/// Solids whose names may be those of files and patients by number; `any`: there were some.
+std::vector<MeshPart> withoutNames(std::vector<MeshPart> parts, bool& any) {
   int number = 0;
-  for (MeshPart& part : parts) part.name = "part-" + std::to_string(++number);
+  for (MeshPart& part : parts) {
+    ++number;
+    if (isPlainName(part.name)) continue;
+    any = true;
+    part.name = parts.size() == 1 ? "surface" : "part-" + std::to_string(number);
+  }
   return parts;
 }
 
@@ -55,10 +82,12 @@ int convertMesh(const ConvertOptions& options) {
   write.normals = options.normals;
   write.quality = options.quality;
   write.key = loaded.key;
-  if (hasSolids) write.parts = options.solidNames ? loaded.parts : withoutNames(loaded.parts);
-  if (hasSolids && !options.solidNames && loaded.parts.size() > 1)
-    printWarning("the solids are numbered, their names may tell who the patient is, " +
-                 options.input + ": give --solid-names to keep them");
+  bool numbered = false;
+  if (hasSolids)
+    write.parts = options.solidNames ? loaded.parts : withoutNames(loaded.parts, numbered);
+  if (numbered && loaded.parts.size() > 1)
+    printWarning("solids are numbered whose names may tell who the patient is, " + options.input +
+                 ": give --solid-names to keep them");
   for (const std::string& warning : writeMesh(loaded.mesh, options.output, write))
     printWarning(warning + ", " + options.output);
   checkMeshFile(loaded.mesh, options.output, write);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -15,6 +18,25 @@ std::vector<std::string> allButUids() {
   std::vector<std::string> texts = identityTexts();
   texts.pop_back();
   return texts;
+}
+
+QJsonValue withoutOwnWords(const QJsonValue& value) {
+  if (value.isArray()) {
+    QJsonArray array;
+    for (const QJsonValue& one : value.toArray()) array.append(withoutOwnWords(one));
+    return array;
+  }
+  QJsonObject object = value.toObject();
+  if (object.isEmpty()) return value;
+  for (const QString& key : object.keys())
+    if (key == "series_description" || key == "date" || key == "name")
+      object.remove(key);
+    else
+      object[key] = withoutOwnWords(object[key]);
+  return object;
+}
+QJsonDocument withoutOwnWords(const QJsonDocument& json) {
+  return QJsonDocument(withoutOwnWords(QJsonValue(json.object())).toObject());
 }
 
 }  // namespace
@@ -184,15 +206,17 @@ class TestPrivacy : public QObject {
 
   void infoInJsonTellsNoMoreThanTheSeries() {
     std::vector<fs::path> inputs = volumes_;
-    inputs.insert(inputs.end(), {series_, gaps_, damaged_, masks_[0]});
-    for (const fs::path& input : inputs) {
-      const CliResult result = cli({"info", text(input), "--json"});
+    inputs.push_back(masks_[0]);
+    for (const fs::path& input : inputs) done({"info", text(input), "--json"});
+    // A list of series says what they call themselves, their day and their UID.
+    for (const fs::path& input : {series_, gaps_, damaged_}) {
+      const CliResult result = runCli(out_, {"info", text(input), "--json"});
       QVERIFY2(result.code == 0, result.errors.constData());
+      QVERIFY(result.output.contains(kUidRoot) && result.output.contains(kPerson));
+      save(QString("%1/%2.json").arg(out_).arg(++outputs_).toStdString(),
+           withoutOwnWords(QJsonDocument::fromJson(result.output)).toJson().toStdString());
     }
     verifyNothingTold(allButUids());
-    QVERIFY(cli({"info", text(series_), "--json"}).output.contains(kUidRoot));
-    // The screen may tell more.
-    QVERIFY(cli({"info", text(series_)}).output.contains(kPerson));
   }
 };
 
