@@ -127,7 +127,7 @@ class TestConvert : public QObject {
     TriMesh mesh = shapes::cube();
     MeshWriteOptions write;
     write.encoding = MeshEncoding::Ascii;
-    write.parts = {{"wall_1", 0, 8}, {"roe jane", 8, 4}};
+    write.parts = {{"wall_1", 0, 8}, {"roe_jane", 8, 4}};
     writeMesh(mesh, at("solids.stl"), write);
     for (const bool named : {false, true}) {
       QStringList command{"convert", "solids.stl", "-o", "again.stl", "--ascii"};
@@ -138,7 +138,7 @@ class TestConvert : public QObject {
       const LoadedMesh back = loadMesh(at("again.stl"));
       QCOMPARE(back.parts.size(), std::size_t{2});
       QCOMPARE(back.parts[0].name, std::string("wall_1"));
-      QCOMPARE(back.parts[1].name, std::string(named ? "roe jane" : "part-2"));
+      QCOMPARE(back.parts[1].name, std::string(named ? "roe_jane" : "part-2"));
       QCOMPARE(back.parts[1].first, std::size_t{8});
     }
   }
