@@ -246,7 +246,8 @@ class TestCase : public QObject {
     }
     // The case moved away, as to another disk: the settings know where the volume was.
     const QTemporaryDir elsewhere;
-    const QString moved = elsewhere.filePath("mine.angiomesh");
+    const QString moved = elsewhere.filePath("disk/mine.angiomesh");
+    QVERIFY(QDir(elsewhere.path()).mkdir("disk"));
     QVERIFY(QFile::rename(study.saved, moved));
     {
       WindowCase c;
