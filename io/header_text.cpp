@@ -18,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kCopyAgain = "copy or download it again";
 constexpr std::uintmax_t kMostVoxels = 1ULL << 44U;
 constexpr int kMostLines = 100000;
 /// Deflate makes at most 258 bytes of 2 bits, 1032 bytes of one; the rest is for small files.

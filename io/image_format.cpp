@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kCopyAgain = "copy or download it again";
 const char* const kFormats = "give a DICOM file or folder, .mha/.mhd, .nrrd/.nhdr or .nii/.nii.gz";
 
 struct GzClose {

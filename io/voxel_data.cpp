@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "io/image_format.h"
 
 namespace angiomesh {
 namespace {
@@ -21,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kRun = std::size_t{1} << 18;  // bytes of a run: they stay in the cache
-const char* const kCopyAgain = "copy or download it again";
 
 using Take = std::function<void(std::size_t, std::span<const std::byte>)>;
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/cli/commands.h"
-#include "app/cli/mesh_input.h"
+#include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "io/image_io.h"
@@ -88,9 +88,7 @@ int convertMesh(const ConvertOptions& options) {
   if (numbered && loaded.parts.size() > 1)
     printWarning("solids are numbered whose names may tell who the patient is, " + options.input +
                  ": give --solid-names to keep them");
-  for (const std::string& warning : writeMesh(loaded.mesh, options.output, write))
-    printWarning(warning + ", " + options.output);
-  checkMeshFile(loaded.mesh, options.output, write);
+  writeChecked(loaded.mesh, options.output, options.output, write);
   return Done;
 }
 

@@ -111,28 +111,23 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// Adds the labels and the range of a label image; false, and nothing added, when it is none.
-bool addLabels(Json& block, const ImageSummary& summary, const InfoOptions& options,
-               const Progress& progress) {
-  // A scan of whole numbers has more values than anyone gives labels.
-  constexpr std::size_t kMost = 256;
-  if (summary.info.format == "DICOM" || summary.info.pixelType.starts_with("float")) return false;
-  const std::vector<Label> labels = readLabels(options.input, progress.sub(0.0, 0.5));
-  if (labels.empty() || labels.size() > kMost) return false;
-  std::size_t voxels = 0;
-  std::int64_t least = labels.front().value, greatest = 0;
+void addLabels(Json& block, const std::vector<Label>& labels) {
   for (const Label& label : labels) {
     Json entry{{"value", label.value}, {"voxels", label.voxels}};
     if (!label.name.empty()) entry["name"] = label.name;
     block["labels"].push_back(entry);
-    voxels += label.voxels;
-    least = std::min(least, label.value);
-    greatest = std::max(greatest, label.value);
   }
-  if (voxels < summary.geometry.voxelCount()) least = 0;
-  if (least == greatest) return false;
-  block["range"] = {least, greatest};
-  return true;
+}
+
+/// Of a segmentation in several layers, which is no single image.
+Json describeLayers(const ImageSummary& entry, const std::string& path, const Progress& progress) {
+  Json block = describe(entry.geometry, entry.info);
+  const std::vector<Label> labels = readLabels(path, progress);
+  std::int64_t greatest = 0;
+  for (const Label& label : labels) greatest = std::max(greatest, label.value);
+  block["range"] = {0, greatest};
+  addLabels(block, labels);
+  return block;
 }
 
 std::vector<ImageSummary> wantedEntries(const InfoOptions& options, const Progress& progress) {
@@ -154,15 +149,19 @@ int info(const InfoOptions& options, const Progress& progress) {
   InputInfo single = entries.front().info;
   const bool readable =
       single.findings.empty() || options.reading.evenOut || entries.front().refusal() == nullptr;
-  if (blocks.size() == 1 && readable &&
-      !addLabels(blocks.front(), entries.front(), options, progress.sub(0.4, 0.5))) {
+  const bool ofDicom = entries.front().stack != nullptr;
+  if (!ofDicom && segmentationLayers(options.input) > 1) {
+    blocks.front() = describeLayers(entries.front(), options.input, progress.sub(0.4, 1.0));
+  } else if (blocks.size() == 1 && readable) {
     const LoadedImage loaded =
-        readImage(entries.front(), options.input, options.reading.evenOut, progress.sub(0.5, 1.0));
+        readImage(entries.front(), options.input, options.reading.evenOut, progress.sub(0.4, 0.9));
     single = loaded.info;
     warnings = single.warnings;
     blocks.front() = describe(loaded.image.geometry, loaded.info);
     const std::array<float, 2> range = valueRange(loaded.image);
     blocks.front()["range"] = {range[0], range[1]};
+    if (!ofDicom)
+      addLabels(blocks.front(), labelsOfSegmentation(options.input, loaded.image, progress));
   }
   if (options.json) {
     Json report{{"schema", 1}, {"warnings", warnings}};

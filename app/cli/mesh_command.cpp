@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
+#include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/summary.h"
@@ -103,8 +104,7 @@ int mesh(const MeshOptions& options, const Progress& progress) {
                      "give a level set function that is negative inside, or a mask");
   // Flat triangles inscribed in a thin vessel lose more of the mask's volume than its wall does.
   if (input.label) made.mesh = smoothSurface(made.mesh, all.smooth, &field, rest.sub(0.9, 1.0));
-  for (const std::string& warning : writeMesh(made.mesh, options.output))
-    printWarning(warning + ", " + options.output);
+  writeChecked(made.mesh, options.output, options.output);
   for (const std::string& warning : made.origin.warnings()) printWarning(warning);
   const Json source = sourceBlock(input, &made.mesh);
   if (options.json) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/mesh_input.h"
+#include "app/cli/mesh_files.h"
+
+#include "app/cli/session.h"
 
 namespace angiomesh::cli {
 
@@ -14,6 +16,13 @@ MeshReadOptions meshReadOptions(const std::string& frame, const std::string& uni
   if (!frame.empty()) options.frame = frameFromOption(frame);
   if (!unit.empty()) options.unit = unitFromOption(unit);
   return options;
+}
+
+void writeChecked(const TriMesh& mesh, const std::filesystem::path& place, const std::string& name,
+                  const MeshWriteOptions& options) {
+  for (const std::string& warning : writeMesh(mesh, place, options))
+    printWarning(warning + ", " + name);
+  checkMeshFile(mesh, place, options);
 }
 
 }  // namespace angiomesh::cli

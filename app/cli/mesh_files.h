@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "io/mesh_io.h"
@@ -13,5 +14,10 @@ LengthUnit unitFromOption(const std::string& word);
 
 /// Of the two words; empty: by the file's header.
 MeshReadOptions meshReadOptions(const std::string& frame, const std::string& unit);
+
+/// Writes a mesh, says its warnings with `name`, and reads it back to see that the file holds it.
+/// @throws as writeMesh() and checkMeshFile()
+void writeChecked(const TriMesh& mesh, const std::filesystem::path& place, const std::string& name,
+                  const MeshWriteOptions& options = {});
 
 }  // namespace angiomesh::cli

@@ -6,7 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
-#include "app/cli/mesh_input.h"
+#include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "app/cli/summary.h"
 #include "core/base/error.h"

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/summary.h"
@@ -113,10 +114,8 @@ void writeMeshes(const RunResult& result, const OutputFolder& folder) {
                                          : nullptr;
   if (mesh == nullptr) return;
   const auto add = [&](const char* name, const TriMesh& what) {
-    folder.add(name, [&](const std::filesystem::path& place) {
-      for (const std::string& warning : writeMesh(what, place, write))
-        printWarning(warning + ", " + name);
-    });
+    folder.add(name,
+               [&](const std::filesystem::path& place) { writeChecked(what, place, name, write); });
   };
   add("vessels.ply", *mesh);
   add("vessels.stl", *mesh);

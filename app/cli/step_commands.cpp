@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
+#include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "app/cli/output_folder.h"
 #include "core/pipeline/pipeline.h"
@@ -62,8 +63,7 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
                 params.surface.spline);
   const TriMesh smooth =
       smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr, progress.sub(0.3, 1.0));
-  for (const std::string& warning : writeMesh(smooth, options.output))
-    printWarning(warning + ", " + options.output);
+  writeChecked(smooth, options.output, options.output);
   return Done;
 }
 
