@@ -90,6 +90,17 @@ std::optional<std::size_t> loneOf(const Stacks& all) {
   return lone;
 }
 
+Stacks stacksOf(const std::vector<ImageSummary>& entries) {
+  Stacks stacks;
+  for (const ImageSummary& entry : entries) stacks.push_back(entry.stack);
+  return stacks;
+}
+
+std::string textOfLeftOut(const Stacks& all) {
+  return "of " + std::to_string(all.size()) + seriesWord(all) + " all but one hold fewer than " +
+         std::to_string(kLeastSlices) + " slices with a position and were left out";
+}
+
 std::shared_ptr<const DicomStack> chooseAlone(const Stacks& all, const fs::path& path,
                                               std::vector<std::string>& warnings) {
   const std::optional<std::size_t> lone = loneOf(all);
@@ -97,10 +108,7 @@ std::shared_ptr<const DicomStack> chooseAlone(const Stacks& all, const fs::path&
     throw InputError(
         "there are " + std::to_string(all.size()) + seriesWord(all) + " (" + listOf(all) + ")",
         path.string(), kChoose);
-  if (all.size() > 1)
-    warnings.push_back("of " + std::to_string(all.size()) + seriesWord(all) +
-                       " all but one hold fewer than " + std::to_string(kLeastSlices) +
-                       " slices with a position and were left out");
+  if (all.size() > 1) warnings.push_back(textOfLeftOut(all));
   return all[*lone];
 }
 
@@ -232,10 +240,11 @@ LoadedImage readDicom(const fs::path& path, const ReadOptions& options, const Pr
 }
 
 std::optional<std::size_t> loneVolume(const std::vector<ImageSummary>& entries) {
-  if (entries.size() == 1) return 0;
-  Stacks stacks;
-  for (const ImageSummary& entry : entries) stacks.push_back(entry.stack);
-  return loneOf(stacks);
+  return entries.size() == 1 ? std::optional<std::size_t>(0) : loneOf(stacksOf(entries));
+}
+
+std::string leftOutText(const std::vector<ImageSummary>& entries) {
+  return entries.size() > 1 ? textOfLeftOut(stacksOf(entries)) : std::string();
 }
 
 bool fitsSeries(const std::string& id, const std::string& wanted) {

@@ -102,6 +102,9 @@ std::vector<ImageSummary> describeImages(const std::filesystem::path& path,
 /// more with a position, so that localizers and single pictures do not stand in the way.
 std::optional<std::size_t> loneVolume(const std::vector<ImageSummary>& entries);
 
+/// That others were left out beside a loneVolume(); "" where there were none.
+std::string leftOutText(const std::vector<ImageSummary>& entries);
+
 /// True when `wanted` is the end of a volume's id, or of the UID of its series.
 bool fitsSeries(const std::string& id, const std::string& wanted);
 

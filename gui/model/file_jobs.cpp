@@ -84,7 +84,11 @@ Source LoadJob::obtain() {
       choices_ = std::move(entries);
       return {};
     }
+    const std::string others = leftOutText(entries);
     entry_ = std::move(entries[*lone]);
+    if (!others.empty()) {
+      entry_->info.warnings.push_back(others);
+    }
   }
   LoadedImage loaded;
   try {

@@ -61,7 +61,9 @@ PathChooser dialogPathChooser() {
     const SharedHistory history;
     return QFileDialog::getOpenFileName(
         parent, QObject::tr("Open a volume"), {},
-        QObject::tr("Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm);;All files (*)"),
+        QObject::tr(
+            "Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm);;Cases (case.json);;All "
+            "files (*)"),
         nullptr, QFileDialog::DontUseNativeDialog);
   };
   chooser.openFolder = [](QWidget* parent) {

@@ -38,6 +38,20 @@ class TestSeries : public QObject {
     QCOMPARE(c.window->controller().image()->at(1, 1, 1), float(storedValue(1, 1, 1)));
   }
 
+  void aVolumeAmongLocalizersIsTakenWithAWord() {
+    const Folder folder;
+    saveSeries(folder.path());
+    saveSecondSeries(folder.path(), [](const Slice& slice) { return slice.k < 2; });
+    WindowCase c;
+    QStringList said;
+    QObject::connect(&c.controller(), &CaseController::message, &c.controller(),
+                     [&](Severity, const QString& text) { said << text; });
+    c.window->open(QString::fromStdString(folder.path().string()));
+    QTRY_VERIFY(c.controller().hasCase());
+    QVERIFY(c.seriesShown.empty());
+    QVERIFY2(said.join('\n').contains("of 2 series all but one"), qPrintable(said.join('\n')));
+  }
+
   void missingSlicesAreResampledOnlyWhenTheUserSaysSo() {
     const Folder folder;
     saveSecond(folder.path());

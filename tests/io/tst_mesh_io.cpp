@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/image_io.h"
 #include "io/mesh_io.h"
 
 #include <vtkCellArray.h>
@@ -357,6 +358,32 @@ class TestMeshIo : public QObject {
     const TriMesh mesh = readMesh(folder / "m.vtp");
     QCOMPARE(mesh.points.size(), std::size_t{6});
     QCOMPARE(mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {3, 4, 5}}));
+  }
+
+  void aRealSurfaceLiesOnItsVesselsWall() {
+    const QString data = qEnvironmentVariable("ANGIOMESH_DATA");
+    if (data.isEmpty()) QSKIP("ANGIOMESH_DATA is not set");
+    const fs::path folder = fs::path(data.toStdString()) / "avf-mra";
+    const Volume<float> image = readImage(folder / "avf_float_32.nrrd").image;
+    const std::vector<double> range = percentiles(image, {0.5, 0.999});
+    // How much brighter it is one voxel within the surface than one outside.
+    const auto drop = [&](const TriMesh& mesh) {
+      const double step = image.geometry.voxelMm();
+      double sum = 0.0;
+      for (const auto& t : mesh.triangles) {
+        const Eigen::Vector3d &a = mesh.points[t[0]], &b = mesh.points[t[1]],
+                              &c = mesh.points[t[2]];
+        const Eigen::Vector3d out = step * (b - a).cross(c - a).normalized();
+        const auto at = [&](const Eigen::Vector3d& x) {
+          return interpolateLinear(image, image.geometry.toIndex(x));
+        };
+        sum += at((a + b + c) / 3.0 - out) - at((a + b + c) / 3.0 + out);
+      }
+      return sum / static_cast<double>(mesh.triangles.size()) / (range[1] - range[0]);
+    };
+    const double ras = drop(loadMesh(folder / "avf.vtk", {Frame::Ras, {}}).mesh);
+    const double lps = drop(loadMesh(folder / "avf.vtk", {Frame::Lps, {}}).mesh);
+    QVERIFY2(ras > 0.2 && lps < 0.02, qPrintable(QString("%1 %2").arg(ras).arg(lps)));
   }
 
   void aRealSurfaceIsRead() {
