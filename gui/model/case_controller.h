@@ -20,7 +20,7 @@
 
 namespace angiomesh {
 
-enum class StepState { Empty, Fresh, Running, Stale, Failed };
+enum class StepState { Empty, NotNeeded, Fresh, Running, Stale, Failed };
 enum class Layer { Source, Preprocessed, Vesselness, Speed };
 constexpr int kLayerCount = 4;
 enum class Severity { Info, Warning, Error };

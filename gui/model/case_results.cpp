@@ -28,7 +28,7 @@ StepState CaseController::state(Step step) const {
     return StepState::Empty;
   }
   if (isSegmented(params_) && (step == Step::Vesselness || step == Step::Seeds)) {
-    return StepState::Empty;  // not needed
+    return StepState::NotNeeded;
   }
   const std::string now = pipeline_->key(step, params_);
   // What follows from an evolution that was ended by hand has a key, but is computed again.
@@ -83,6 +83,8 @@ std::pair<double, double> CaseController::sliderRange(const Field& field) const 
     high = image() ? 0.01 * static_cast<double>(image()->geometry.voxelCount()) *
                          image()->geometry.voxelVolumeMm3()
                    : 1e4;
+  } else if (field.key == "segmentation.label") {
+    high = image() ? static_cast<double>(valueRange(*image())[1]) : 1.0;
   } else if (field.key == "levelset.maxIterations") {
     high = 20000.0;
   } else if (field.key == "levelset.checkEvery" || field.key == "smooth.iterations") {

@@ -176,7 +176,8 @@ QString boxSizeText(const Eigen::Vector3d& size, LengthUnit unit) {
 
 Step stepOfField(const Field& field) {
   const std::string group = field.key.substr(0, field.key.find('.'));
-  if (group == "levelset" || group == "comparison" || field.key == "segmentation.method") {
+  if (group == "levelset" || group == "comparison" || field.key == "segmentation.method" ||
+      field.key == "segmentation.label") {
     return Step::Evolve;
   }
   if (group == "segmentation") {

@@ -57,6 +57,7 @@ LabelDialog::LabelDialog(const std::vector<Label>& labels, double voxelMm3, QWid
   const bool layered =
       std::any_of(labels.begin(), labels.end(), [](const Label& label) { return label.layer > 0; });
   table_->setColumnHidden(Name, !named);
+  table_->horizontalHeader()->setStretchLastSection(!named);
   layout->addWidget(table_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   auto* open = buttons->addButton(tr("Open the label"), QDialogButtonBox::AcceptRole);

@@ -18,6 +18,7 @@ namespace {
 QString signOf(StepState state) {
   switch (state) {
     case StepState::Empty:
+    case StepState::NotNeeded:
       return QStringLiteral("○");
     case StepState::Fresh:
       return QStringLiteral("●");
@@ -133,7 +134,11 @@ void StepPanel::showParameters() {
     editor->display(field.get(controller_.parameters()), controller_.suggestedValue(field),
                     controller_.sliderRange(field));
     if (field.idle) {
-      editor->setIdle(QString::fromStdString(field.idle(controller_.parameters())));
+      const std::string idle = field.idle(controller_.parameters());
+      editor->setIdle(QString::fromStdString(idle));
+      if (field.key == "segmentation.label") {
+        editor->setVisible(idle.empty());  // of few images
+      }
     }
   }
 }
@@ -145,6 +150,9 @@ void StepPanel::showState() {
   switch (state) {
     case StepState::Empty:
       text = tr("not run");
+      break;
+    case StepState::NotNeeded:
+      text = tr("not needed");
       break;
     case StepState::Fresh:
       text = controller_.seconds(step_) < 0.0
@@ -165,7 +173,8 @@ void StepPanel::showState() {
   reason_->setText(controller_.failure(step_));
   reason_->setVisible(state == StepState::Failed);
   progress_->setVisible(state == StepState::Running);
-  run_->setEnabled(controller_.hasCase() && !controller_.running());
+  run_->setEnabled(controller_.hasCase() && !controller_.running() &&
+                   state != StepState::NotNeeded);
   showProgress();
 }
 

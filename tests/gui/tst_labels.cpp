@@ -72,7 +72,7 @@ class TestLabels : public QObject {
     QVERIFY(c.labelsShown.empty());
     const double voxels = double(count(1)) * 0.5 * 0.5 * 0.8;
     QVERIFY(std::fabs(c.controller().quality(MeshKind::Exported)->volumeMm3 / voxels - 1.0) < 0.01);
-    QCOMPARE(c.controller().state(Step::Vesselness), StepState::Empty);
+    QCOMPARE(c.controller().state(Step::Vesselness), StepState::NotNeeded);
     QCOMPARE(c.controller().state(Step::Evolve), StepState::Fresh);
 
     // A preset is for everything but what the image is.
