@@ -3,10 +3,12 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <system_error>
 
 #include "io/dicom_series.h"
+#include "io/dicom_source.h"
 
 namespace angiomesh {
 namespace {
@@ -16,9 +18,20 @@ namespace fs = std::filesystem;
 // The most that a file of some bytes can hold: a compressed pixel takes a part of a bit only.
 constexpr double kLargestExpansion = 4096.0;
 
+// What is longer is no text that is read here. DCMTK leaves it in the file, and makes room for
+// whatever length it states once it is asked for.
+constexpr std::uint32_t kLongestText = 1024;
+
+bool isReadable(DcmItem& item, const DcmTagKey& tag) {
+  DcmElement* element = nullptr;
+  return item.findAndGetElement(tag, element).good() && element != nullptr &&
+         element->getLengthField() <= kLongestText;
+}
+
 /// DCMTK sets the output of its find functions to 0 when the element is missing.
 std::optional<double> number(DcmItem& item, const DcmTagKey& tag, unsigned long index = 0) {
   Float64 value = 0.0;
+  if (!isReadable(item, tag)) return std::nullopt;
   if (item.findAndGetFloat64(tag, value, index).bad()) return std::nullopt;
   return value;
 }
@@ -26,7 +39,7 @@ std::optional<double> number(DcmItem& item, const DcmTagKey& tag, unsigned long 
 /// Printable ASCII only: descriptions come in many character sets.
 std::string text(DcmItem& item, const DcmTagKey& tag) {
   OFString value;
-  if (item.findAndGetOFStringArray(tag, value).bad()) return {};
+  if (!isReadable(item, tag) || item.findAndGetOFStringArray(tag, value).bad()) return {};
   std::string clean;
   for (const char c : value) clean += c >= ' ' && c < 127 ? c : '?';
   while (!clean.empty() && clean.back() == ' ') clean.pop_back();
@@ -38,6 +51,11 @@ int integer(DcmItem& item, const DcmTagKey& tag, int otherwise) {
   // IS elements are text, US elements are not: both have a text form.
   const std::string value = text(item, tag);
   return value.empty() ? otherwise : std::atoi(value.c_str());
+}
+
+/// A number that takes two bytes in a file that is not damaged.
+int word(DcmItem& item, const DcmTagKey& tag, int otherwise) {
+  return std::clamp(integer(item, tag, otherwise), 0, 65535);
 }
 
 /// The first item of a sequence, or null.
@@ -66,7 +84,8 @@ std::vector<DisplayWindow> windowsOf(DcmItem& item) {
     if (!(*width > 0.0)) continue;
     DisplayWindow window{*width, *level, function.empty() ? "LINEAR" : function, {}};
     OFString name;
-    if (item.findAndGetOFString(DCM_WindowCenterWidthExplanation, name, i).good())
+    if (isReadable(item, DCM_WindowCenterWidthExplanation) &&
+        item.findAndGetOFString(DCM_WindowCenterWidthExplanation, name, i).good())
       for (const char c : name) window.name += c >= ' ' && c < 127 ? c : '?';
     windows.push_back(std::move(window));
   }
@@ -159,17 +178,17 @@ DicomFrame readFrameOf(const Places& from) {
 
 PixelLayout layoutOf(DcmDataset& data) {
   PixelLayout layout;
-  layout.allocated = integer(data, DCM_BitsAllocated, 16);
-  layout.stored = integer(data, DCM_BitsStored, layout.allocated);
+  layout.allocated = word(data, DCM_BitsAllocated, 16);
+  layout.stored = word(data, DCM_BitsStored, layout.allocated);
   if (layout.stored < 1 || layout.stored > layout.allocated) layout.stored = layout.allocated;
-  layout.high = integer(data, DCM_HighBit, layout.stored - 1);
+  layout.high = word(data, DCM_HighBit, layout.stored - 1);
   if (layout.high + 1 < layout.stored || layout.high >= layout.allocated)
     layout.high = layout.stored - 1;
-  layout.isSigned = integer(data, DCM_PixelRepresentation, 0) == 1;
+  layout.isSigned = word(data, DCM_PixelRepresentation, 0) == 1;
   const E_TransferSyntax syntax = data.getOriginalXfer();
   layout.bigEndian = syntax == EXS_BigEndianExplicit;
-  layout.deflated = syntax == EXS_DeflatedLittleEndianExplicit;
   layout.encapsulated = DcmXfer(syntax).isEncapsulated();
+  layout.rle = syntax == EXS_RLELossless;
   layout.jpeg2000 = syntax == EXS_JPEG2000 || syntax == EXS_JPEG2000LosslessOnly ||
                     syntax == EXS_JPEG2000Multicomponent ||
                     syntax == EXS_JPEG2000MulticomponentLosslessOnly;
@@ -192,9 +211,9 @@ PixelLayout layoutOf(DcmDataset& data) {
 DicomFile fileOf(DcmDataset& data, const fs::path& path) {
   DicomFile file;
   file.path = path;
-  file.columns = integer(data, DCM_Columns, 0);
-  file.rows = integer(data, DCM_Rows, 0);
-  file.samples = integer(data, DCM_SamplesPerPixel, 1);
+  file.columns = word(data, DCM_Columns, 0);
+  file.rows = word(data, DCM_Rows, 0);
+  file.samples = word(data, DCM_SamplesPerPixel, 1);
   file.instanceUid = text(data, DCM_SOPInstanceUID);
   file.frames = std::max(integer(data, DCM_NumberOfFrames, 1), 1);
   file.mosaic = text(data, DCM_ImageType).find("MOSAIC") != std::string::npos;
@@ -266,9 +285,11 @@ std::string dateOf(DcmItem& data) {
 }  // namespace
 
 HeaderResult readDicomHeader(const fs::path& path, DicomSeries& series) {
+  const DicomSource source(path);
   DcmFileFormat format;
-  const OFCondition status = format.loadFileUntilTag(path.c_str(), EXS_Unknown, EGL_noChange, 1024,
-                                                     ERM_autoDetect, DCM_PixelData);
+  const OFCondition status =
+      format.loadFileUntilTag(source.path().c_str(), EXS_Unknown, EGL_noChange, kLongestText,
+                              ERM_autoDetect, DCM_PixelData);
   DcmDataset& data = *format.getDataset();
   series.uid = text(data, DCM_SeriesInstanceUID);
   series.description = text(data, DCM_SeriesDescription);
@@ -280,6 +301,7 @@ HeaderResult readDicomHeader(const fs::path& path, DicomSeries& series) {
   if (status.bad())
     return {false, std::string("the DICOM header is damaged (") + status.text() + ")", known};
   DicomFile file = fileOf(data, path);
+  file.layout.deflated = source.inflated();
   if (file.columns < 1 || file.rows < 1) {
     // An image whose header ends before it states its size was cut off between two elements.
     const std::string kind = text(*format.getMetaInfo(), DCM_MediaStorageSOPClassUID);

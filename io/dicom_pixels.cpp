@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcrledrg.h>
+#include <dcmtk/dcmdata/dcpixseq.h>
+#include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
@@ -16,11 +17,17 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <system_error>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "io/dicom_fragments.h"
+#include "io/dicom_rle.h"
 #include "io/dicom_series.h"
+#include "io/dicom_source.h"
 #include "io/itk_image.h"
+#include "io/memory_file.h"
 
 namespace angiomesh {
 namespace {
@@ -35,7 +42,6 @@ struct FrameSink {
 
 void registerCodecs() {
   static const bool done = [] {
-    DcmRLEDecoderRegistration::registerCodecs();
     DJDecoderRegistration::registerCodecs();
     DJLSDecoderRegistration::registerCodecs();
     return true;
@@ -180,24 +186,81 @@ void readWhole(DcmDataset& data, const DicomFile& file, const std::vector<int>& 
     sink.words(n, start + static_cast<std::size_t>(frames[n]) * frameBytes(file));
 }
 
+void readRle(DcmDataset& data, const DicomFile& file, const std::vector<int>& frames,
+             const FrameSink& sink) {
+  DcmPixelSequence* fragments = fragmentsOf(data);
+  std::vector<unsigned char> packed, words(frameBytes(file));
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    DcmPixelItem* item = nullptr;
+    const std::string frame = "frame " + std::to_string(frames[n] + 1);
+    if (fragments == nullptr ||
+        fragments->getItem(item, static_cast<unsigned long>(frames[n]) + 1).bad())
+      damaged(file.path, frame);
+    packed.resize(item->getLengthField());
+    if (item->getPartialValue(packed.data(), 0, static_cast<Uint32>(packed.size())).bad() ||
+        !unpackRle(packed, file.pixels(), words.size() / file.pixels(), words.data()))
+      damaged(file.path, frame);
+    sink.words(n, words.data());
+  }
+}
+
+/// GDCM makes room for whatever lengths the elements of a file state, and ends the program where an
+/// element is not of the usual kind or differs from the picture. It gets a file that holds the
+/// pixels and what describes them.
+void readJpeg2000(DcmDataset& data, const DicomFile& file, const std::vector<int>& frames,
+                  const FrameSink& sink) {
+  const Jpeg2000Sample sample = jpeg2000Sample(data);
+  DcmFileFormat lean;
+  DcmDataset& copy = *lean.getDataset();
+  copy.putAndInsertString(DCM_SOPClassUID, UID_SecondaryCaptureImageStorage);
+  copy.putAndInsertString(DCM_SOPInstanceUID, "1.2.3");
+  copy.putAndInsertString(DCM_PhotometricInterpretation, "MONOCHROME2");
+  copy.putAndInsertString(DCM_NumberOfFrames, std::to_string(file.frames).c_str());
+  for (const auto& [tag, value] :
+       {std::pair{DCM_SamplesPerPixel, 1},
+        {DCM_Rows, file.rows},
+        {DCM_Columns, file.columns},
+        {DCM_BitsAllocated, sample.bits <= 8 ? 8 : (sample.bits <= 16 ? 16 : 32)},
+        {DCM_BitsStored, sample.bits},
+        {DCM_HighBit, sample.bits - 1},
+        {DCM_PixelRepresentation, sample.isSigned ? 1 : 0}})
+    copy.putAndInsertUint16(tag, static_cast<Uint16>(value));
+  data.findAndInsertCopyOfElement(DCM_PixelData, &copy);
+  const MemoryFile memory;
+  const OFCondition status = lean.saveFile(memory.path().c_str(), data.getOriginalXfer());
+  if (status.bad()) damaged(file.path, status.text());
+  std::vector<float> all = itkReadDicomPixels(
+      memory.path(), file.path, file.pixels() * static_cast<std::size_t>(file.frames));
+  // Where the two differ in the sign, the header is right, as in other syntaxes.
+  const auto turn = static_cast<float>(std::ldexp(1.0, sample.bits));
+  for (float& value : all) {
+    if (file.layout.isSigned && !sample.isSigned && value >= turn / 2)
+      value -= turn;
+    else if (!file.layout.isSigned && sample.isSigned && value < 0)
+      value += turn;
+  }
+  for (std::size_t n = 0; n < frames.size(); ++n)
+    sink.values(n, all.data() + static_cast<std::size_t>(frames[n]) * file.pixels());
+}
+
 void readFile(const DicomFile& file, const std::vector<int>& frames, const FrameSink& sink) {
   const int allocated = file.layout.allocated;
   if (allocated != 8 && allocated != 16 && allocated != 32)
     throw InputError("BitsAllocated is not 8, 16 or 32", file.path.filename().string(),
                      "convert the series with another program");
   if (readNative(file, frames, sink)) return;
-  if (file.layout.jpeg2000) {
-    const std::vector<float> all =
-        itkReadDicomPixels(file.path, file.pixels() * static_cast<std::size_t>(file.frames));
-    for (std::size_t n = 0; n < frames.size(); ++n)
-      sink.values(n, all.data() + static_cast<std::size_t>(frames[n]) * file.pixels());
-    return;
-  }
   registerCodecs();
+  const DicomSource source(file.path);
   DcmFileFormat format;
-  const OFCondition status = format.loadFile(file.path.c_str());
+  const OFCondition status = format.loadFile(source.path().c_str());
   if (status.bad()) damaged(file.path, status.text());
   DcmDataset& data = *format.getDataset();
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(source.path(), error);
+  if (const std::string damage = fragmentDamage(data, file, error ? 0 : bytes); !damage.empty())
+    damaged(file.path, damage);
+  if (file.layout.rle) return readRle(data, file, frames, sink);
+  if (file.layout.jpeg2000) return readJpeg2000(data, file, frames, sink);
   if (file.layout.encapsulated && readCompressed(data, file, frames, sink)) return;
   readWhole(data, file, frames, sink);
 }

@@ -22,7 +22,7 @@ struct PixelLayout {
   bool isSigned = false;
   bool bigEndian = false;
   bool encapsulated = false;  ///< compressed
-  bool jpeg2000 = false;
+  bool jpeg2000 = false, rle = false;
   bool deflated = false;
   std::optional<std::array<int, 2>> padding;  ///< stored values, from and to, that are no image
 

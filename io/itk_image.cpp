@@ -159,21 +159,22 @@ std::vector<char> itkReadText(const fs::path& path, ImageFormat format, std::siz
   });
 }
 
-std::vector<float> itkReadDicomPixels(const fs::path& path, std::size_t count) {
-  return guarded(path, [&] {
+std::vector<float> itkReadDicomPixels(const fs::path& path, const fs::path& named,
+                                      std::size_t count) {
+  return guarded(named, [&] {
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
     const auto io = itk::GDCMImageIO::New();
     io->SetFileName(path.string());
     io->ReadImageInformation();
     if (io->GetNumberOfComponents() != 1)
-      throw InputError("a colour image", path.string(), "give a series with one value per pixel");
+      throw InputError("a colour image", named.string(), "give a series with one value per pixel");
     const std::vector<char> bytes = readBytes(*io);
     if (bytes.size() != count * io->GetComponentSize())
-      throw IoError("the number of decoded pixels is wrong", path.string(), "copy it again");
+      throw IoError("the number of decoded pixels is wrong", named.string(), "copy it again");
     std::vector<float> values(count);
     if (!convert(io->GetComponentType(), bytes, values))
-      throw InputError("the pixel type is not known", path.string(),
+      throw InputError("the pixel type is not known", named.string(),
                        "convert the image to 16 bit integers or 32 bit floats");
     // GDCM rescales in some objects and not in others: back to the stored integers.
     const double slope = io->GetRescaleSlope();

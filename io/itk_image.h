@@ -20,7 +20,9 @@ std::vector<char> itkReadText(const std::filesystem::path& path, ImageFormat for
                               std::size_t bytesPerValue);
 
 /// The stored values of all frames of one DICOM file, in file order, for the transfer syntaxes that
-/// DCMTK does not decode. `count` pixels are expected. @throws IoError, InputError
-std::vector<float> itkReadDicomPixels(const std::filesystem::path& path, std::size_t count);
+/// DCMTK does not decode. `count` pixels are expected; errors name the file `named`.
+/// @throws IoError, InputError
+std::vector<float> itkReadDicomPixels(const std::filesystem::path& path,
+                                      const std::filesystem::path& named, std::size_t count);
 
 }  // namespace angiomesh

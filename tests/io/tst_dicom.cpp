@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gdcmImageChangeTransferSyntax.h>
-#include <gdcmImageReader.h>
-#include <gdcmImageWriter.h>
-#include <gdcmTrace.h>
-
 #include "tests/io/dicom_writer.h"
+#include "tests/io/jpeg2000_writer.h"
 
 using namespace angiomesh;
 using namespace angiomesh::test;
+
+namespace {
+
+/// The big-endian bytes of a number.
+std::string big(std::uint32_t number, std::size_t bytes) {
+  std::string text;
+  for (std::size_t i = bytes; i-- > 0;) text += static_cast<char>((number >> (8 * i)) & 0xffU);
+  return text;
+}
+
+}  // namespace
 
 class TestDicom : public QObject {
   Q_OBJECT
@@ -51,28 +58,104 @@ class TestDicom : public QObject {
       slice.intercept = -3.0;
       return true;
     });
-    gdcm::Trace::WarningOff();
-    for (const auto& entry : fs::directory_iterator(folder.path())) {
-      gdcm::ImageReader reader;
-      reader.SetFileName(entry.path().c_str());
-      QVERIFY(reader.Read());
-      gdcm::ImageChangeTransferSyntax change;
-      change.SetTransferSyntax(gdcm::TransferSyntax::JPEG2000Lossless);
-      change.SetInput(reader.GetImage());
-      QVERIFY(change.Change());
-      gdcm::ImageWriter writer;
-      writer.SetFile(reader.GetFile());
-      writer.SetImage(change.GetOutput());
-      writer.SetFileName(entry.path().c_str());
-      QVERIFY(writer.Write());
-    }
-    gdcm::Trace::WarningOn();
+    for (const auto& entry : fs::directory_iterator(folder.path())) toJpeg2000(entry.path());
     TerminalCapture terminal;
     const LoadedImage loaded = readImage(folder.path());
     QCOMPARE(terminal.text(), QString());
     verifyGeometry(loaded.image.geometry);
     verifyVoxels(loaded.image,
                  [](int stored, int) { return static_cast<float>(0.5 * stored - 3.0); });
+  }
+
+  void jpeg2000IsReadFrameByFrame() {
+    const Folder folder;
+    saveEnhanced(folder / "e", {4, 1, 0, 5, 3, 2});
+    toJpeg2000(folder / "e");
+    TerminalCapture terminal;
+    const LoadedImage loaded = readImage(folder.path());
+    QCOMPARE(terminal.text(), QString());
+    verifyGeometry(loaded.image.geometry);
+    verifyVoxels(loaded.image,
+                 [](int stored, int) { return static_cast<float>(0.5 * stored - 7.0); });
+  }
+
+  void signedJpeg2000IsRead() {
+    const Folder folder;
+    saveSeries(folder.path(), [](Slice& slice) { return slice.isSigned = true; });
+    for (const auto& entry : fs::directory_iterator(folder.path())) toJpeg2000(entry.path());
+    verifyVoxels(readImage(folder.path()).image,
+                 [](int stored, int) { return static_cast<float>(stored - 2000); });
+  }
+
+  void damagedHeadsOfCompressedPicturesAreRefused_data() {
+    QTest::addColumn<int>("syntax");
+    QTest::addColumn<QByteArray>("mark");
+    QTest::addColumn<int>("offset");
+    QTest::addColumn<QByteArray>("claim");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* name, int syntax, const char* mark, int offset,
+                        const std::string& claim, const char* says) {
+      QTest::newRow(name) << syntax << QByteArray(mark) << offset
+                          << QByteArray::fromStdString(claim) << says;
+    };
+    const std::string side = big(60000, 2);
+    row("JPEG", EXS_JPEGProcess14SV1, "\xff\xc3", 5, side + side, "60000 x 60000");
+    row("JPEG-LS", EXS_JPEGLSLossless, "\xff\xf7", 5, side + side, "60000 x 60000");
+    row("JPEG 2000", EXS_JPEG2000, "\xff\x4f\xff\x51", 8, big(60000, 4) + big(60000, 4),
+        "60000 x 60000");
+    row("JPEG 2000 tiles", EXS_JPEG2000, "\xff\x4f\xff\x51", 24, big(1, 4) + big(1, 4),
+        "9000 tiles");
+    row("JPEG 2000 head", EXS_JPEG2000, "\xff\x93", 0, big(0x01ff, 2), "head of a JPEG 2000");
+    row("JPEG 2000 rows", EXS_JPEG2000, "\xff\x4f\xff\x51", 12, big(89, 4), "100 x 89");
+    row("JPEG 2000 colour", EXS_JPEG2000, "\xff\x4f\xff\x51", 40, big(3, 2), "another kind");
+    row("JPEG 2000 bits", EXS_JPEG2000, "\xff\x4f\xff\x51", 42, big(0x83, 1), "of 4 bits");
+    row("JPEG 2000 steps", EXS_JPEG2000, "\xff\x4f\xff\x51", 43, big(0x0102, 2), "another kind");
+  }
+  void damagedHeadsOfCompressedPicturesAreRefused() {
+    QFETCH(int, syntax);
+    QFETCH(QByteArray, mark);
+    QFETCH(int, offset);
+    QFETCH(QByteArray, claim);
+    QFETCH(QString, says);
+    const Folder folder;
+    const bool jpeg2000 = syntax == EXS_JPEG2000;
+    saveSeries(
+        folder.path(),
+        [](Slice& slice) {
+          slice.columns = 100;
+          slice.rows = 90;
+          return true;
+        },
+        jpeg2000 ? EXS_LittleEndianExplicit : static_cast<E_TransferSyntax>(syntax));
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
+      if (jpeg2000) toJpeg2000(entry.path());
+      std::string bytes = bytesOf(entry.path());
+      bytes.replace(bytes.rfind(mark.toStdString()) + static_cast<std::size_t>(offset),
+                    static_cast<std::size_t>(claim.size()), claim.toStdString());
+      save(entry.path(), bytes);
+    }
+    const double before = peakMb();
+    const QString message = refusal(folder.path());
+    QVERIFY2(message.startsWith("Io: ") && message.contains(says), qPrintable(message));
+    QVERIFY2(peakMb() < before + 100.0, qPrintable(QString::number(peakMb() - before)));
+  }
+
+  void damagedRunLengthsAreRefusedOrRead() {
+    const Folder folder;
+    saveSeries(folder.path(), {}, EXS_RLELossless);
+    const std::string whole = bytesOf(folder / "0.dcm");
+    const std::size_t start = whole.rfind(std::string("\xfe\xff\x00\xe0", 4)) + 8;
+    int refused = 0;
+    for (std::size_t at = start; at < whole.size() - 8; ++at)
+      for (const char other : {'\x00', '\x7f', '\x80', '\xff'}) {
+        std::string bytes = whole;
+        bytes[at] = other;
+        save(folder / "0.dcm", bytes);
+        const QString message = refusal(folder.path());
+        QVERIFY2(message == "accepted" || message.startsWith("Io: "), qPrintable(message));
+        refused += message == "accepted" ? 0 : 1;
+      }
+    QVERIFY2(refused > 50, qPrintable(QString::number(refused)));
   }
 
   void valuesAreRescaledSliceBySlice() {

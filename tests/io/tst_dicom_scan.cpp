@@ -100,6 +100,45 @@ class TestDicomScan : public QObject {
     QVERIFY2(message.startsWith("Io: ") && message.contains("cannot hold"), qPrintable(message));
   }
 
+  void lengthsBeyondTheFileTakeNoMemory_data() {
+    QTest::addColumn<QByteArray>("mark");
+    QTest::addColumn<QByteArray>("instead");  // of the mark and the length behind it
+    QTest::addColumn<int>("syntax");
+    const auto row = [](const char* name, const std::string& mark, const std::string& instead,
+                        E_TransferSyntax syntax) {
+      QTest::newRow(name) << QByteArray::fromStdString(mark) << QByteArray::fromStdString(instead)
+                          << int(syntax);
+    };
+    using namespace std::string_literals;
+    const auto plain = EXS_LittleEndianExplicit;
+    row("description", "\x08\0\x3e\x10LO\4\0"s, "\x08\0\x3e\x10UN\0\0"s, plain);
+    row("rows", "\x28\0\x10\0US\2\0"s, "\x28\0\x10\0OB\0\0"s, plain);
+    row("pixels", "\xe0\x7f\x10\0OW\0\0\x7e\0\0\0"s, "\xe0\x7f\x10\0OW\0\0"s, plain);
+    const std::string table = "\xfe\xff\0\xe0\4\0\0\0\0\0\0\0\xfe\xff\0\xe0"s;
+    row("fragment", table + "\x9a\0\0\0"s, table, EXS_RLELossless);
+  }
+  void lengthsBeyondTheFileTakeNoMemory() {
+    QFETCH(QByteArray, mark);
+    QFETCH(QByteArray, instead);
+    QFETCH(int, syntax);
+    const Folder folder;
+    const fs::path path = folder / "a.dcm";
+    saveSlice(sliceAt(1), path, static_cast<E_TransferSyntax>(syntax));
+    std::string bytes = bytesOf(path);
+    const std::size_t at = bytes.find(mark.toStdString());
+    QVERIFY(at != std::string::npos);
+    bytes.replace(at, static_cast<std::size_t>(mark.size()),
+                  instead.toStdString() + "\xf0\xff\xff\x6f");
+    save(path, bytes);
+    const double before = peakMb();
+    try {
+      for (const ImageSummary& entry : describeImages(path)) thumbnail(entry, 16);
+    } catch (const Error&) {
+      // Refused: that is as good.
+    }
+    QVERIFY2(peakMb() < before + 100.0, qPrintable(QString::number(peakMb() - before)));
+  }
+
   void anySeriesComesBack_data() {
     QTest::addColumn<int>("seed");
     for (int seed = 0; seed < 25; ++seed) QTest::addRow("%d", seed) << seed;
