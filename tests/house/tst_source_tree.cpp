@@ -28,8 +28,8 @@ struct Include {
   bool quoted;
 };
 
-const std::vector<std::string> kFolders{"app",   "core",  "gui",   "io",        "render",
-                                        "tests", "bench", "cmake", "packaging", ".ci"};
+const std::vector<std::string> kFolders{"app",   "core", "gui",   "io",        "render", "tests",
+                                        "bench", "fuzz", "cmake", "packaging", ".ci"};
 
 std::vector<SourceFile> readTree() {
   std::vector<SourceFile> files;
@@ -145,7 +145,7 @@ class TestSourceTree : public QObject {
                      if (!matches(include.name, "^vtk")) return false;
                      const SourceFile& file = *include.file;
                      const bool mayShow = file.in("render") || file.in("gui/view") ||
-                                          file.in("tests") || file.in("bench");
+                                          file.in("tests") || file.in("bench") || file.in("fuzz");
                      return !mayShow && !(matches(file.path, "^(core|io)/") && !file.isHeader());
                    });
     verifyIncludes("vtkSMPTools.h does not compile as C++20 with GCC 12",
@@ -158,7 +158,7 @@ class TestSourceTree : public QObject {
         "option parsing in app too)",
         [](const Include& include) {
           const SourceFile& file = *include.file;
-          if (file.in("tests") || file.in("bench")) return false;
+          if (file.in("tests") || file.in("bench") || file.in("fuzz")) return false;
           const bool inside = matches(file.path, "^(core|io)/") && !file.isHeader();
           if (matches(include.name, "^(nlohmann/|CLI/)")) return !inside && !file.in("app");
           return matches(include.name,

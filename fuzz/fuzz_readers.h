@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/base/error.h"
+#include "fuzz/fuzz_file.h"
+#include "io/image_header.h"
+#include "io/image_io.h"
+#include "io/label_image.h"
+#include "io/mesh_io.h"
+
+/// What an input is handed to, by the fuzzers and by the test that goes through the kept inputs. A
+/// refusal is an Error; anything else that is thrown is a fault.
+namespace angiomesh::fuzz {
+
+template <class Work>
+void attempt(const Work& work) {
+  try {
+    work();
+  } catch (const Error&) {
+    return;
+  }
+}
+
+/// A DICOM file, whatever its first bytes are: its header, its series and, where they make a
+/// volume, its pixels.
+inline void readDicomInput(const std::uint8_t* data, std::size_t size) {
+  const MemoryFile file(data, size, "");
+  attempt([&] {
+    for (const ImageSummary& entry : describeImages(file.path())) {
+      if (entry.info.format != "DICOM") return;
+      static_cast<void>(thumbnail(entry, 16));
+      static_cast<void>(readImage(entry, file.path(), true));
+    }
+  });
+}
+
+/// The header checks of MetaImage, NRRD and NIfTI, and the voxels where they let it pass.
+inline void readImageInput(const std::uint8_t* data, std::size_t size) {
+  const bool gzip = size > 1 && data[0] == 0x1f && data[1] == 0x8b;
+  const MemoryFile file(data, size, gzip ? ".nii.gz" : "");
+  attempt([&] {
+    const ImageFormat format = imageFormat(file.path());
+    if (format == ImageFormat::Dicom) return;
+    const ImageHeader header = readHeader(file.path(), format);
+    const bool several = header.data.values > 1;
+    static_cast<void>(readNative(file.path(), {}, several ? std::optional<int>(1) : std::nullopt));
+    attempt([&] { static_cast<void>(readImage(file.path())); });
+    attempt([&] { static_cast<void>(readMask(file.path())); });
+    static_cast<void>(readLabels(file.path()));
+  });
+}
+
+/// A mesh; the first byte says of which format, from '0' on.
+inline void readMeshInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return;
+  constexpr std::array<const char*, 5> kEndings{".ply", ".stl", ".obj", ".vtp", ".vtk"};
+  const MemoryFile file(data + 1, size - 1, kEndings[(data[0] + 255U - '0') % kEndings.size()]);
+  attempt([&] { static_cast<void>(loadMesh(file.path())); });
+}
+
+}  // namespace angiomesh::fuzz

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fuzz_seeds FOLDER: writes the inputs that the fuzzers start from to FOLDER/fuzz_dicom, fuzz_image
+// and fuzz_mesh. Each is a tiny file of one of the kinds that the readers take.
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "io/mesh_io.h"
+#include "tests/io/dicom_writer.h"
+#include "tests/io/jpeg2000_writer.h"
+#include "tests/io/mesh_samples.h"
+
+using namespace angiomesh;
+using namespace angiomesh::test;
+
+namespace {
+
+/// Encoders name their pictures after the machine.
+void takeName(const fs::path& path) {
+  DcmFileFormat format;
+  if (format.loadFile(path.c_str()).bad() || format.loadAllDataIntoMemory().bad()) return;
+  putText(*format.getDataset(), DCM_SOPInstanceUID, "1.2.3.4.5.6");
+  format.saveFile(path.c_str(), format.getDataset()->getOriginalXfer());
+}
+
+void makeDicom(const fs::path& folder) {
+  const Encoders encoders;
+  const std::pair<const char*, E_TransferSyntax> syntaxes[] = {
+      {"explicit", EXS_LittleEndianExplicit},
+      {"implicit", EXS_LittleEndianImplicit},
+      {"big", EXS_BigEndianExplicit},
+      {"deflated", EXS_DeflatedLittleEndianExplicit},
+      {"rle", EXS_RLELossless},
+      {"jpeg_lossless", EXS_JPEGProcess14SV1},
+      {"jpegls", EXS_JPEGLSLossless}};
+  for (const auto& [name, syntax] : syntaxes) {
+    saveSlice(sliceAt(1), folder / name, syntax);
+    saveEnhanced(folder / (std::string("frames_") + name), {2, 0, 1}, true, syntax);
+  }
+  saveSlice(sliceAt(1), folder / "jpeg2000");
+  toJpeg2000(folder / "jpeg2000");
+  saveEnhanced(folder / "frames_jpeg2000", {2, 0, 1});
+  toJpeg2000(folder / "frames_jpeg2000");
+  saveEnhanced(folder / "frames_nowhere", {0, 1, 2}, false);
+
+  Slice slice = sliceAt(0);
+  slice.edit = [](DcmDataset& data) {
+    data.putAndInsertUint16(DCM_BitsAllocated, 8);
+    data.putAndInsertUint16(DCM_BitsStored, 8);
+    data.putAndInsertUint16(DCM_HighBit, 7);
+  };
+  slice.encode = [](int value) { return static_cast<Uint16>(value % 256); };
+  saveSlice(slice, folder / "bytes");
+  saveSlice(slice, folder / "jpeg_baseline", EXS_JPEGProcess1);
+
+  Slice padded = sliceAt(2);
+  padded.isSigned = padded.rescaled = true;
+  padded.slope = 0.5;
+  padded.intercept = -1024.0;
+  padded.edit = [](DcmDataset& data) {
+    putText(data, DCM_PhotometricInterpretation, "MONOCHROME1");
+    data.putAndInsertSint16(DcmTag(DCM_PixelPaddingValue, EVR_SS), -2000);
+    data.putAndInsertSint16(DcmTag(DCM_PixelPaddingRangeLimit, EVR_SS), -1900);
+  };
+  saveSlice(padded, folder / "padding");
+
+  Slice colour = sliceAt(3);
+  colour.edit = [](DcmDataset& data) {
+    data.putAndInsertUint16(DCM_SamplesPerPixel, 3);
+    putText(data, DCM_PhotometricInterpretation, "RGB");
+  };
+  saveSlice(colour, folder / "colour");
+
+  for (const auto& entry : fs::directory_iterator(folder)) takeName(entry.path());
+
+  // Old files: no preamble, no meta header, the data set from the first byte on.
+  DcmFileFormat format;
+  format.loadFile((folder / "implicit").c_str());
+  format.getDataset()->saveFile((folder / "no_preamble").c_str(), EXS_LittleEndianImplicit);
+}
+
+template <class T>
+AnyVolume volumeOf() {
+  Volume<T> volume;
+  volume.geometry.size = {3, 4, 3};
+  volume.geometry.spacing = {0.5, 0.6, 1.2};
+  volume.geometry.origin = {-10, 20, 30.5};
+  volume.geometry.direction = oblique();
+  volume.voxels = BigVector<T>(36);
+  for (std::size_t i = 0; i < 36; ++i) volume.voxels[i] = static_cast<T>(i * 3 % 7);
+  return volume;
+}
+
+template <class T>
+void makeVolumes(const fs::path& folder, const std::string& type) {
+  for (const char* ending : {".mha", ".nrrd", ".nii", ".nii.gz"})
+    writeVolume(volumeOf<T>(), folder / (type + ending));
+}
+
+/// What our writers do not write.
+void makeForeignImages(const fs::path& folder) {
+  const std::string meta =
+      "ObjectType = Image\nNDims = 3\nDimSize = 2 3 2\nElementSpacing = 1 2 3\n";
+  const std::string local = "ElementDataFile = LOCAL\n";
+  const std::string text = "0 1 2 3 4 5 6 7 8 9 10 11\n";
+  std::string shorts;
+  for (std::int16_t i = 0; i < 36; ++i) append(shorts, i);
+  save(folder / "text.mha", meta + "ElementType = MET_SHORT\nBinaryData = False\n" + local + text);
+  save(folder / "raw.mha", meta +
+                               "ElementType = MET_SHORT\nBinaryData = True\nBinaryDataByteOrderMSB "
+                               "= True\nTransformMatrix = 0 1 0 1 0 0 0 0 1\nOffset = 4 5 "
+                               "6\nModality = MET_MOD_MR\n" +
+                               local + shorts.substr(0, 24));
+  save(folder / "vector.mha",
+       meta + "ElementNumberOfChannels = 3\nElementType = MET_SHORT\n" + local + shorts);
+  save(folder / "pattern.mhd",
+       meta + "ElementType = MET_SHORT\nHeaderSize = -1\nElementDataFile = s%02d.raw 1 2 1\n");
+  save(folder / "list.mhd", meta + "ElementType = MET_SHORT\nElementDataFile = LIST\na\nb\n");
+  save(folder / "time.mha",
+       "ObjectType = Image\nNDims = 4\nDimSize = 2 3 2 3\nElementSpacing = 1 2 3 1\n"
+       "ElementType = MET_SHORT\n" +
+           local + shorts);
+  save(folder / "large.mha",
+       "ObjectType = Image\nNDims = 3\nDimSize = 100000 100000 100000\n"
+       "ElementType = MET_SHORT\n" +
+           local + shorts);
+
+  const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 3 2\n";
+  const std::string place =
+      "space: left-posterior-superior\nspace directions: (1,0,0) (0,2,0) (0,0,3)\n"
+      "space origin: (5,6,7)\nkinds: domain domain domain\n";
+  save(folder / "text.nrrd", nrrd + place + "encoding: ascii\n\n" + text);
+  save(folder / "hex.nrrd", nrrd + place + "endian: little\nencoding: hex\n\n" +
+                                "000001000200030004000500060007000800090010001100\n");
+  save(folder / "raw.nrrd", nrrd + "spacings: 1 2 3\nendian: big\nbyte skip: 2\nencoding: raw\n\n" +
+                                shorts.substr(0, 26));
+  save(folder / "list.nhdr",
+       nrrd + place + "endian: little\nencoding: raw\ndata file: LIST\na\nb\n");
+  save(
+      folder / "pattern.nhdr",
+      nrrd + place + "endian: little\nencoding: raw\nline skip: 1\ndata file: s%02d.raw 1 2 1\n\n");
+  const std::string four = "NRRD0005\ntype: short\ndimension: 4\nspace: right-anterior-superior\n";
+  save(folder / "vector.nrrd",
+       four +
+           "sizes: 3 2 3 2\nkinds: vector domain domain domain\nspace directions: none (1,0,0) "
+           "(0,2,0) (0,0,3)\nendian: little\nencoding: raw\n\n" +
+           shorts);
+  save(folder / "time.nrrd",
+       four +
+           "sizes: 2 3 2 3\nkinds: domain domain domain list\nspace directions: (1,0,0) "
+           "(0,2,0) (0,0,3) none\nendian: little\nencoding: raw\n\n" +
+           shorts);
+  save(folder / "segments.seg.nrrd",
+       four +
+           "sizes: 2 2 3 3\nkinds: list domain domain domain\nspace directions: none (1,0,0) "
+           "(0,2,0) (0,0,3)\nendian: little\nencoding: raw\nSegment0_Name:=artery\n"
+           "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_Name:=vein\n"
+           "Segment1_LabelValue:=1\nSegment1_Layer:=1\n\n" +
+           shorts);
+  std::string scaled = bytesOf(folder / "int16.nii");
+  put(scaled, 112, 0.5F);
+  put(scaled, 116, -3.0F);
+  save(folder / "scaled.nii", scaled);
+  std::string time = bytesOf(folder / "uint8.nii");
+  put<std::int16_t>(time, 40, 4);
+  put<std::int16_t>(time, 48, 2);
+  save(folder / "time.nii", time + std::string(36, '\1'));
+}
+
+void makeImages(const fs::path& folder) {
+  makeVolumes<std::int8_t>(folder, "int8");
+  makeVolumes<std::uint8_t>(folder, "uint8");
+  makeVolumes<std::int16_t>(folder, "int16");
+  makeVolumes<std::uint16_t>(folder, "uint16");
+  makeVolumes<std::int32_t>(folder, "int32");
+  makeVolumes<std::uint64_t>(folder, "uint64");
+  makeVolumes<float>(folder, "float32");
+  makeVolumes<double>(folder, "float64");
+  makeForeignImages(folder);
+}
+
+vtkNew<vtkPolyData> polyDataOf(const TriMesh& mesh) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  for (const auto& p : mesh.points) points->InsertNextPoint(p.data());
+  vtkNew<vtkCellArray> polygons, strips;
+  for (std::size_t i = 1; i < mesh.triangles.size(); ++i) {
+    polygons->InsertNextCell(3);
+    for (const std::uint32_t corner : mesh.triangles[i]) polygons->InsertCellPoint(corner);
+  }
+  strips->InsertNextCell(3);
+  for (const std::uint32_t corner : mesh.triangles[0]) strips->InsertCellPoint(corner);
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  data->SetStrips(strips);
+  return data;
+}
+
+/// With the byte before it that says the format.
+void keepMesh(const fs::path& folder, const std::string& name, const std::string& bytes) {
+  const fs::path ending = fs::path(name).extension();
+  const char kind = ending == ".ply"   ? '0'
+                    : ending == ".stl" ? '1'
+                    : ending == ".obj" ? '2'
+                    : ending == ".vtp" ? '3'
+                                       : '4';
+  save(folder / name, kind + bytes);
+}
+
+void makeVtkMeshes(const fs::path& folder, const fs::path& scratch) {
+  const vtkNew<vtkPolyData> data = polyDataOf(octahedron());
+  for (const int mode : {vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended})
+    for (const int packer :
+         {vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4, vtkXMLWriter::LZMA}) {
+      if (mode == vtkXMLWriter::Ascii && packer != vtkXMLWriter::NONE) continue;
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetInputData(data);
+      writer->SetFileName(scratch.c_str());
+      writer->SetDataMode(mode);
+      writer->SetCompressorType(packer);
+      writer->SetHeaderType(packer == vtkXMLWriter::LZ4 ? vtkXMLWriter::UInt64
+                                                        : vtkXMLWriter::UInt32);
+      writer->SetEncodeAppendedData(packer == vtkXMLWriter::ZLIB);
+      writer->Write();
+      keepMesh(folder, "vtk" + std::to_string(mode) + std::to_string(packer) + ".vtp",
+               bytesOf(scratch));
+    }
+  for (const int version : {42, 51})
+    for (const bool ascii : {false, true}) {
+      vtkNew<vtkPolyDataWriter> writer;
+      writer->SetInputData(data);
+      writer->SetFileName(scratch.c_str());
+      writer->SetFileVersion(version);
+      writer->SetFileType(ascii ? VTK_ASCII : VTK_BINARY);
+      writer->Write();
+      keepMesh(folder, (ascii ? "ascii" : "binary") + std::to_string(version) + ".vtk",
+               bytesOf(scratch));
+    }
+}
+
+void makeMeshes(const fs::path& folder) {
+  const Folder scratch;
+  for (const char* ending : {".ply", ".stl", ".obj", ".vtp"})
+    for (const bool ascii : {false, true}) {
+      const std::string extension = ending;
+      if (ascii && (extension == ".obj" || extension == ".vtp")) continue;
+      MeshWriteOptions options;
+      options.encoding = ascii ? MeshEncoding::Ascii : MeshEncoding::Binary;
+      options.key = "0123abc";
+      options.normals = options.quality = extension == ".ply" || extension == ".vtp";
+      if (ascii && extension == ".stl") options.parts = {{"one", 0, 3}, {"two", 3, 5}};
+      const fs::path path = scratch / ("m" + extension);
+      writeMesh(octahedron(), path, options);
+      keepMesh(folder, (ascii ? "ascii" : "ours") + extension, bytesOf(path));
+    }
+  makeVtkMeshes(folder, scratch / "m");
+
+  std::string big = plyHeader("binary_big_endian", 3, 1);
+  for (int i = 0; i < 3; ++i) big += std::string("\x3f\x80\0\0\0\0\0\0\0\0\0\0", 12) + "r";
+  keepMesh(folder, "big.ply", big + std::string("\3\0\0\0\0\0\0\0\1\0\0\0\2", 13));
+  keepMesh(folder, "polygon.ply",
+           plyHeader("ascii", 4, 1) + "0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0 4\n4 0 1 2 3\n");
+  keepMesh(folder, "polygon.obj",
+           "# SPACE=RAS\nmtllib a.mtl\no a\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvt 0 "
+           "0\ng b\nf 1/1/1 2//1 3/1 -1\n");
+  keepMesh(
+      folder, "fields.vtk",
+      "# vtk DataFile Version 3.0\nSPACE=RAS UNIT=m\nASCII\nDATASET POLYDATA\nFIELD f 1\na 1 2 "
+      "int\n3 4\nPOINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 0\nLINES 1 3\n2 0 1\nPOLYGONS 1 5\n4 0 "
+      "1 2 3\nTRIANGLE_STRIPS 1 4\n3 0 1 2\nPOINT_DATA 4\nSCALARS s float 1\nLOOKUP_TABLE "
+      "default\n1 2 3 4\nNORMALS n float\n0 0 1 0 0 1 0 0 1 0 0 1\n");
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 2) {
+    std::fprintf(stderr, "fuzz_seeds FOLDER\n");
+    return 2;
+  }
+  const fs::path folder = words[1];
+  const std::pair<const char*, void (*)(const fs::path&)> makers[] = {
+      {"fuzz_dicom", makeDicom}, {"fuzz_image", makeImages}, {"fuzz_mesh", makeMeshes}};
+  for (const auto& [name, make] : makers) {
+    fs::create_directories(folder / name);
+    make(folder / name);
+  }
+  return 0;
+}
