@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "io/image_format.h"
+#include "io/memory_file.h"
 #include "io/voxel_data.h"
 
 namespace angiomesh {
@@ -32,6 +34,11 @@ ImageHeader readHeader(const std::filesystem::path& path, ImageFormat format);
 ImageHeader readMetaImageHeader(const std::filesystem::path& path);
 ImageHeader readNrrdHeader(const std::filesystem::path& path);
 ImageHeader readNiftiHeader(const std::filesystem::path& path);
+
+/// The size and the place in space of a MetaImage file in a header of our own, for ITK, whose own
+/// parser hangs on damaged ones; `withVoxels`: and what it holds of voxels as text.
+/// @throws InputError (a number is missing)
+std::unique_ptr<MemoryFile> plainMetaImage(const std::filesystem::path& path, bool withVoxels);
 
 /// "2 x 3 x 4", and "2 x 3 x 4 x 5" where there are several volumes.
 std::string sizeText(const ImageHeader& header);

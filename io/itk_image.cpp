@@ -12,10 +12,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <new>
 #include <string>
 
 #include "core/base/error.h"
+#include "io/image_header.h"
+#include "io/memory_file.h"
 #include "io/quiet_terminal.h"
 
 namespace angiomesh {
@@ -136,26 +139,32 @@ std::vector<char> readBytes(Io& io) {
   return bytes;
 }
 
-Io::Pointer open(const fs::path& path, ImageFormat format) {
-  Io::Pointer io = makeIo(format);
-  io->SetFileName(path.string());
-  io->ReadImageInformation();
-  return io;
+struct OpenImage {
+  std::unique_ptr<MemoryFile> copy;  ///< of a MetaImage file: what is read in its place
+  Io::Pointer io;
+};
+
+OpenImage open(const fs::path& path, ImageFormat format, bool withVoxels) {
+  OpenImage image{nullptr, makeIo(format)};
+  if (format == ImageFormat::MetaImage) image.copy = plainMetaImage(path, withVoxels);
+  image.io->SetFileName((image.copy ? image.copy->path() : path).string());
+  image.io->ReadImageInformation();
+  return image;
 }
 
 }  // namespace
 
 Geometry itkGeometry(const fs::path& path, ImageFormat format) {
-  return guarded(path, [&] { return geometryOf(*open(path, format)); });
+  return guarded(path, [&] { return geometryOf(*open(path, format, false).io); });
 }
 
 std::vector<char> itkReadText(const fs::path& path, ImageFormat format, std::size_t bytesPerValue) {
   return guarded(path, [&] {
-    const Io::Pointer io = open(path, format);
-    if (io->GetComponentSize() != bytesPerValue)
+    const OpenImage image = open(path, format, true);
+    if (image.io->GetComponentSize() != bytesPerValue)
       throw InputError("the pixel type is not known", path.string(),
                        "convert the image to 16 bit integers or 32 bit floats");
-    return readBytes(*io);
+    return readBytes(*image.io);
   });
 }
 

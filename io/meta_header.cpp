@@ -58,7 +58,54 @@ VoxelPlace metaPlace(std::map<std::string, std::string>& fields, std::istream& i
   return place;
 }
 
+using Fields = std::map<std::string, std::string>;
+
+/// The first three of `all` numbers, or of `all` by `all` those of space.
+std::string numbersOfSpace(const Fields& fields, const std::string& key, std::size_t all,
+                           bool square, const fs::path& path) {
+  const auto found = fields.find(key);
+  if (found == fields.end()) return {};
+  std::istringstream in(found->second);
+  std::ostringstream out;
+  out.precision(17);
+  out << key << " =";
+  const std::size_t rows = square ? all : 1;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < all; ++column) {
+      double value = 0.0;
+      if (!(in >> value)) throwBadHeader(path, key + " is '" + found->second + "'");
+      if (row < 3 && column < 3) out << ' ' << value;
+    }
+  out << '\n';
+  return out.str();
+}
+
 }  // namespace
+
+std::unique_ptr<MemoryFile> plainMetaImage(const fs::path& path, bool withVoxels) {
+  std::ifstream in(path, std::ios::binary);
+  Fields fields = textFields(in, "=:", "ElementDataFile");
+  const std::size_t dimensions = parseSizes(fields["DimSize"]).size();
+  if (dimensions < 3) throwBadHeader(path, "DimSize is '" + fields["DimSize"] + "'");
+  metaType(fields["ElementType"], path);
+  std::string header = "ObjectType = Image\nNDims = 3\n";
+  header += std::string("BinaryData = ") + (withVoxels ? "False" : "True") + '\n';
+  for (const char* key :
+       {"DimSize", "ElementSpacing", "ElementSize", "Offset", "Position", "Origin"})
+    header += numbersOfSpace(fields, key, dimensions, false, path);
+  for (const char* key : {"TransformMatrix", "Rotation", "Orientation"})
+    header += numbersOfSpace(fields, key, dimensions, true, path);
+  header += "ElementType = " + fields["ElementType"] + "\nElementDataFile = LOCAL\n";
+  auto copy = std::make_unique<MemoryFile>();
+  if (withVoxels) {
+    const VoxelPlace place = metaPlace(fields, in, path);
+    std::ifstream voxels(place.local ? path : path.parent_path() / place.file, std::ios::binary);
+    voxels.seekg(static_cast<std::streamoff>(place.start));
+    header.append(std::istreambuf_iterator<char>(voxels), std::istreambuf_iterator<char>());
+  }
+  if (!copy->append(header)) throw std::bad_alloc();
+  return copy;
+}
 
 ImageHeader readMetaImageHeader(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

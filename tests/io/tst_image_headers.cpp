@@ -3,6 +3,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <optional>
 
 #include "core/base/error.h"
 #include "io/image_io.h"
@@ -164,6 +165,43 @@ class TestImageHeaders : public QObject {
     const std::string message = messageOf(path);
     QVERIFY2(message.find(says.toStdString()) != std::string::npos, message.c_str());
     QVERIFY(message.find(path.string()) != std::string::npos);
+  }
+
+  void numbersThatAreNoneAreRefused() {
+    const Folder f;
+    const std::string v = ramp<std::int16_t>();
+    for (const char* line :
+         {"Offset = 1 2", "TransformMatrix = 1 0 0 0 1 0 0 0", "Position = a b c",
+          "ElementSize = 1", "Orientation = 1 0 0 0 1 0 0 0 x"}) {
+      save(f / "v.mha", meta(std::string("ElementType = MET_SHORT\n") + line, v));
+      QVERIFY2(messageOf(f / "v.mha").find("header is not usable") != std::string::npos,
+               (line + (": " + messageOf(f / "v.mha"))).c_str());
+    }
+    // ITK's own parser does not come back from this.
+    save(f / "v.mha", bytesOf(fs::path(ANGIOMESH_FUZZ_CORPUS) / "fuzz_image/meta_endless"));
+    messageOf(f / "v.mha");
+  }
+
+  void aMetaImageLiesWhereItsHeaderSays() {
+    const Folder f;
+    const std::string values = ramp<std::int16_t>(false, 48);
+    const std::string type = "ElementType = MET_SHORT\n";
+    save(f / "v.mha", meta(type + "Offset = 4 5.5 -6\nTransformMatrix = 0 1 0 0 0 1 1 0 0",
+                           values.substr(0, 48)));
+    save(f / "time.mha",
+         "ObjectType = Image\nNDims = 4\nDimSize = 2 3 4 2\nElementSpacing = 1 2 3 1\n"
+         "Position = 4 5.5 -6 7\nTransformMatrix = 0 1 0 0 0 0 1 0 1 0 0 0 0 0 0 1\n" +
+             type + "ElementDataFile = LOCAL\n" + values);
+    Eigen::Matrix3d turned;  // the matrix of the file holds an axis in each row
+    turned << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+    for (const char* name : {"v.mha", "time.mha"}) {
+      const std::optional<int> first =
+          std::string(name) == "v.mha" ? std::nullopt : std::optional<int>(0);
+      const Geometry g = geometryOf(readNative(f / name, {}, first).volume);
+      QCOMPARE(g.origin, Eigen::Vector3d(4, 5.5, -6));
+      QCOMPARE(g.spacing, Eigen::Vector3d(1, 2, 3));
+      QCOMPARE(g.direction, turned);
+    }
   }
 
   void filePatternsAreNoFormatStrings() {
