@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "io/dicom_nesting.h"
 #include "io/dicom_series.h"
 #include "io/dicom_source.h"
 
@@ -285,7 +286,10 @@ std::string dateOf(DcmItem& data) {
 }  // namespace
 
 HeaderResult readDicomHeader(const fs::path& path, DicomSeries& series) {
+  const char* const kTooDeep = "the DICOM header nests sequences more than a hundred deep";
+  if (nestsTooDeeply(path)) return {false, kTooDeep, false};
   const DicomSource source(path);
+  if (source.inflated() && nestsTooDeeply(source.path())) return {false, kTooDeep, false};
   DcmFileFormat format;
   const OFCondition status =
       format.loadFileUntilTag(source.path().c_str(), EXS_Unknown, EGL_noChange, kLongestText,

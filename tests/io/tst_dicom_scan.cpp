@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <memory>
 #include <random>
 
 #include "tests/io/dicom_writer.h"
@@ -257,6 +258,66 @@ class TestDicomScan : public QObject {
     }
     QCOMPARE(terminal.text(), QString());
     QVERIFY2(missed.isEmpty(), qPrintable(missed));
+  }
+
+  void endlesslyNestedSequencesAreRefused_data() {
+    QTest::addColumn<int>("syntax");
+    QTest::addColumn<bool>("behindPixels");
+    QTest::newRow("explicit") << int(EXS_LittleEndianExplicit) << false;
+    QTest::newRow("behind the pixels") << int(EXS_LittleEndianExplicit) << true;
+    QTest::newRow("implicit") << int(EXS_LittleEndianImplicit) << false;
+    QTest::newRow("deflated") << int(EXS_DeflatedLittleEndianExplicit) << false;
+  }
+  void endlesslyNestedSequencesAreRefused() {
+    QFETCH(int, syntax);
+    QFETCH(bool, behindPixels);
+    const auto written = static_cast<E_TransferSyntax>(syntax);
+    const DcmTagKey place = behindPixels ? DcmTagKey(0x7fe1, 0x1010) : DcmTagKey(0x0029, 0x1010);
+    const auto nest = [&](int depth, const fs::path& folder) {
+      // Built from the inside, so that nothing here calls itself.
+      auto sequence = std::make_unique<DcmSequenceOfItems>(DcmTag(place, EVR_SQ));
+      for (int n = 1; n < depth; ++n) {
+        auto outer = std::make_unique<DcmSequenceOfItems>(DcmTag(place, EVR_SQ));
+        auto item = std::make_unique<DcmItem>();
+        item->insert(sequence.release());
+        outer->append(item.release());
+        sequence = std::move(outer);
+      }
+      saveSeries(
+          folder,
+          [&](Slice& slice) {
+            if (slice.k == 0)
+              slice.edit = [&](DcmDataset& data) { data.insert(sequence.release()); };
+            return true;
+          },
+          written);
+    };
+    // What DCMTK can write is not deep enough to do harm, but more than any scanner nests.
+    const Folder deep;
+    nest(300, deep.path());
+    QVERIFY2(refusal(deep.path()).contains("nests sequences"), qPrintable(refusal(deep.path())));
+    const Folder flat;
+    nest(20, flat.path());
+    verifyVoxels(readImage(flat.path()).image, plain);
+  }
+
+  void aFileOfSequencesAloneDoesNotFillTheStack() {
+    const Folder folder;
+    saveSeries(folder.path());
+    std::string bytes = bytesOf(folder / "0.dcm");
+    const std::size_t pixels = bytes.find(std::string("\xe0\x7f\x10\0OW", 6));
+    QVERIFY(pixels != std::string::npos);
+    std::string nested;
+    for (int n = 0; n < 100000; ++n)
+      nested +=
+          std::string("\x29\0\x10\x10SQ\0\0\xff\xff\xff\xff\xfe\xff\0\xe0\xff\xff\xff\xff", 20);
+    save(folder / "0.dcm", bytes.substr(0, pixels) + nested + bytes.substr(pixels));
+    QVERIFY(refusal(folder.path()).contains("nests sequences"));
+    save(folder / "0.dcm", bytes + nested);
+    QVERIFY(refusal(folder.path()).contains("nests sequences"));
+    // In group 2, before everything else.
+    save(folder / "0.dcm", bytes.substr(0, 132) + "\x02" + nested.substr(1) + bytes.substr(132));
+    QVERIFY(refusal(folder.path()).contains("nests sequences"));
   }
 
   void foldersWithoutImagesAreRefused() {
