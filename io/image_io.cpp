@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/image_io.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -99,11 +97,9 @@ OpenImage openImage(const fs::path& path, const std::string& seriesUid,
 
 /// Throws where the voxels, `bytesEach` each, are more than the memory of the machine.
 void checkMemory(const OpenImage& image, std::size_t bytesEach) {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || page <= 0) return;
-  const auto memory = static_cast<std::uintmax_t>(pages) * static_cast<std::uintmax_t>(page);
+  const std::uintmax_t memory = physicalMemory();
   const std::uintmax_t needed = image.header.data.voxels * bytesEach;
-  if (needed <= memory) return;
+  if (memory == 0 || needed <= memory) return;
   const auto gigabytes = [](std::uintmax_t bytes) { return std::to_string((bytes >> 30U) + 1); };
   throw InputError("the volume (" + sizeText(image.header) + " voxels, " + gigabytes(needed) +
                        " GB) does not fit into the memory of this machine (" + gigabytes(memory) +

@@ -7,6 +7,7 @@
 
 #ifdef __linux__
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -48,6 +49,15 @@ void releaseFreedMemory() noexcept {
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif
+}
+
+std::uint64_t physicalMemory() noexcept {
+#ifdef __linux__
+  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
+  if (pages > 0 && page > 0)
+    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+#endif
+  return 0;
 }
 
 }  // namespace angiomesh

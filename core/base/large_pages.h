@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <type_traits>
 #include <vector>
@@ -16,6 +17,9 @@ void freeLargePages(void* memory, std::size_t bytes) noexcept;
 /// Gives memory that was freed, but that the C library keeps for later, back to the system: between
 /// stages whose arrays differ in size it is of no use to the next one.
 void releaseFreedMemory() noexcept;
+
+/// Bytes of memory that the machine has; 0 when that is not known.
+std::uint64_t physicalMemory() noexcept;
 
 template <class T>
 struct LargePages {

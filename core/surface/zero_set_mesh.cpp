@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/large_pages.h"
 #include "core/quality/self_intersection.h"
 #include "core/surface/grow_front.h"
 #include "core/surface/mend_mesh.h"
@@ -30,6 +32,9 @@ void append(PatchMesh& to, const PatchMesh& from) {
     to.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
+/// Of the whole program at its peak, as measured with a million triangles.
+constexpr double kBytesPerTriangle = 600.0;
+
 class Mesher {
  public:
   Mesher(const SplineField& field, const SizingParams& sizing, SurfaceBorder border,
@@ -39,6 +44,7 @@ class Mesher {
         border_(border),
         progress_(progress),
         size_(field, sizing, progress.sub(0.0, 0.15)) {
+    checkMemoryFor(size_.estimatedTriangles());
     reference_ = referenceSurface(sampleField(field, wholeGrid(field.geometry()), progress),
                                   field.geometry(), border, progress.sub(0.15, 0.2));
     landmarks_ = landmarksOf(wallOf(reference_), field, size_);
@@ -179,6 +185,21 @@ class Mesher {
 };
 
 }  // namespace
+
+void checkMemoryFor(double triangles) {
+  constexpr double kGigabyte = 1024.0 * 1024.0 * 1024.0;
+  const auto memory = static_cast<double>(physicalMemory());
+  if (memory == 0.0 || triangles * kBytesPerTriangle < memory) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "the surface would have some %.0f million triangles, which take about %.0f GB of "
+                "memory; this machine has %.0f GB",
+                1e-6 * triangles, triangles * kBytesPerTriangle / kGigabyte, memory / kGigabyte);
+  throw InputError(text, "surface",
+                   "draw a region of interest, keep fewer parts (segmentation.keep, "
+                   ".minVolumeMm3), or ask for longer edges (surface.edgesAround, .rho, "
+                   ".edgeMinMm)");
+}
 
 ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
                         SurfaceBorder border, const Progress& progress) {

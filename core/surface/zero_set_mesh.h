@@ -50,4 +50,8 @@ struct ZeroSetMesh {
 ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
                         SurfaceBorder border, const Progress& progress = {});
 
+/// @throws InputError when so many triangles take more memory than the machine has: their number is
+/// known before meshing, and the system ends a program that asks for too much without a word
+void checkMemoryFor(double triangles);
+
 }  // namespace angiomesh

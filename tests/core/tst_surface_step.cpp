@@ -2,8 +2,10 @@
 #include <QTest>
 #include <functional>
 
+#include "core/base/error.h"
 #include "core/pipeline/surface_step.h"
 #include "core/quality/mesh_quality.h"
+#include "core/surface/zero_set_mesh.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;
@@ -49,6 +51,16 @@ class TestSurfaceStep : public QObject {
     QVERIFY(more([](SurfaceParams& p) { p.sizing.edgesAround = 48; }));
     QVERIFY(more([](SurfaceParams& p) { p.sizing.edgeMaxMm = 0.8; }));
     QVERIFY(fewer([](SurfaceParams& p) { p.sizing.edgeMinMm = 5.0; }));
+  }
+
+  void moreTrianglesThanTheMemoryHoldsAreRefused() {
+    checkMemoryFor(1e5);
+    try {
+      checkMemoryFor(1e12);
+      QFAIL("a million million triangles");
+    } catch (const InputError& error) {
+      QVERIFY2(QString(error.what()).contains("1000000 million triangles"), error.what());
+    }
   }
 
   void theFrontAndTheRemesherFollowTheSize_data() {
