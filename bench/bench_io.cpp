@@ -3,11 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -18,6 +16,7 @@
 
 #include "bench/dicom_folder.h"
 #include "bench/peak_memory.h"
+#include "bench/program.h"
 #include "core/base/parallel.h"
 #include "io/image_io.h"
 
@@ -43,11 +42,6 @@ struct Case {
   std::vector<double> plainMs, readMs;
   double peakMb = 0.0;
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 /// A raw MetaImage with the noise of a scan.
 template <class T>
@@ -154,7 +148,8 @@ std::string rowOf(const Case& test) {
     ratios.push_back(test.readMs[n] / test.plainMs[n]);
   char line[200];
   std::snprintf(line, sizeof line, "| %s | %.1f | %.1f | %.2f | %.0f | ", test.name.c_str(),
-                median(test.plainMs), median(test.readMs), median(ratios), test.peakMb);
+                bench::median(test.plainMs), bench::median(test.readMs), bench::median(ratios),
+                test.peakMb);
   std::string row = line;
   if (test.volumeMb > 0.0) {
     std::snprintf(line, sizeof line, "%.2f", test.peakMb / test.volumeMb);
@@ -250,11 +245,5 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "0: all cores");
   app.add_option("--repeat", options.repeat, "runs of each")->check(CLI::PositiveNumber);
   app.add_option("-o,--output", options.output, "folder to write")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return bench::runProgram(app, argc, argv, [&] { return run(options); });
 }

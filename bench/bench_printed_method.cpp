@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
 #include "bench/printed_method.h"
+#include "bench/program.h"
 #include "core/base/parallel.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
@@ -99,11 +98,5 @@ int main(int argc, char** argv) {
   app.add_flag("--serial", options.serial, "ITK's serial sparse field, not the parallel one");
   app.add_flag("--clip", options.clip, "noise clipped to the thesis's range, 0..255");
   app.add_option("--threads", options.threads, "0: all cores")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return bench::runProgram(app, argc, argv, [&] { return run(options); });
 }

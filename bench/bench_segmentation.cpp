@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "bench/peak_memory.h"
+#include "bench/program.h"
 #include "bench/stages.h"
 #include "bench/svg_plot.h"
 #include "core/base/parallel.h"
@@ -41,18 +40,12 @@ struct Group {
   std::vector<std::vector<Measured>> stages;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 /// Median over the repetitions of `way` to `ours`, each pair measured one after the other.
 double ratio(const Measured& way, const Measured& ours) {
   std::vector<double> ratios;
   for (std::size_t n = 0; n < way.milliseconds.size(); ++n)
     ratios.push_back(way.milliseconds[n] / ours.milliseconds[n]);
-  return median(ratios);
+  return bench::median(ratios);
 }
 
 /// Takes the times from Google Benchmark; the way is found again by its number, the benchmark's
@@ -131,9 +124,9 @@ std::string stageTable(const Group& group) {
   for (const auto& ways : group.stages)
     for (const Measured& m : ways) {
       append(out, "| %s | %s | %.1f | %.2f |", m.stage.c_str(), m.way.c_str(),
-             median(m.milliseconds), ratio(m, ways.front()));
+             bench::median(m.milliseconds), ratio(m, ways.front()));
       if (m.iterations > 0)
-        append(out, " %d | %.2f |", m.iterations, median(m.milliseconds) / m.iterations);
+        append(out, " %d | %.2f |", m.iterations, bench::median(m.milliseconds) / m.iterations);
       else
         out += " | |";
       if (m.peakMb >= 0.0)
@@ -173,7 +166,7 @@ std::string growthTable(const std::vector<Group>& groups, bool bySize,
       append(out, "| %s | %s |", first.stage.c_str(), first.way.c_str());
       bench::PlotSeries series{first.way, {}};
       for (const Group& g : groups) {
-        const double ms = median(g.stages[s][w].milliseconds);
+        const double ms = bench::median(g.stages[s][w].milliseconds);
         append(out, " %.1f |", ms);
         series.points.emplace_back(bySize ? g.size : g.threads, std::max(ms, 1e-3));
       }
@@ -245,11 +238,5 @@ int main(int argc, char** argv) {
   app.add_option("--noise", options.noise, "sigma of the noise, of 0..255")->capture_default_str();
   app.add_option("--only", options.only, "the stages whose name holds this text");
   app.add_option("-o,--output", options.output, "folder to write")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return bench::runProgram(app, argc, argv, [&] { return run(options); });
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <string>
 #include <vector>
 
 #include "bench/contestants.h"
+#include "bench/program.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
@@ -51,11 +50,6 @@ Volume<float> makePhi(const Options& options) {
   return phi;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 void printRow(const bench::Contestant& contestant, const SplineField& field, int repeat) {
   std::vector<double> wall;
   std::vector<double> processor;
@@ -67,7 +61,8 @@ void printRow(const bench::Contestant& contestant, const SplineField& field, int
     processor.push_back(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
     wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  std::printf("%-32s %8.3f %8.3f", contestant.name.c_str(), median(wall), median(processor));
+  std::printf("%-32s %8.3f %8.3f", contestant.name.c_str(), bench::median(wall),
+              bench::median(processor));
   if (mesh.triangles.empty()) {
     std::printf("\n");
     return;
@@ -132,11 +127,5 @@ int main(int argc, char** argv) {
   app.add_option("--repeat", options.repeat, "runs of each")->check(CLI::PositiveNumber);
   app.add_option("--only", options.only, "those alone whose name holds this text");
   app.add_flag("--defaults", options.defaults, "the product's own sizing, not the thesis's");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return bench::runProgram(app, argc, argv, [&] { return run(options); });
 }

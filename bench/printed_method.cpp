@@ -4,20 +4,16 @@
 #include <itkFastMarchingImageFilter.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "bench/itk_volume.h"
+#include "core/base/clock.h"
 #include "core/base/error.h"
 
 namespace angiomesh::bench {
 namespace {
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Eq. 5.1-5.2 in working voxels; at least two scales unless the range is empty.
 std::vector<double> printedScales(double low, double high) {
@@ -111,7 +107,7 @@ PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& 
   const double k = p.kMm ? *p.kMm / voxel : 2.0 * low;
   PrintedMethodResult result;
 
-  auto start = std::chrono::steady_clock::now();
+  auto start = Clock::now();
   for (const double sigma : printedScales(low, high)) {
     const Volume<float> v = vesselnessAt(image, sigma, k, c, p, hessian);
     if (result.vesselness.voxels.empty()) result.vesselness = Volume<float>(image.geometry);
@@ -122,7 +118,7 @@ PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& 
   const Volume<float> single = vesselnessAt(image, 0.5 * (low + high), k, c, p, hessian);
   result.vesselnessSeconds = secondsSince(start);
 
-  start = std::chrono::steady_clock::now();
+  start = Clock::now();
   result.thresholds = printedThresholds(result.vesselness, high / low, params.levelset);
   const Volume<float> phi0 = marchedStart(single, params.seeds, result.seeds);
   result.front = evolveItk(result.vesselness, result.thresholds, phi0, params.levelset, solver);

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/mask_distance.h"
@@ -12,12 +13,6 @@
 
 namespace angiomesh {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void postSnapshot(const LevelSetEvolution& evolution, const RunOptions& options,
                   const Progress& progress) {
