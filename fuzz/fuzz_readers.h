@@ -27,7 +27,7 @@ void attempt(const Work& work) {
 /// A DICOM file, whatever its first bytes are: its header, its series and, where they make a
 /// volume, its pixels.
 inline void readDicomInput(const std::uint8_t* data, std::size_t size) {
-  const MemoryFile file(data, size, "");
+  const InputFile file(data, size, "");
   attempt([&] {
     for (const ImageSummary& entry : describeImages(file.path())) {
       if (entry.info.format != "DICOM") return;
@@ -40,7 +40,7 @@ inline void readDicomInput(const std::uint8_t* data, std::size_t size) {
 /// The header checks of MetaImage, NRRD and NIfTI, and the voxels where they let it pass.
 inline void readImageInput(const std::uint8_t* data, std::size_t size) {
   const bool gzip = size > 1 && data[0] == 0x1f && data[1] == 0x8b;
-  const MemoryFile file(data, size, gzip ? ".nii.gz" : "");
+  const InputFile file(data, size, gzip ? ".nii.gz" : "");
   attempt([&] {
     const ImageFormat format = imageFormat(file.path());
     if (format == ImageFormat::Dicom) return;
@@ -57,7 +57,7 @@ inline void readImageInput(const std::uint8_t* data, std::size_t size) {
 inline void readMeshInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return;
   constexpr std::array<const char*, 5> kEndings{".ply", ".stl", ".obj", ".vtp", ".vtk"};
-  const MemoryFile file(data + 1, size - 1, kEndings[(data[0] + 255U - '0') % kEndings.size()]);
+  const InputFile file(data + 1, size - 1, kEndings[(data[0] + 255U - '0') % kEndings.size()]);
   attempt([&] { static_cast<void>(loadMesh(file.path())); });
 }
 
