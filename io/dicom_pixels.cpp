@@ -5,9 +5,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -28,6 +25,7 @@
 #include "io/dicom_source.h"
 #include "io/itk_image.h"
 #include "io/memory_file.h"
+#include "io/open_file.h"
 
 namespace angiomesh {
 namespace {
@@ -58,37 +56,6 @@ std::size_t frameBytes(const DicomFile& file) {
   return file.pixels() * static_cast<std::size_t>(file.layout.allocated / 8);
 }
 
-/// A descriptor that is closed with the object.
-class OpenFile {
- public:
-  explicit OpenFile(const fs::path& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-
-  [[nodiscard]] std::uint64_t size() const {
-    struct stat state {};
-    return ::fstat(descriptor_, &state) == 0 ? static_cast<std::uint64_t>(state.st_size) : 0;
-  }
-  [[nodiscard]] bool read(std::uint64_t at, void* to, std::size_t count) const {
-    auto* bytes = static_cast<unsigned char*>(to);
-    while (count > 0) {
-      const ssize_t got = ::pread(descriptor_, bytes, count, static_cast<off_t>(at));
-      if (got <= 0) return false;
-      bytes += got;
-      at += static_cast<std::uint64_t>(got);
-      count -= static_cast<std::size_t>(got);
-    }
-    return true;
-  }
-
- private:
-  int descriptor_;
-};
-
 /// Where uncompressed pixels begin when they are the last element of the file, else 0.
 std::uint64_t pixelsAtEnd(const OpenFile& open, const DicomFile& file) {
   const std::uint64_t bytes = frameBytes(file) * static_cast<std::uint64_t>(file.frames);
@@ -97,7 +64,7 @@ std::uint64_t pixelsAtEnd(const OpenFile& open, const DicomFile& file) {
   constexpr std::uint64_t kExplicit = 12;  // tag, VR, two bytes of nothing, length
   std::array<unsigned char, kExplicit> head{};
   if (length > 0xfffffffeU || size < length + 132 ||
-      !open.read(size - length - kExplicit, head.data(), head.size()))
+      open.readAt(size - length - kExplicit, head.data(), head.size()) < head.size())
     return 0;
   const auto number = [&](std::size_t at) {
     std::uint32_t value = 0;
@@ -122,7 +89,8 @@ bool readNative(const DicomFile& file, const std::vector<int>& frames, const Fra
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const std::uint64_t at =
         start + static_cast<std::uint64_t>(frames[n]) * static_cast<std::uint64_t>(words.size());
-    if (!open.read(at, words.data(), words.size())) damaged(file.path, "it cannot be read");
+    if (open.readAt(at, words.data(), words.size()) < words.size())
+      damaged(file.path, "it cannot be read");
     sink.words(n, words.data());
   }
   return true;

@@ -10,6 +10,9 @@
 
 namespace angiomesh {
 
+/// What to do about a damaged file.
+inline constexpr const char* kCopyAgain = "copy or download it again";
+
 /// Calls `write` with a temporary name beside `path` (same extension), then renames it to `path`;
 /// removes it when `write` throws or when the medium is full. @throws IoError that says what cannot
 /// be written, where and what to do

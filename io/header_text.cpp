@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/files.h"
 
 namespace angiomesh {
 

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/files.h"
 
 namespace angiomesh {
 namespace {

@@ -5,9 +5,6 @@
 
 namespace angiomesh {
 
-/// What to do about a damaged file.
-inline constexpr const char* kCopyAgain = "copy or download it again";
-
 enum class ImageFormat { MetaImage, Nrrd, Nifti, Dicom };
 
 /// The format by content, whatever the name says. @throws IoError (missing, unreadable, empty),

@@ -94,7 +94,7 @@ void writeFile(const WritableMesh& mesh, const std::string& extension, const fs:
 
 PolygonMesh readPolygons(const fs::path& path) {
   const std::string bytes = readText(path);
-  if (bytes.empty()) throw IoError("the file is empty", path.string(), "copy or download it again");
+  if (bytes.empty()) throw IoError("the file is empty", path.string(), kCopyAgain);
   const std::string extension = meshExtension(path);
   if (extension == ".ply") return readPly(bytes, path);
   if (extension == ".stl") return readStl(bytes, path);

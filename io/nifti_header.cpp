@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "io/files.h"
 #include "io/header_text.h"
 #include "io/image_header.h"
 
@@ -59,7 +60,7 @@ Fields readFields(const fs::path& path) {
   std::string bytes(kHeader, '\0');
   if (!file ||
       gzread(file.get(), bytes.data(), static_cast<unsigned>(kHeader)) != static_cast<int>(kHeader))
-    throw IoError("the file is truncated", path.string(), "copy or download it again");
+    throw IoError("the file is truncated", path.string(), kCopyAgain);
   return Fields(bytes);
 }
 

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "io/files.h"
 #include "io/point_merger.h"
 #include "io/polygon_mesh.h"
 #include "io/text_scanner.h"
@@ -37,7 +38,7 @@ std::string nameOf(std::string_view line) {
 
 PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& path) {
   const auto broken = [&]() -> IoError {
-    return {"the STL text is truncated or damaged", path.string(), "copy or download it again"};
+    return {"the STL text is truncated or damaged", path.string(), kCopyAgain};
   };
   PolygonMesh mesh;
   PointMerger merger(mesh.points);
@@ -94,7 +95,7 @@ PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path)
   }
   throw IoError("the STL file is truncated or not an STL file (" + std::to_string(bytes.size()) +
                     " of " + std::to_string(expected) + " bytes)",
-                path.string(), "copy or download it again");
+                path.string(), kCopyAgain);
 }
 
 }  // namespace angiomesh

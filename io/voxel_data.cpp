@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/voxel_data.h"
 
-#include <fcntl.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -14,7 +12,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "io/image_format.h"
+#include "io/files.h"
+#include "io/open_file.h"
 
 namespace angiomesh {
 namespace {
@@ -25,38 +24,28 @@ constexpr std::size_t kRun = std::size_t{1} << 18;  // bytes of a run: they stay
 
 using Take = std::function<void(std::size_t, std::span<const std::byte>)>;
 
-/// A file that is open for reading.
-class OpenFile {
+/// A file of voxels, whose faults are thrown.
+class VoxelFile {
  public:
-  explicit OpenFile(const fs::path& path)
-      : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (descriptor_ < 0)
-      throw IoError("cannot read the file (" + std::generic_category().message(errno) + ")",
-                    path.string(), "check the name and the permissions");
+  explicit VoxelFile(const fs::path& path) : path_(path), file_(path) {
+    if (!file_.isOpen()) refuse("check the name and the permissions");
   }
-  ~OpenFile() { ::close(descriptor_); }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
 
   /// The number of bytes read, less than asked for at the end of the file only.
   std::size_t readAt(std::uintmax_t start, std::byte* to, std::size_t bytes) const {
-    std::size_t got = 0;
-    while (got < bytes) {
-      const ssize_t n =
-          ::pread(descriptor_, to + got, bytes - got, static_cast<off_t>(start + got));
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0)
-        throw IoError("cannot read the file (" + std::generic_category().message(errno) + ")",
-                      path_.string(), "check the medium");
-      if (n == 0) break;
-      got += static_cast<std::size_t>(n);
-    }
+    const std::size_t got = file_.readAt(start, to, bytes);
+    if (got < bytes && errno != 0) refuse("check the medium");
     return got;
   }
 
  private:
+  [[noreturn]] void refuse(const char* advice) const {
+    throw IoError("cannot read the file (" + std::generic_category().message(errno) + ")",
+                  path_.string(), advice);
+  }
+
   fs::path path_;
-  int descriptor_;
+  OpenFile file_;
 };
 
 /// Which part of the data is wanted, and how it is laid out in runs.
@@ -108,8 +97,8 @@ void readPlain(const VoxelData& data, const Layout& layout, const Take& take,
     begin.push_back(total);
     total += piece.bytes;
   }
-  std::unique_ptr<OpenFile> only;
-  if (pieces.size() == 1) only = std::make_unique<OpenFile>(pieces.front().file);
+  std::unique_ptr<VoxelFile> only;
+  if (pieces.size() == 1) only = std::make_unique<VoxelFile>(pieces.front().file);
   const auto fetch = [&](std::uintmax_t at, std::byte* to, std::size_t bytes) {
     while (bytes > 0) {
       const auto next = std::upper_bound(begin.begin(), begin.end(), at);
@@ -119,7 +108,7 @@ void readPlain(const VoxelData& data, const Layout& layout, const Take& take,
       const auto part = static_cast<std::size_t>(
           std::min<std::uintmax_t>(bytes, piece.bytes > inside ? piece.bytes - inside : 0));
       const std::size_t got = only ? only->readAt(piece.start + inside, to, part)
-                                   : OpenFile(piece.file).readAt(piece.start + inside, to, part);
+                                   : VoxelFile(piece.file).readAt(piece.start + inside, to, part);
       if (got < part || part == 0) throwTruncated(piece.file, piece.bytes, inside + got);
       at += part;
       to += part;
@@ -193,7 +182,7 @@ class Inflater {
   }
 
   VoxelPiece piece_;
-  OpenFile file_;
+  VoxelFile file_;
   std::uintmax_t at_ = 0;
   std::uintmax_t total_ = 0;
   bool ended_ = false;

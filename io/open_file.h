@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+
+namespace angiomesh {
+
+/// A file that is open for reading at any place, by several threads. Closed with the object.
+class OpenFile {
+ public:
+  explicit OpenFile(const std::filesystem::path& path);
+  ~OpenFile();
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  /// Else errno says why.
+  [[nodiscard]] bool isOpen() const { return descriptor_ >= 0; }
+  /// 0 when it cannot be told.
+  [[nodiscard]] std::uintmax_t size() const;
+  /// The number of bytes read: less than asked for at the end of the file, where errno is 0, and
+  /// where reading fails, where it says why.
+  std::size_t readAt(std::uintmax_t start, void* to, std::size_t bytes) const;
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace angiomesh
