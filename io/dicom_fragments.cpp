@@ -115,7 +115,28 @@ std::string sizeText(const CodedPicture& picture) {
          std::to_string(picture.height) + " pixels";
 }
 
+/// Whether DCMTK, looking for the frame header, comes to the marker TEM, which no encoder leaves in
+/// a file: it never goes on from there.
+bool comesToTem(const Bytes& bytes) {
+  for (std::size_t at = 0; at + 4 <= bytes.size();) {
+    const std::uint64_t marker = bytes.at(at, 2);
+    if (marker == 0xff01) return true;
+    if (marker == 0xffff) {
+      ++at;  // fills up
+      continue;
+    }
+    const bool alone =
+        (marker >= 0xffd0 && marker <= 0xffd9) || (marker > 0xff02 && marker < 0xffc0);
+    const bool segment = marker == 0xffc4 || marker == 0xffc8 || marker == 0xffcc ||
+                         (marker >= 0xffda && marker <= 0xfffe);
+    if (!alone && !segment) return false;  // the frame header, or nothing that DCMTK knows
+    at += 2 + (segment ? static_cast<std::size_t>(bytes.at(at + 2, 2)) : 0);
+  }
+  return false;
+}
+
 std::string jpegDamage(const Bytes& head, const DicomFile& file) {
+  if (comesToTem(head)) return "the marker TEM in a JPEG picture";
   if (head.at(0, 2) != 0xffd8) return {};
   const CodedPicture picture = jpegPicture(head);
   return picture.width * picture.height > file.pixels() ? sizeText(picture) : std::string();

@@ -100,6 +100,9 @@ class TestDicom : public QObject {
     };
     const std::string side = big(60000, 2);
     row("JPEG", EXS_JPEGProcess14SV1, "\xff\xc3", 5, side + side, "60000 x 60000");
+    row("JPEG marker", EXS_JPEGProcess14SV1, "\xff\xd8\xff", 2, big(0xff01, 2), "marker TEM");
+    row("JPEG marker behind fill", EXS_JPEGProcess14SV1, "\xff\xd8\xff", 2, big(0xffffff01, 4),
+        "marker TEM");
     row("JPEG-LS", EXS_JPEGLSLossless, "\xff\xf7", 5, side + side, "60000 x 60000");
     row("JPEG 2000", EXS_JPEG2000, "\xff\x4f\xff\x51", 8, big(60000, 4) + big(60000, 4),
         "60000 x 60000");
