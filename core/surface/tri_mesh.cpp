@@ -23,6 +23,10 @@ double sixfoldVolume(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t,
 }  // namespace
 
 void checkMesh(const TriMesh& mesh) {
+  if (!mesh.patch.empty() && mesh.patch.size() != mesh.triangles.size())
+    throw InputError("patches are given for " + std::to_string(mesh.patch.size()) + " of " +
+                         std::to_string(mesh.triangles.size()) + " triangles",
+                     "mesh", "repair or re-export the mesh file");
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) {
       if (v >= mesh.points.size()) {
@@ -78,7 +82,9 @@ int dropSmallComponents(TriMesh& mesh, double minimumMm3) {
   constexpr std::uint32_t unused = 0xffffffffU;
   std::vector<std::uint32_t> renumbered(mesh.points.size(), unused);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (keep[components.label[i]]) kept.triangles.push_back(mesh.triangles[i]);
+    if (!keep[components.label[i]]) continue;
+    kept.triangles.push_back(mesh.triangles[i]);
+    if (!mesh.patch.empty()) kept.patch.push_back(mesh.patch[i]);
   }
   for (const auto& t : kept.triangles) {
     for (const std::uint32_t v : t) renumbered[v] = 0;

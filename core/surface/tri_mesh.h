@@ -12,9 +12,12 @@ namespace angiomesh {
 struct TriMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Per triangle: 0 the wall, 1 + n the cap of port n (see Port). Empty: all is wall.
+  std::vector<std::uint16_t> patch = {};
 };
 
-/// @throws InputError when a triangle names a vertex that is not there, or a vertex is not finite
+/// @throws InputError when a triangle names a vertex that is not there, a vertex is not finite, or
+/// some triangles have a patch and others none
 void checkMesh(const TriMesh& mesh);
 
 double surfaceAreaMm2(const TriMesh& mesh);

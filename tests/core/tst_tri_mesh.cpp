@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
 
+#include "core/base/error.h"
 #include "core/surface/mesh_edges.h"
 #include "tests/core/mesh_shapes.h"
 
@@ -50,6 +51,19 @@ class TestTriMesh : public QObject {
             1e-12);
     QCOMPARE(dropSmallComponents(mesh, 100.0), 2);
     QVERIFY(mesh.points.empty() && mesh.triangles.empty());
+  }
+
+  void patchesStayWithTheirTriangles() {
+    TriMesh mesh = shapes::tetrahedron();
+    shapes::append(mesh, shapes::moved(shapes::cube(), {5.0, 0.0, 0.0}));
+    mesh.patch.assign(mesh.triangles.size(), 0);
+    mesh.patch[5] = 3;
+    checkMesh(mesh);
+    QCOMPARE(dropSmallComponents(mesh, 0.5), 1);
+    checkMesh(mesh);
+    QCOMPARE(mesh.patch, (std::vector<std::uint16_t>{0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+    mesh.patch.pop_back();
+    QVERIFY_EXCEPTION_THROWN(checkMesh(mesh), InputError);
   }
 
   void componentsTouchingInAPointAreTwo() {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/port.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+
+namespace angiomesh {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kLargestShare = 0.02;
+const double kLeastCosine = std::cos(kPi / 180.0);
+
+}  // namespace
+
+double Port::equivalentDiameterMm() const { return std::sqrt(4.0 * areaMm2 / kPi); }
+
+std::vector<Port> measurePatches(const TriMesh& mesh, std::size_t count) {
+  std::vector<Port> patches(count);
+  std::vector<Eigen::Vector3d> about(count), moment(count, Eigen::Vector3d::Zero()),
+      twice(count, Eigen::Vector3d::Zero());
+  std::vector<double> sum(count, 0.0);
+  for (std::size_t t = 0; t < mesh.patch.size(); ++t) {
+    if (mesh.patch[t] == 0 || mesh.patch[t] > count) continue;
+    const std::size_t n = mesh.patch[t] - 1U;
+    const auto& corners = mesh.triangles[t];
+    const Eigen::Vector3d &a = mesh.points[corners[0]], &b = mesh.points[corners[1]],
+                          &c = mesh.points[corners[2]];
+    // About a point of the patch: coordinates of patients may be large.
+    if (sum[n] == 0.0) about[n] = a;
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    const double area = 0.5 * normal.norm();
+    twice[n] += normal;
+    moment[n] += area * ((a + b + c) / 3.0 - about[n]);
+    sum[n] += area;
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    if (!(sum[n] > 0.0)) continue;
+    patches[n].areaMm2 = sum[n];
+    patches[n].centreLps = about[n] + moment[n] / sum[n];
+    patches[n].normalLps = twice[n].normalized();
+  }
+  return patches;
+}
+
+std::vector<std::string> portFaults(const std::vector<Port>& expected, const TriMesh& mesh) {
+  const std::vector<Port> found = measurePatches(mesh, expected.size());
+  std::vector<std::string> faults;
+  for (std::size_t n = 0; n < expected.size(); ++n) {
+    const Port &was = expected[n], &is = found[n];
+    char text[160] = "";
+    if (!(is.areaMm2 > 0.0))
+      std::snprintf(text, sizeof text, "has no triangles");
+    else if (std::fabs(is.areaMm2 - was.areaMm2) > kLargestShare * was.areaMm2)
+      std::snprintf(text, sizeof text, "has an area of %.4g mm2 instead of %.4g mm2", is.areaMm2,
+                    was.areaMm2);
+    else if ((is.centreLps - was.centreLps).norm() > kLargestShare * was.equivalentDiameterMm())
+      std::snprintf(text, sizeof text, "has its centre %.3g mm from where it was",
+                    (is.centreLps - was.centreLps).norm());
+    else if (is.normalLps.dot(was.normalLps) < kLeastCosine)
+      std::snprintf(text, sizeof text, "has turned by %.2f degrees",
+                    std::acos(std::min(1.0, is.normalLps.dot(was.normalLps))) * 180.0 / kPi);
+    if (text[0] != '\0') faults.push_back("the port '" + was.name + "' " + text);
+  }
+  return faults;
+}
+
+}  // namespace angiomesh

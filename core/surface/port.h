@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/surface/tri_mesh.h"
+
+namespace angiomesh {
+
+/// An opening of a surface: a cut through a vessel, or where a vessel leaves the volume. Port n of
+/// a list is patch 1 + n of its mesh.
+struct Port {
+  std::string name;
+  Eigen::Vector3d centreLps{0.0, 0.0, 0.0};  ///< of its area, mm
+  Eigen::Vector3d normalLps{0.0, 0.0, 1.0};  ///< outward, unit
+  double areaMm2 = 0.0;
+
+  /// Of the circle of the same area.
+  [[nodiscard]] double equivalentDiameterMm() const;
+};
+
+/// The wall's name among patches; no port may have it.
+constexpr const char* kWallName = "wall";
+
+/// Area, its centre and mean normal of each patch 1..count of a mesh, without names. A patch
+/// without triangles has area 0.
+std::vector<Port> measurePatches(const TriMesh& mesh, std::size_t count);
+
+/// What became of `expected`, a sentence for each port that is not the same patch of `mesh` any
+/// more: its area differs by more than 2 % (rims are divided anew by each mesher), its centre by
+/// more than 2 % of its diameter, its normal by more than a degree, or it has no triangles. Empty:
+/// all are there.
+std::vector<std::string> portFaults(const std::vector<Port>& expected, const TriMesh& mesh);
+
+}  // namespace angiomesh

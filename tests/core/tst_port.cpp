@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+
+#include "core/surface/port.h"
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+
+namespace {
+
+// A cube far from the origin whose sides x = 0 and x = 1 are the patches 1 and 2.
+TriMesh boxWithPorts() {
+  TriMesh mesh = shapes::moved(shapes::cube(), {120.0, -80.0, 700.0});
+  mesh.patch.assign(12, 0);
+  mesh.patch[8] = mesh.patch[9] = 1;
+  mesh.patch[10] = mesh.patch[11] = 2;
+  return mesh;
+}
+
+std::vector<Port> named(std::vector<Port> ports) {
+  for (std::size_t n = 0; n < ports.size(); ++n) ports[n].name = "p" + std::to_string(n + 1);
+  return ports;
+}
+
+}  // namespace
+
+class TestPort : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void measuresAreThoseOfTheSides() {
+    const std::vector<Port> ports = measurePatches(boxWithPorts(), 3);
+    QCOMPARE(ports.size(), std::size_t{3});
+    for (const std::size_t n : {0, 1}) {
+      const double side = n == 0 ? 0.0 : 1.0;
+      QVERIFY(std::abs(ports[n].areaMm2 - 1.0) < 1e-12);
+      QVERIFY((ports[n].centreLps - Eigen::Vector3d(120.0 + side, -79.5, 700.5)).norm() < 1e-12);
+      QVERIFY((ports[n].normalLps - Eigen::Vector3d(2.0 * side - 1.0, 0, 0)).norm() < 1e-12);
+      QVERIFY(std::abs(ports[n].equivalentDiameterMm() - 2.0 / std::sqrt(shapes::pi)) < 1e-12);
+    }
+    QCOMPARE(ports[2].areaMm2, 0.0);
+  }
+
+  void aPortThatIsAnotherIsFound() {
+    const TriMesh mesh = boxWithPorts();
+    const std::vector<Port> ports = named(measurePatches(mesh, 2));
+    QVERIFY(portFaults(ports, mesh).empty());
+
+    TriMesh swapped = mesh;
+    for (auto& patch : swapped.patch)
+      patch = patch == 0 ? 0 : static_cast<std::uint16_t>(3 - patch);
+    QCOMPARE(portFaults(ports, swapped).size(), std::size_t{2});
+
+    TriMesh half = mesh;
+    half.patch[8] = 0;
+    const std::vector<std::string> faults = portFaults(ports, half);
+    QCOMPARE(faults.size(), std::size_t{1});
+    QVERIFY(faults[0].find("'p1' has an area of 0.5 mm2") != std::string::npos);
+
+    TriMesh none = mesh;
+    none.patch.assign(12, 0);
+    QCOMPARE(portFaults(ports, none).size(), std::size_t{2});
+    none.patch.clear();
+    QCOMPARE(portFaults(ports, none).size(), std::size_t{2});
+
+    TriMesh tilted = mesh;
+    tilted.points = shapes::moved(shapes::cube(), {120.0, -80.0, 700.0}).points;
+    for (auto& p : tilted.points) p.x() += 0.05 * (p.z() - 700.5);
+    QCOMPARE(portFaults(ports, tilted).size(), std::size_t{2});
+  }
+};
+
+QTEST_APPLESS_MAIN(TestPort)
+#include "tst_port.moc"
