@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -27,22 +26,31 @@ constexpr double kDetour =
 
 class Tracer {
  public:
-  Tracer(const SplineField& field, const GuidanceField& size, double chordAngle)
-      : field_(field), grid_(field.geometry()), size_(size), chordAngle_(chordAngle) {}
+  Tracer(const SplineField& field, const GuidanceField& size, const EndPlanes& ends,
+         const CutAway& away, double chordAngle)
+      : field_(field),
+        grid_(field.geometry()),
+        size_(size),
+        ends_(ends),
+        away_(away),
+        chordAngle_(chordAngle),
+        follow_(static_cast<std::size_t>(ends.count())) {
+    curves_.caps.resize(follow_.size());
+  }
 
   BorderCurves run(bool caps) {
-    trace_ = traceBorder(field_, kFine);
+    trace_ = traceBorder(field_, ends_, away_, kFine);
     measureRoom();
     std::vector<char> done(trace_.points.size(), 0);
     // Loops with corners first start at a corner, so that each piece lies in one plane.
     for (const bool corners : {true, false})
       for (std::uint32_t v = 0; v < trace_.next.size(); ++v)
-        if (done[v] == 0 && (!corners || isCorner(trace_.points[v]))) traceLoop(v, done);
+        if (done[v] == 0 && (!corners || isCorner(v))) traceLoop(v, done);
     if (caps) {
       for (int first = 0; first < 6; ++first)
         for (int second = first + 1; second < 6; ++second)
           if (first / 2 != second / 2) volumeEdge(first, second);
-      for (std::size_t plane = 0; plane < 6; ++plane) chain(plane);
+      for (std::size_t plane = 0; plane < follow_.size(); ++plane) chain(plane);
     }
     return std::move(curves_);
   }
@@ -72,9 +80,9 @@ class Tracer {
     parallelFor(0, n, 256, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Vector3d& p = trace_.points[i];
-        const std::uint8_t planes = borderPlanes(grid_, p);
+        const Place& planes = trace_.place[i];
         near.forEachNear(p, kReach * grid_.voxelMm(), 0.0, [&](std::uint32_t w) {
-          if ((borderPlanes(grid_, trace_.points[w]) & planes) == 0) return;
+          if (trace_.place[w].shared(planes).planes() == 0) return;
           const double d = (trace_.points[w] - p).norm();
           if (d >= room_[i]) return;
           if (loop[w] == loop[i]) {
@@ -88,16 +96,14 @@ class Tracer {
     });
   }
 
-  [[nodiscard]] bool isCorner(const Vector3d& p) const {
-    return std::popcount(borderPlanes(grid_, p)) > 1;
-  }
+  [[nodiscard]] bool isCorner(std::uint32_t v) const { return trace_.place[v].planes() > 1; }
 
   // Moves a point to phi = 0 along the planes it lies in; where that leads far away it stays.
-  [[nodiscard]] Vector3d settled(const Vector3d& start, std::uint8_t planes) const {
+  [[nodiscard]] Vector3d settled(const Vector3d& start, const Place& planes) const {
     Vector3d p = start;
     for (int n = 0; n < 20; ++n) {
       const SplineField::Jet jet = field_.at(p);
-      const Vector3d g = within(jet.gradient, planes);
+      const Vector3d g = ends_.along(planes, jet.gradient);
       const double slope = g.norm();
       if (!(slope > 1e-3 * jet.gradient.norm()) || !(slope > 1e-12)) return start;
       const double step = jet.value / slope;
@@ -108,32 +114,21 @@ class Tracer {
     return kept(p, planes);
   }
 
-  // The part of a vector that lies in all the planes.
-  [[nodiscard]] Vector3d within(const Vector3d& v, std::uint8_t planes) const {
-    std::array<Vector3d, 3> n;
-    std::size_t count = 0;
-    for (int a = 0; a < 6 && count < 3; ++a)
-      if ((planes >> a & 1) != 0) n[count++] = borderNormal(grid_, a);
-    if (count == 0) return v;
-    if (count == 1) return v - v.dot(n[0]) * n[0];
-    if (count > 2) return Vector3d::Zero();
-    const Vector3d along = n[0].cross(n[1]).normalized();
-    return v.dot(along) * along;
-  }
-
-  // The point with the coordinates of its planes exact, inside the grid.
-  [[nodiscard]] Vector3d kept(const Vector3d& p, std::uint8_t planes) const {
+  // The point in its planes, inside the grid.
+  [[nodiscard]] Vector3d kept(const Vector3d& p, const Place& planes) const {
     Vector3d index = grid_.toIndex(p);
     for (int axis = 0; axis < 3; ++axis) {
       const double last = grid_.size[static_cast<std::size_t>(axis)] - 1;
       index[axis] = std::clamp(index[axis], 0.0, last);
-      if ((planes >> (2 * axis) & 1) != 0) index[axis] = 0.0;
-      if ((planes >> (2 * axis + 1) & 1) != 0) index[axis] = last;
+      if (planes.liesIn(2 * axis)) index[axis] = 0.0;
+      if (planes.liesIn(2 * axis + 1)) index[axis] = last;
     }
-    return grid_.toPhysical(index);
+    Vector3d point = grid_.toPhysical(index);
+    if (planes.cut != 0) ends_.snap(planes, point);
+    return point;
   }
 
-  std::uint32_t add(const Vector3d& p, std::uint8_t place) {
+  std::uint32_t add(const Vector3d& p, const Place& place) {
     FrontPoint point;
     point.point = p;
     const Vector3d gradient = field_.at(p).gradient;
@@ -147,8 +142,8 @@ class Tracer {
   void traceLoop(std::uint32_t start, std::vector<char>& done) {
     BorderCurves::Loop loop;
     std::uint32_t v = start;
-    const bool corners = isCorner(trace_.points[start]);
-    const std::uint32_t firstCorner = corners ? cornerVertex(trace_.points[start]) : none;
+    const bool corners = isCorner(start);
+    const std::uint32_t firstCorner = corners ? cornerVertex(start) : none;
     std::uint32_t from = firstCorner;
     do {
       std::vector<std::uint32_t> piece{v};
@@ -157,12 +152,12 @@ class Tracer {
         v = trace_.next[v];
         if (v == none) return;  // not a closed rim: nothing to start from
         piece.push_back(v);
-      } while (v != start && !(corners && isCorner(trace_.points[v])));
-      const auto plane = commonPlane(piece);
+      } while (v != start && !(corners && isCorner(v)));
+      const Place plane = commonPlane(piece);
       if (!corners) {
         loop = divide(piece, plane, none, none);
       } else {
-        const std::uint32_t to = v == start ? firstCorner : cornerVertex(trace_.points[v]);
+        const std::uint32_t to = v == start ? firstCorner : cornerVertex(v);
         loop.push_back(from);
         const BorderCurves::Loop inner = divide(piece, plane, from, to);
         loop.insert(loop.end(), inner.begin(), inner.end());
@@ -174,28 +169,28 @@ class Tracer {
     if (loop.size() >= 3) curves_.rims.push_back(loop);
   }
 
-  std::uint32_t cornerVertex(const Vector3d& p) {
-    const std::uint8_t planes = borderPlanes(grid_, p);
-    const std::uint32_t id =
-        add(settled(p, planes), static_cast<std::uint8_t>(planes | PatchMesh::wallBit));
+  std::uint32_t cornerVertex(std::uint32_t v) {
+    Place planes = trace_.place[v];
+    const Vector3d p = settled(trace_.points[v], planes);
+    planes.wall = true;
+    const std::uint32_t id = add(p, planes);
     corners_.push_back(id);
     return id;
   }
 
-  [[nodiscard]] std::uint8_t commonPlane(const std::vector<std::uint32_t>& piece) const {
-    unsigned planes = PatchMesh::planeBits;
-    for (const std::uint32_t v : piece) planes &= borderPlanes(grid_, trace_.points[v]);
-    if (planes == 0 || std::popcount(planes) == 1) return static_cast<std::uint8_t>(planes);
+  [[nodiscard]] Place commonPlane(const std::vector<std::uint32_t>& piece) const {
+    Place planes = trace_.place[piece.front()];
+    for (const std::uint32_t v : piece) planes = planes.shared(trace_.place[v]);
     // A single segment along an edge of the volume: either plane will do.
-    return static_cast<std::uint8_t>(planes & (~planes + 1));
+    return planes.planes() > 1 ? Place::inPlane(planes.firstPlane()) : planes;
   }
 
   // Wanted edge length on the rim: the surface's, and the curve's own curvature.
   [[nodiscard]] double lengthOn(const Vector3d& p, const Vector3d& tangent,
-                                std::uint8_t plane) const {
+                                const Place& plane) const {
     double length = size_.at(p);
     const SplineField::SecondJet jet = field_.secondAt(p);
-    const double slope = within(jet.gradient, plane).norm();
+    const double slope = ends_.along(plane, jet.gradient).norm();
     const double bend = std::fabs(tangent.dot(jet.hessian * tangent));
     if (chordAngle_ > 0.0 && bend * length > chordAngle_ * slope)
       length = std::max(chordAngle_ * slope / bend, 0.7 * length);
@@ -204,7 +199,7 @@ class Tracer {
 
   // Divides a polyline of the trace evenly by the wanted length. Returns the new inner vertices; of
   // a closed one (no ends) all of them.
-  BorderCurves::Loop divide(const std::vector<std::uint32_t>& piece, std::uint8_t plane,
+  BorderCurves::Loop divide(const std::vector<std::uint32_t>& piece, const Place& plane,
                             std::uint32_t from, std::uint32_t to) {
     const bool closed = from == none;
     std::vector<Vector3d> fine;
@@ -237,7 +232,7 @@ class Tracer {
       const double step = along[i] - along[i - 1];
       const double t = step > 0.0 ? (target - along[i - 1]) / step : 0.0;
       const Vector3d p = settled(fine[i - 1] + t * (fine[i] - fine[i - 1]), plane);
-      loop.push_back(add(p, static_cast<std::uint8_t>(plane | PatchMesh::wallBit)));
+      loop.push_back(add(p, {plane.borders, true, plane.cut}));
       curves_.points.back().length = wanted[i - 1] + t * (wanted[i] - wanted[i - 1]);
     }
     return loop;
@@ -257,10 +252,10 @@ class Tracer {
   }
 
   // The cap runs along a rim against the wall.
-  void segment(std::uint8_t planes, std::uint32_t from, const BorderCurves::Loop& inner,
+  void segment(const Place& planes, std::uint32_t from, const BorderCurves::Loop& inner,
                std::uint32_t to) {
-    if (planes == 0) return;
-    auto& follow = follow_[static_cast<std::size_t>(std::countr_zero(planes))];
+    if (planes.planes() == 0) return;
+    auto& follow = follow_[static_cast<std::size_t>(planes.firstPlane())];
     std::uint32_t last = from;
     for (const std::uint32_t v : inner) {
       follow[v] = last;
@@ -269,19 +264,19 @@ class Tracer {
     follow[to] = last;
   }
 
-  void closedSegment(std::uint8_t planes, const BorderCurves::Loop& loop) {
-    if (planes == 0 || loop.size() < 3) return;
-    auto& follow = follow_[static_cast<std::size_t>(std::countr_zero(planes))];
+  void closedSegment(const Place& planes, const BorderCurves::Loop& loop) {
+    if (planes.planes() == 0 || loop.size() < 3) return;
+    auto& follow = follow_[static_cast<std::size_t>(planes.firstPlane())];
     for (std::size_t i = 0; i < loop.size(); ++i) follow[loop[(i + 1) % loop.size()]] = loop[i];
   }
 
   // The stretches of an edge of the volume that lie inside phi, shared by two caps.
   void volumeEdge(int first, int second) {
-    const auto planes = static_cast<std::uint8_t>(1U << first | 1U << second);
+    const Place planes{static_cast<std::uint8_t>(1U << first | 1U << second), false, 0};
     const int axis = 3 - first / 2 - second / 2;
     std::vector<std::pair<double, std::uint32_t>> ends;
     for (const std::uint32_t c : corners_)
-      if ((curves_.place[c] & planes) == planes)
+      if (curves_.place[c].within(planes))
         ends.emplace_back(grid_.toIndex(curves_.points[c].point)[axis], c);
     const double last = grid_.size[static_cast<std::size_t>(axis)] - 1;
     for (const double at : {0.0, last}) {
@@ -289,9 +284,10 @@ class Tracer {
       index[axis] = at;
       for (const int a : {first, second})
         if (a % 2 == 1) index[a / 2] = grid_.size[static_cast<std::size_t>(a / 2)] - 1;
-      if (field_.atIndex(index).value >= 0.0) continue;
+      if (field_.atIndex(index).value >= 0.0 || away_.takenAt(grid_.toPhysical(index))) continue;
       const int end = 2 * axis + (at > 0.0 ? 1 : 0);
-      ends.emplace_back(at, volumeCorner(static_cast<std::uint8_t>(planes | 1U << end), index));
+      ends.emplace_back(at,
+                        volumeCorner(static_cast<std::uint8_t>(planes.borders | 1U << end), index));
     }
     std::sort(ends.begin(), ends.end());
     if (ends.size() % 2 != 0) return;
@@ -302,14 +298,14 @@ class Tracer {
   std::uint32_t volumeCorner(std::uint8_t planes, const Vector3d& index) {
     const auto found = volumeCorners_.find(planes);
     if (found != volumeCorners_.end()) return found->second;
-    const std::uint32_t id = add(grid_.toPhysical(index), planes);
+    const std::uint32_t id = add(grid_.toPhysical(index), {planes, false, 0});
     volumeCorners_[planes] = id;
     return id;
   }
 
   void insideStretch(int first, int second, std::uint32_t from, std::uint32_t to) {
     const Vector3d a = curves_.points[from].point, b = curves_.points[to].point;
-    const auto planes = static_cast<std::uint8_t>(1U << first | 1U << second);
+    const Place planes{static_cast<std::uint8_t>(1U << first | 1U << second), false, 0};
     const double wanted = 0.5 * (curves_.points[from].length + curves_.points[to].length);
     const long count = std::max(1L, std::lround((b - a).norm() / wanted));
     BorderCurves::Loop inner;
@@ -319,7 +315,7 @@ class Tracer {
       curves_.points.back().length = wanted;
     }
     // Seen from outside, the cap in plane `first` lies to the left of n_first x n_second.
-    const Vector3d left = borderNormal(grid_, first).cross(borderNormal(grid_, second));
+    const Vector3d left = ends_.normal(first).cross(ends_.normal(second));
     const bool forward = left.dot(b - a) > 0.0;
     for (const int plane : {first, second}) {
       auto& follow = follow_[static_cast<std::size_t>(plane)];
@@ -350,36 +346,23 @@ class Tracer {
   const SplineField& field_;
   const Geometry& grid_;
   const GuidanceField& size_;
+  const EndPlanes& ends_;
+  const CutAway& away_;
   double chordAngle_;
   BorderTrace trace_;
   std::vector<double> room_;  // per point of the trace, mm
   BorderCurves curves_;
   std::vector<std::uint32_t> corners_;
   std::map<std::uint8_t, std::uint32_t> volumeCorners_;
-  std::array<std::map<std::uint32_t, std::uint32_t>, 6> follow_;
+  std::vector<std::map<std::uint32_t, std::uint32_t>> follow_;  ///< per plane
 };
 
 }  // namespace
 
-Vector3d borderNormal(const Geometry& grid, int plane) {
-  const Vector3d n = grid.physicalToIndexMatrix().row(plane / 2).transpose().normalized();
-  return plane % 2 == 0 ? Vector3d(-n) : n;
-}
-
-std::uint8_t borderPlanes(const Geometry& grid, const Vector3d& pointLps) {
-  const Vector3d index = grid.toIndex(pointLps);
-  unsigned planes = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::fabs(index[axis]) < 1e-6) planes |= 1U << (2 * axis);
-    const double last = grid.size[static_cast<std::size_t>(axis)] - 1;
-    if (std::fabs(index[axis] - last) < 1e-6) planes |= 1U << (2 * axis + 1);
-  }
-  return static_cast<std::uint8_t>(planes);
-}
-
-BorderCurves borderCurves(const SplineField& field, const GuidanceField& size, double chordAngle,
+BorderCurves borderCurves(const SplineField& field, const GuidanceField& size,
+                          const EndPlanes& ends, const CutAway& away, double chordAngle,
                           bool caps) {
-  return Tracer(field, size, chordAngle).run(caps);
+  return Tracer(field, size, ends, away, chordAngle).run(caps);
 }
 
 }  // namespace angiomesh

@@ -161,10 +161,54 @@ class PlaneTracer {
   BorderTrace trace_;
 };
 
+// Keeps the curves that lie, for the greater part, on what is left.
+void dropTaken(BorderTrace& trace, const CutAway& away) {
+  const std::size_t n = trace.points.size();
+  std::vector<char> done(n, 0);
+  BorderTrace kept;
+  for (std::uint32_t v = 0; v < n; ++v) {
+    std::vector<std::uint32_t> curve;
+    std::size_t taken = 0;
+    std::uint32_t w = v;
+    for (; w != BorderTrace::none && done[w] == 0; w = trace.next[w]) {
+      done[w] = 1;
+      curve.push_back(w);
+      if (away.takenAt(trace.points[w])) ++taken;
+    }
+    // One that does not close, and so starts no front.
+    if (curve.empty() || w != v || 2 * taken > curve.size()) continue;
+    const auto first = static_cast<std::uint32_t>(kept.points.size());
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      kept.points.push_back(trace.points[curve[i]]);
+      kept.place.push_back(trace.place[curve[i]]);
+      kept.next.push_back(first + static_cast<std::uint32_t>((i + 1) % curve.size()));
+    }
+  }
+  trace = std::move(kept);
+}
+
+void addSection(BorderTrace& trace, const Section& section, const Place& place) {
+  for (const std::vector<Vector3d>& loop : section.loops) {
+    const auto first = static_cast<std::uint32_t>(trace.points.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      trace.points.push_back(loop[i]);
+      trace.place.push_back(place);
+      trace.next.push_back(first + static_cast<std::uint32_t>((i + 1) % loop.size()));
+    }
+  }
+}
+
 }  // namespace
 
-BorderTrace traceBorder(const SplineField& field, int finer) {
-  return PlaneTracer(field, finer).run();
+BorderTrace traceBorder(const SplineField& field, const EndPlanes& ends, const CutAway& away,
+                        int finer) {
+  BorderTrace trace = PlaneTracer(field, finer).run();
+  for (const Vector3d& p : trace.points) trace.place.push_back(ends.borders(p));
+  if (away.empty()) return trace;
+  dropTaken(trace, away);
+  for (std::size_t n = 0; n < away.sections.size(); ++n)
+    addSection(trace, away.sections[n], Place::inPlane(static_cast<int>(6 + n)));
+  return trace;
 }
 
 }  // namespace angiomesh

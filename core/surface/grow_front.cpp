@@ -137,43 +137,6 @@ class Wall {
   SurfaceCover cover_;
 };
 
-// Adds a cap's triangles; the first vertices of the front are those of the border curves.
-void addCap(PatchMesh& out, const std::vector<BorderCurves::Loop>& loops, int plane,
-            const SplineField& field, const GuidanceField& size, const BorderCurves& curves,
-            const Progress& progress) {
-  const CapSurface surface(field, size);
-  const Vector3d normal = borderNormal(field.geometry(), plane);
-  AdvancingFront front(surface);
-  std::vector<std::uint32_t> toOut, toFront(curves.points.size(), none);
-  std::vector<BorderCurves::Loop> starts;
-  for (const BorderCurves::Loop& loop : loops) {
-    starts.emplace_back();
-    for (const std::uint32_t v : loop) {
-      if (toFront[v] == none) {
-        FrontPoint p = curves.points[v];
-        p.normal = normal;
-        toFront[v] = front.addVertex(p, size.at(p.point));
-        toOut.push_back(v);
-      }
-      starts.back().push_back(toFront[v]);
-    }
-  }
-  for (const BorderCurves::Loop& loop : starts) front.startAlong(loop);
-  front.run(progress);
-  front.close();
-  for (std::size_t v = toOut.size(); v < front.vertices().size(); ++v) {
-    toOut.push_back(static_cast<std::uint32_t>(out.mesh.points.size()));
-    out.mesh.points.push_back(front.vertices()[v].point);
-    out.place.push_back(static_cast<std::uint8_t>(1U << plane));
-  }
-  for (std::size_t t = 0; t < front.triangles().size(); ++t) {
-    const auto& corners = front.triangles()[t];
-    out.mesh.triangles.push_back({toOut[corners[0]], toOut[corners[1]], toOut[corners[2]]});
-    out.patch.push_back(static_cast<std::uint8_t>(1 + plane));
-    out.origin.push_back(front.origins()[t]);
-  }
-}
-
 }  // namespace
 
 Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const GuidanceField& size) {
@@ -201,24 +164,60 @@ Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const Guida
   return marks;
 }
 
+void fillCap(PatchMesh& out, const std::vector<std::vector<std::uint32_t>>& loops, int plane,
+             const std::vector<FrontPoint>& loopPoints, const SplineField& field,
+             const GuidanceField& size, const EndPlanes& ends, const Progress& progress) {
+  const CapSurface surface(field, size);
+  AdvancingFront front(surface);
+  std::vector<std::uint32_t> toOut, toFront(loopPoints.size(), none);
+  std::vector<std::vector<std::uint32_t>> starts;
+  for (const std::vector<std::uint32_t>& loop : loops) {
+    starts.emplace_back();
+    for (const std::uint32_t v : loop) {
+      if (toFront[v] == none) {
+        FrontPoint p = loopPoints[v];
+        p.normal = ends.normal(plane);
+        toFront[v] = front.addVertex(p, size.at(p.point));
+        toOut.push_back(v);
+      }
+      starts.back().push_back(toFront[v]);
+    }
+  }
+  for (const std::vector<std::uint32_t>& loop : starts) front.startAlong(loop);
+  front.run(progress);
+  front.close();
+  for (std::size_t v = toOut.size(); v < front.vertices().size(); ++v) {
+    toOut.push_back(static_cast<std::uint32_t>(out.mesh.points.size()));
+    out.mesh.points.push_back(front.vertices()[v].point);
+    out.place.push_back(Place::inPlane(plane));
+  }
+  for (std::size_t t = 0; t < front.triangles().size(); ++t) {
+    const auto& corners = front.triangles()[t];
+    out.mesh.triangles.push_back({toOut[corners[0]], toOut[corners[1]], toOut[corners[2]]});
+    out.patch.push_back(static_cast<std::uint16_t>(1 + plane));
+    out.origin.push_back(front.origins()[t]);
+  }
+}
+
 PatchMesh growFront(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size,
-                    double chordAngle, SurfaceBorder border, const Progress& progress) {
+                    const EndPlanes& ends, const CutAway& away, double chordAngle,
+                    SurfaceBorder border, const Progress& progress) {
   const bool caps = border == SurfaceBorder::Cap;
-  const BorderCurves curves = borderCurves(field, size, chordAngle, caps);
+  const BorderCurves curves = borderCurves(field, size, ends, away, chordAngle, caps);
   Wall grown(landmarks, field, size);
   grown.addRims(curves);
   grown.run(progress);
   PatchMesh out;
   for (const FrontPoint& p : grown.front().vertices()) out.mesh.points.push_back(p.point);
   out.place = curves.place;
-  out.place.resize(out.mesh.points.size(), PatchMesh::wallBit);
+  out.place.resize(out.mesh.points.size(), Place::onWall());
   out.mesh.triangles = grown.front().triangles();
   out.origin = grown.front().origins();
   out.patch.assign(out.mesh.triangles.size(), 0);
-  for (int plane = 0; plane < 6; ++plane)
-    if (!curves.caps[static_cast<std::size_t>(plane)].empty())
-      addCap(out, curves.caps[static_cast<std::size_t>(plane)], plane, field, size, curves,
-             progress);
+  for (std::size_t plane = 0; plane < curves.caps.size(); ++plane)
+    if (!curves.caps[plane].empty())
+      fillCap(out, curves.caps[plane], static_cast<int>(plane), curves.points, field, size, ends,
+              progress);
   return out;
 }
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/surface/cut_away.h"
+#include "core/surface/end_planes.h"
 #include "core/surface/front_surface.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/patch_mesh.h"
@@ -22,10 +24,19 @@ struct Landmarks {
 };
 Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const GuidanceField& size);
 
-/// The zero set of `field`, and its caps, meshed by advancing fronts: one from each of its rims in
-/// the border planes, and one from a seed on each component of its landmarks that the fronts before
-/// have not reached. `chordAngle` as for borderCurves(). @throws Cancelled
+/// The zero set of `field` without what `away` takes, and its caps, meshed by advancing fronts: one
+/// from each of its rims in the planes that it ends in, and one from a seed on each component of
+/// its landmarks that the fronts before have not reached. `chordAngle` as for borderCurves().
+/// @throws Cancelled
 PatchMesh growFront(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size,
-                    double chordAngle, SurfaceBorder border, const Progress& progress);
+                    const EndPlanes& ends, const CutAway& away, double chordAngle,
+                    SurfaceBorder border, const Progress& progress);
+
+/// Fills the part of a plane inside closed loops of points in it (the part to their left) with
+/// triangles of the wanted size: a cap. The loops are vertices of `out`, in `loopPoints` with their
+/// wanted lengths.
+void fillCap(PatchMesh& out, const std::vector<std::vector<std::uint32_t>>& loops, int plane,
+             const std::vector<FrontPoint>& loopPoints, const SplineField& field,
+             const GuidanceField& size, const EndPlanes& ends, const Progress& progress);
 
 }  // namespace angiomesh

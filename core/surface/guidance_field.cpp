@@ -227,9 +227,9 @@ void GuidanceField::Data::estimate() {
 }
 
 GuidanceField::GuidanceField(const SplineField& field, const SizingParams& params,
-                             const Progress& progress)
+                             const Progress& progress, const CutAway* away)
     : data_(std::make_unique<Data>(field, params)) {
-  data_->surface = sampleZeroSet(field, data_->ideal, progress);
+  data_->surface = sampleZeroSet(field, data_->ideal, away, progress);
   data_->makeNodes();
   data_->spread(progress);
   data_->estimate();

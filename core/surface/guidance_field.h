@@ -12,6 +12,8 @@
 
 namespace angiomesh {
 
+struct CutAway;
+
 /// The wanted edge length g(x) near the zero set (thesis eq. 4.1 to 4.3): the smallest, over sample
 /// points s of the zero set, of (1 - 1/eta) |x - s| + l(s) / eta, l(s) = 2 sin(rho/2) /
 /// kappa_max(s). A sample stands for the piece of the zero set around it, so |x - s| counts from
@@ -27,9 +29,10 @@ class GuidanceField {
     double areaMm2;         ///< area of that piece
   };
 
-  /// `field` must outlive the object. @throws Cancelled
-  GuidanceField(const SplineField& field, const SizingParams& params,
-                const Progress& progress = {});
+  /// Of the zero set without what `away` (may be null) takes. `field` must outlive the object.
+  /// @throws Cancelled
+  GuidanceField(const SplineField& field, const SizingParams& params, const Progress& progress = {},
+                const CutAway* away = nullptr);
   ~GuidanceField();
 
   /// The wanted edge length at a point, mm. Constant time within about four voxels of the zero set;

@@ -9,6 +9,7 @@
 
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
+#include "core/surface/cut_away.h"
 
 namespace angiomesh {
 namespace {
@@ -315,7 +316,7 @@ double IdealLength::limited(double lengthMm) const {
 }
 
 SurfaceSamples sampleZeroSet(const SplineField& field, const IdealLength& ideal,
-                             const Progress& progress) {
+                             const CutAway* away, const Progress& progress) {
   const Bricks bricks(field.geometry());
   const std::size_t grain = 16;
   const std::size_t blocks = (bricks.total() + grain - 1) / grain;
@@ -349,6 +350,9 @@ SurfaceSamples sampleZeroSet(const SplineField& field, const IdealLength& ideal,
     samples.insert(samples.end(), part.samples.begin(), part.samples.end());
     part = {};
   }
+  if (away != nullptr && !away->empty())
+    std::erase_if(samples,
+                  [away](const GuidanceField::Sample& s) { return away->beyond(s.point); });
   return byCell(field.geometry(), samples);
 }
 

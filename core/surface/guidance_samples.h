@@ -50,9 +50,10 @@ struct SurfaceSamples {
   std::vector<GuidanceField::Sample> samples;  ///< cell after cell
 };
 
-/// The same for any number of threads. @throws Cancelled
+/// But for those beyond the sections of `away` (may be null). The same for any number of threads.
+/// @throws Cancelled
 SurfaceSamples sampleZeroSet(const SplineField& field, const IdealLength& ideal,
-                             const Progress& progress);
+                             const CutAway* away, const Progress& progress);
 
 /// Area of the polygons that the zero set of the linear interpolant cuts out of the six tetrahedra
 /// of a cell (Kuhn's division), from the values at its corners (bit 0 of the number: x).

@@ -93,16 +93,17 @@ class Mender {
   }
 
  private:
-  // False where it is gone already, or touches a border plane.
+  // False where it is gone already, or touches a plane that the surface ends in.
   bool remove(std::uint32_t t) {
     if (gone_[t] != 0) return false;
     for (const std::uint32_t v : mesh_.mesh.triangles[t])
-      if ((mesh_.place[v] & PatchMesh::planeBits) != 0) return false;
+      if (mesh_.place[v].planes() > 0) return false;
     gone_[t] = 1;
     return true;
   }
 
-  // The sides that lack a neighbour, as they run around the hole; but for rims in border planes.
+  // The sides that lack a neighbour, as they run around the hole; but for rims in the planes that
+  // the surface ends in.
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> openSides() const {
     TriMesh left;
     left.points.resize(mesh_.mesh.points.size());
@@ -113,7 +114,7 @@ class Mender {
     for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
       if (edgeRunEnd(sides, i) != i + 1) continue;
       const EdgeSide& s = sides[i];
-      if ((mesh_.place[s.low] & mesh_.place[s.high] & PatchMesh::planeBits) != 0) continue;
+      if (mesh_.place[s.low].shared(mesh_.place[s.high]).planes() > 0) continue;
       rim.emplace_back(s.forward ? s.high : s.low, s.forward ? s.low : s.high);
     }
     return rim;
@@ -154,8 +155,7 @@ std::vector<std::uint32_t> brokenTriangles(const PatchMesh& mesh, bool open) {
   for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
     const std::size_t end = edgeRunEnd(sides, i);
     if (end - i == 2 && sides[i].forward != sides[i + 1].forward) continue;
-    const bool rim =
-        (mesh.place[sides[i].low] & mesh.place[sides[i].high] & PatchMesh::planeBits) != 0;
+    const bool rim = mesh.place[sides[i].low].shared(mesh.place[sides[i].high]).planes() > 0;
     if (end - i == 1 && open && rim) continue;
     for (std::size_t k = i; k < end; ++k) broken.push_back(sides[k].triangle);
   }

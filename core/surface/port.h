@@ -30,9 +30,9 @@ constexpr const char* kWallName = "wall";
 std::vector<Port> measurePatches(const TriMesh& mesh, std::size_t count);
 
 /// What became of `expected`, a sentence for each port that is not the same patch of `mesh` any
-/// more: its area differs by more than 2 % (rims are divided anew by each mesher), its centre by
-/// more than 2 % of its diameter, its normal by more than a degree, or it has no triangles. Empty:
-/// all are there.
+/// more: its area differs by more than a tenth (a rim is a polygon, divided anew by each mesher),
+/// its centre by more than a tenth of its diameter, its normal by more than two degrees, or it has
+/// no triangles. Empty: all are there.
 std::vector<std::string> portFaults(const std::vector<Port>& expected, const TriMesh& mesh);
 
 }  // namespace angiomesh

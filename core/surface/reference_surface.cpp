@@ -7,7 +7,6 @@
 #include <unordered_map>
 
 #include "core/base/parallel.h"
-#include "core/surface/border_curves.h"
 
 namespace angiomesh {
 namespace {
@@ -104,7 +103,7 @@ Volume<float> sampleField(const SplineField& field, const GridPart& part,
   return out;
 }
 
-PatchMesh referenceSurface(const Volume<float>& values, const Geometry& grid, SurfaceBorder border,
+PatchMesh referenceSurface(const Volume<float>& values, const EndPlanes& ends, SurfaceBorder border,
                            const Progress& progress) {
   PatchMesh out;
   const TriMesh mesh = marchingCubes(values, border, progress);
@@ -117,18 +116,16 @@ PatchMesh referenceSurface(const Volume<float>& values, const Geometry& grid, Su
     const std::array<std::uint32_t, 3> flat{number[t[0]], number[t[1]], number[t[2]]};
     if (flat[0] == flat[1] || flat[1] == flat[2] || flat[2] == flat[0]) continue;
     const int cap = flattener.capOf(mesh, t);
-    if (cap >= 0 && (borderPlanes(grid, out.mesh.points[flat[0]]) >> cap & 1) == 0) continue;
+    if (cap >= 0 && !ends.borders(out.mesh.points[flat[0]]).liesIn(cap)) continue;
     out.mesh.triangles.push_back(flat);
-    out.patch.push_back(static_cast<std::uint8_t>(cap + 1));
+    out.patch.push_back(static_cast<std::uint16_t>(cap + 1));
   }
   dropUnusedPoints(out);
   out.origin.assign(out.patch.size(), FaceOrigin::Remesh);
-  out.place.assign(out.mesh.points.size(), 0);
+  for (const Vector3d& p : out.mesh.points) out.place.push_back(ends.borders(p));
   for (std::size_t t = 0; t < out.patch.size(); ++t)
     for (const std::uint32_t v : out.mesh.triangles[t])
-      if (out.patch[t] == 0) out.place[v] = PatchMesh::wallBit;
-  for (std::size_t v = 0; v < out.place.size(); ++v)
-    out.place[v] = static_cast<std::uint8_t>(out.place[v] | borderPlanes(grid, out.mesh.points[v]));
+      if (out.patch[t] == 0) out.place[v].wall = true;
   return out;
 }
 

@@ -25,8 +25,8 @@ Volume<float> sampleField(const SplineField& field, const GridPart& part,
 
 /// Marching cubes of a field's values: wall vertices lie on grid edges, near phi = 0. With `Cap`
 /// the flat caps in the outermost planes of `values` are part of it, and it is closed; such
-/// planes that are not on the border of `grid` get no cap.
-PatchMesh referenceSurface(const Volume<float>& values, const Geometry& grid, SurfaceBorder border,
+/// planes that are not border planes of `ends` get no cap. Nothing is cut.
+PatchMesh referenceSurface(const Volume<float>& values, const EndPlanes& ends, SurfaceBorder border,
                            const Progress& progress = {});
 
 /// The triangles of patch 0, with all points.

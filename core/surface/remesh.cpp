@@ -30,8 +30,8 @@ PatchMesh improved(RemeshWorker& worker, const Progress& progress) {
 }  // namespace
 
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const EdgeSize& size,
-                 const Progress& progress) {
-  const RemeshGround ground(field, size);
+                 const EndPlanes& ends, const Progress& progress) {
+  const RemeshGround ground(field, size, ends);
   RemeshWorker worker(start, ground, progress);
   worker.resize();
   PatchMesh result = improved(worker, progress);
@@ -40,20 +40,20 @@ PatchMesh remesh(const PatchMesh& start, const SplineField& field, const EdgeSiz
 }
 
 void improveTriangles(PatchMesh& mesh, const SplineField& field, const EdgeSize& size,
-                      const Progress& progress) {
-  const RemeshGround ground(field, size);
+                      const EndPlanes& ends, const Progress& progress) {
+  const RemeshGround ground(field, size, ends);
   RemeshWorker worker(mesh, ground, progress);
   mesh = improved(worker, progress);
 }
 
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const GuidanceField& size,
-                 const Progress& progress) {
-  return remesh(start, field, GuidanceSize(size), progress);
+                 const EndPlanes& ends, const Progress& progress) {
+  return remesh(start, field, GuidanceSize(size), ends, progress);
 }
 
 void improveTriangles(PatchMesh& mesh, const SplineField& field, const GuidanceField& size,
-                      const Progress& progress) {
-  improveTriangles(mesh, field, GuidanceSize(size), progress);
+                      const EndPlanes& ends, const Progress& progress) {
+  improveTriangles(mesh, field, GuidanceSize(size), ends, progress);
 }
 
 }  // namespace angiomesh

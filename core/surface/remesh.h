@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/surface/end_planes.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/patch_mesh.h"
 #include "core/surface/spline_field.h"
@@ -28,9 +29,9 @@ class EdgeSize {
 /// becomes Remesh. The same for any number of threads.
 /// @throws InputError when the arrays of `start` do not fit together, Cancelled
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const EdgeSize& size,
-                 const Progress& progress = {});
+                 const EndPlanes& ends, const Progress& progress = {});
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const GuidanceField& size,
-                 const Progress& progress = {});
+                 const EndPlanes& ends, const Progress& progress = {});
 
 /// Makes good triangles of a mesh that has the wanted density already: edges are flipped and
 /// vertices relaxed along the surface, then the worst triangles are worked on one by one (flips,
@@ -39,8 +40,8 @@ PatchMesh remesh(const PatchMesh& start, const SplineField& field, const Guidanc
 /// and patches stay. The same for any number of threads.
 /// @throws InputError when the arrays of `mesh` do not fit together, Cancelled
 void improveTriangles(PatchMesh& mesh, const SplineField& field, const EdgeSize& size,
-                      const Progress& progress = {});
+                      const EndPlanes& ends, const Progress& progress = {});
 void improveTriangles(PatchMesh& mesh, const SplineField& field, const GuidanceField& size,
-                      const Progress& progress = {});
+                      const EndPlanes& ends, const Progress& progress = {});
 
 }  // namespace angiomesh

@@ -201,7 +201,7 @@ std::uint32_t EditMesh::newTriangle(std::uint32_t like) {
   return t;
 }
 
-std::uint32_t EditMesh::newVertex(std::uint8_t place) {
+std::uint32_t EditMesh::newVertex(const Place& place) {
   std::uint32_t v = none;
   if (!freeVertices_.empty()) {
     v = freeVertices_.back();
@@ -221,7 +221,7 @@ std::uint32_t EditMesh::newVertex(std::uint8_t place) {
   return v;
 }
 
-std::uint32_t EditMesh::split(std::uint32_t h, std::uint8_t place) {
+std::uint32_t EditMesh::split(std::uint32_t h, const Place& place) {
   const std::uint32_t o = twin_[h];
   const std::uint32_t m = newVertex(place);
   // (u, v, a) -> (u, m, a) and (m, v, a)

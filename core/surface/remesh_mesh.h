@@ -58,8 +58,8 @@ class EditMesh {
   [[nodiscard]] const Vector3d& point(std::uint32_t v) const { return points_[v]; }
   [[nodiscard]] const Vector3d& normal(std::uint32_t v) const { return normals_[v]; }
   [[nodiscard]] double size(std::uint32_t v) const { return sizes_[v]; }
-  [[nodiscard]] std::uint8_t place(std::uint32_t v) const { return places_[v]; }
-  [[nodiscard]] std::uint8_t patch(std::uint32_t t) const { return patches_[t]; }
+  [[nodiscard]] const Place& place(std::uint32_t v) const { return places_[v]; }
+  [[nodiscard]] std::uint16_t patch(std::uint32_t t) const { return patches_[t]; }
   [[nodiscard]] bool locked(std::uint32_t v) const { return locked_[v] != 0; }
 
   /// Position, outward normal of the wall (of the plane inside a cap) and wanted edge length there.
@@ -80,7 +80,7 @@ class EditMesh {
   void flip(std::uint32_t h);
 
   /// Puts a vertex on the edge; it has no position yet. Returns the vertex.
-  std::uint32_t split(std::uint32_t h, std::uint8_t place);
+  std::uint32_t split(std::uint32_t h, const Place& place);
 
   /// Whether the origin of h can be merged into its target and leave a manifold of the same
   /// topology (link condition) and the same patches.
@@ -122,7 +122,7 @@ class EditMesh {
     if (o != none) setTwin(o, h);
   }
   std::uint32_t newTriangle(std::uint32_t like);
-  std::uint32_t newVertex(std::uint8_t place);
+  std::uint32_t newVertex(const Place& place);
   void buildTwins();
   void lockIrregular();
   void startAtRim(std::uint32_t v);
@@ -130,7 +130,9 @@ class EditMesh {
   std::vector<std::uint32_t> corner_, twin_, leaving_, valence_;
   std::vector<Vector3d> points_, normals_;
   std::vector<double> sizes_;
-  std::vector<std::uint8_t> places_, patches_, locked_;
+  std::vector<Place> places_;
+  std::vector<std::uint16_t> patches_;
+  std::vector<std::uint8_t> locked_;
   std::vector<FaceOrigin> origins_;
   std::vector<std::uint32_t> freeTriangles_, freeVertices_;
   std::vector<Change> changes_;

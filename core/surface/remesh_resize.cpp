@@ -83,11 +83,10 @@ void RemeshWorker::activate(std::uint32_t v) {
   for (std::uint32_t i = 0; i < ring.count; ++i) active_[ring.vertex[i]] = 1;
 }
 
-std::uint8_t RemeshWorker::splitPlace(std::uint32_t h) const {
-  if (mesh_.isFeature(h))
-    return static_cast<std::uint8_t>(mesh_.place(mesh_.origin(h)) & mesh_.place(mesh_.target(h)));
-  const std::uint8_t patch = mesh_.patch(h / 3);
-  return patch == 0 ? PatchMesh::wallBit : static_cast<std::uint8_t>(1U << (patch - 1U));
+Place RemeshWorker::splitPlace(std::uint32_t h) const {
+  if (mesh_.isFeature(h)) return mesh_.place(mesh_.origin(h)).shared(mesh_.place(mesh_.target(h)));
+  const std::uint16_t patch = mesh_.patch(h / 3);
+  return patch == 0 ? Place::onWall() : Place::inPlane(patch - 1);
 }
 
 // Returns the new vertex, none where it cannot land.
@@ -98,8 +97,8 @@ std::uint32_t RemeshWorker::splitEdge(std::uint32_t h) {
   if (o != EditMesh::none &&
       (mesh_.locked(mesh_.apex(o)) || mesh_.valence(mesh_.apex(o)) + 2 >= EditMesh::ringLimit))
     return EditMesh::none;
-  const std::uint8_t where = splitPlace(h);
-  if (RemeshGround::freedom(where) == 0) return EditMesh::none;
+  const Place where = splitPlace(h);
+  if (where.freedom() == 0) return EditMesh::none;
   Vector3d point = 0.5 * (mesh_.point(u) + mesh_.point(v));
   Vector3d normal = mesh_.normal(u) + mesh_.normal(v);
   const double length = (mesh_.point(u) - mesh_.point(v)).norm();
@@ -115,8 +114,8 @@ std::uint32_t RemeshWorker::splitEdge(std::uint32_t h) {
 // Whether the origin of h can go into its target, and where the two would meet.
 bool RemeshWorker::collapseFits(std::uint32_t h, double longest, Vector3d& point) const {
   const std::uint32_t u = mesh_.origin(h), v = mesh_.target(h);
-  const std::uint8_t from = mesh_.place(u), to = mesh_.place(v);
-  if ((from & ~to) != 0 || mesh_.locked(u) || mesh_.locked(v) || freedom(u) == 0) return false;
+  const Place from = mesh_.place(u), to = mesh_.place(v);
+  if (!to.within(from) || mesh_.locked(u) || mesh_.locked(v) || freedom(u) == 0) return false;
   point = mesh_.point(v);
   if (from == to) {
     Vector3d normal = mesh_.normal(v);

@@ -83,7 +83,7 @@ RemeshWorker::RemeshWorker(const PatchMesh& start, const RemeshGround& ground,
 }
 
 int RemeshWorker::freedom(std::uint32_t v) const {
-  return mesh_.locked(v) ? 0 : RemeshGround::freedom(mesh_.place(v));
+  return mesh_.locked(v) ? 0 : mesh_.place(v).freedom();
 }
 
 // Puts v where `point` lands; where that is farther than `farthest`, on the point itself.
@@ -124,7 +124,7 @@ double RemeshWorker::agreement(std::uint32_t patch, const std::array<std::uint32
   if (patch > 0) return n.dot(ground_.planeNormal(static_cast<int>(patch) - 1)) / length;
   double least = length;
   for (const std::uint32_t v : corners)
-    if ((mesh_.place(v) & PatchMesh::wallBit) != 0) least = std::min(least, n.dot(mesh_.normal(v)));
+    if (mesh_.place(v).wall) least = std::min(least, n.dot(mesh_.normal(v)));
   return least / length;
 }
 

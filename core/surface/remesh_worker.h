@@ -74,7 +74,7 @@ class RemeshWorker {
   [[nodiscard]] bool worthFlipping(std::uint32_t h, FlipBy by) const;
   std::size_t flipEdges(FlipBy by, bool all);
   void activate(std::uint32_t v);
-  [[nodiscard]] std::uint8_t splitPlace(std::uint32_t h) const;
+  [[nodiscard]] Place splitPlace(std::uint32_t h) const;
   std::uint32_t splitEdge(std::uint32_t h);
   [[nodiscard]] bool collapseFits(std::uint32_t h, double longest, Vector3d& point) const;
   bool collapseEdge(std::uint32_t h, double longest);

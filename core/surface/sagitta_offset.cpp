@@ -4,10 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/parallel.h"
+#include "core/surface/held_planes.h"
 #include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
@@ -16,30 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t blockSize = 1024;
-
-// Which border planes of the grid each vertex lies in: bit 2 a before, bit 2 a + 1 behind on axis
-// a.
-std::vector<std::uint8_t> planesOf(const TriMesh& mesh, const Geometry& g) {
-  constexpr double hair = 1e-4;  // voxels; what single precision leaves of a plane
-  const Eigen::Matrix3d toIndex = g.physicalToIndexMatrix();
-  std::vector<std::uint8_t> planes(mesh.points.size(), 0);
-  parallelFor(0, planes.size(), blockSize, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      const Vector3d index = toIndex * (mesh.points[v] - g.origin);
-      for (int a = 0; a < 3; ++a) {
-        const double end = g.size[static_cast<std::size_t>(a)] - 1;
-        if (index[a] < hair) planes[v] |= static_cast<std::uint8_t>(1 << (2 * a));
-        if (index[a] > end - hair) planes[v] |= static_cast<std::uint8_t>(2 << (2 * a));
-      }
-    }
-  });
-  return planes;
-}
-
-// Triangles in a border plane are caps.
-bool isCap(const std::array<std::uint32_t, 3>& t, const std::vector<std::uint8_t>& planes) {
-  return (planes[t[0]] & planes[t[1]] & planes[t[2]]) != 0;
-}
+constexpr std::uint32_t kOpenRims = 1U << 16U;  // rims of caps go by their patches
 
 // The signed distance along `normal` from `point` to the zero set.
 double heightOver(const Vector3d& point, const Vector3d& normal, double farthest,
@@ -77,12 +55,14 @@ double meanHeight(const Vector3d& a, const Vector3d& b, const Vector3d& c, const
 
 class SagittaOffset {
  public:
-  SagittaOffset(const TriMesh& mesh, const SplineField& phi, const std::vector<char>& frozen,
-                const Progress& progress)
-      : mesh_(mesh), phi_(phi), progress_(progress), planes_(planesOf(mesh, phi.geometry())) {
+  SagittaOffset(const TriMesh& mesh, const SplineField& phi, const std::vector<Port>& ports,
+                const std::vector<char>& frozen, const Progress& progress)
+      : mesh_(mesh), phi_(phi), progress_(progress), held_(mesh, &phi.geometry(), ports) {
     measureFaces();
     meanOverVertices();
+    findRims();
     setWays(frozen);
+    fitRims();
   }
 
   // Twice towards the linear prediction's error: the volume is a cubic in the factor, nearly
@@ -99,7 +79,7 @@ class SagittaOffset {
     TriMesh result = mesh_;
     for (int round = 0; round < 3; ++round) {
       for (std::size_t v = 0; v < result.points.size(); ++v)
-        result.points[v] = mesh_.points[v] + factor[part[v]] * way_[v];
+        result.points[v] = mesh_.points[v] + (onRim_[v] != 0 ? 1.0 : factor[part[v]]) * way_[v];
       const std::vector<double> now = volumes(result.points, parts);
       for (std::size_t p = 0; p < parts.count; ++p) {
         const double gained = now[p] - start[p];
@@ -122,7 +102,7 @@ class SagittaOffset {
         const Vector3d &a = mesh_.points[t[0]], &b = mesh_.points[t[1]], &c = mesh_.points[t[2]];
         const Vector3d n = (b - a).cross(c - a);
         const double length = n.norm();
-        area_[i] = isCap(t, planes_) ? 0.0 : 0.5 * length;
+        area_[i] = held_.isCap(i) ? 0.0 : 0.5 * length;
         height_[i] = area_[i] > 0.0 ? meanHeight(a, b, c, n / length, phi_) : 0.0;
       }
     });
@@ -155,25 +135,129 @@ class SagittaOffset {
 
   void setWays(const std::vector<char>& frozen) {
     way_.assign(mesh_.points.size(), Vector3d::Zero());
-    const Eigen::Matrix3d toIndex = phi_.geometry().physicalToIndexMatrix();
     parallelFor(0, way_.size(), blockSize, [&](std::size_t first, std::size_t last) {
       progress_.check();
-      for (std::size_t v = first; v < last; ++v) {
-        const int held = std::popcount(static_cast<unsigned>(planes_[v]));
+      for (std::size_t i = first; i < last; ++i) {
+        const auto v = static_cast<std::uint32_t>(i);
+        const int held = held_.count(v);
         if (frozen[v] != 0 || shift_[v] == 0.0 || held > 1) continue;
         const Vector3d gradient = phi_.at(mesh_.points[v]).gradient;
         const double slope = gradient.norm();
         if (!(slope > 0.0) || !std::isfinite(slope)) continue;
         Vector3d along = gradient / slope;
-        if (held == 1) {
-          const int axis = std::countr_zero(static_cast<unsigned>(planes_[v])) / 2;
-          const Vector3d plane = toIndex.row(axis).transpose().normalized();
-          along -= along.dot(plane) * plane;
+        if (held == 0) {
+          way_[v] = shift_[v] * along;
+          continue;
         }
+        along -= along.dot(held_.normal(v)) * held_.normal(v);
         const double share = along.squaredNorm();
-        if (share > 0.1) way_[v] = shift_[v] / share * along;
+        if (share > 0.1) way_[v] = shift_[v] / (onRim_[v] != 0 ? std::sqrt(share) : share) * along;
       }
     });
+  }
+
+  struct RimEdge {
+    std::uint32_t from, to;  ///< the cap to the left
+    std::uint32_t rim;
+  };
+
+  // The edges between caps and the wall, and open rims in planes; rims by their caps' patches, open
+  // ones by connection. Their vertices move by the mean height of phi = 0 over the rim's edges in the
+  // plane.
+  void findRims() {
+    onRim_.assign(mesh_.points.size(), 0);
+    const std::vector<EdgeSide> sides = sortedEdgeSides(mesh_);
+    DisjointSets open(mesh_.points.size());
+    const auto patchOf = [&](const EdgeSide& s) {
+      return mesh_.patch.empty() ? 0U : static_cast<std::uint32_t>(mesh_.patch[s.triangle]);
+    };
+    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
+      const std::size_t count = edgeRunEnd(sides, i) - i;
+      const EdgeSide* cap = nullptr;
+      bool forward = false;
+      if (count == 1 && held_.sharePlane(sides[i].low, sides[i].high)) {
+        cap = &sides[i];
+        forward = !cap->forward;
+        open.join(cap->low, cap->high);
+      } else if (count == 2 && (patchOf(sides[i]) == 0) != (patchOf(sides[i + 1]) == 0)) {
+        cap = patchOf(sides[i]) != 0 ? &sides[i] : &sides[i + 1];
+        forward = cap->forward;
+      }
+      if (cap == nullptr) continue;
+      rims_.push_back({forward ? cap->low : cap->high, forward ? cap->high : cap->low,
+                       count == 1 ? 0U : patchOf(*cap)});
+      onRim_[cap->low] = onRim_[cap->high] = 1;
+    }
+    for (RimEdge& e : rims_)
+      if (e.rim == 0) e.rim = kOpenRims + open.find(e.from);
+    std::sort(rims_.begin(), rims_.end(), [](const RimEdge& a, const RimEdge& b) {
+      return std::tie(a.rim, a.from) < std::tie(b.rim, b.from);
+    });
+    shiftRims();
+  }
+
+  void shiftRims() {
+    std::vector<double> weight(mesh_.points.size(), 0.0);
+    for (const RimEdge& e : rims_) shift_[e.from] = shift_[e.to] = 0.0;
+    for (const RimEdge& e : rims_) {
+      const double length = (mesh_.points[e.to] - mesh_.points[e.from]).norm();
+      const double height = edgeHeight(e);
+      for (const std::uint32_t v : {e.from, e.to}) {
+        shift_[v] += length * height;
+        weight[v] += length;
+      }
+    }
+    for (std::size_t v = 0; v < weight.size(); ++v)
+      if (weight[v] > 0.0) shift_[v] /= weight[v];
+  }
+
+  // The mean height of phi = 0 over an edge within its plane, outwards: three points (Gauss).
+  [[nodiscard]] double edgeHeight(const RimEdge& e) const {
+    const Vector3d &a = mesh_.points[e.from], &b = mesh_.points[e.to];
+    const double length = (b - a).norm();
+    if (!(length > 0.0)) return 0.0;
+    const Vector3d outward = ((b - a) / length).cross(held_.normal(e.from));
+    double mean = 0.0;
+    for (const auto& [at, weight] :
+         {std::pair{0.1127016653792583, 5.0 / 18.0}, std::pair{0.5, 8.0 / 18.0},
+          std::pair{0.8872983346207417, 5.0 / 18.0}})
+      mean += weight * heightOver(a + at * (b - a), outward, 0.45 * length, phi_);
+    return mean;
+  }
+
+  // By a common factor for each rim, it encloses the area of phi < 0 in its plane.
+  void fitRims() {
+    for (std::size_t i = 0; i < rims_.size();) {
+      std::size_t end = i;
+      double missing = 0.0;
+      for (; end < rims_.size() && rims_[end].rim == rims_[i].rim; ++end)
+        missing += edgeHeight(rims_[end]) *
+                   (mesh_.points[rims_[end].to] - mesh_.points[rims_[end].from]).norm();
+      const double start = rimArea(i, end, 0.0);
+      double factor = 1.0;
+      for (int round = 0; round < 4; ++round) {
+        const double gained = rimArea(i, end, factor) - start;
+        if (std::fabs(gained) > 1e-12 * std::fabs(start))
+          factor = std::clamp(factor * missing / gained, 0.0, 3.0);
+      }
+      std::vector<std::uint32_t> vertices;
+      for (; i < end; ++i) vertices.insert(vertices.end(), {rims_[i].from, rims_[i].to});
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      for (const std::uint32_t v : vertices) way_[v] *= factor;
+    }
+  }
+
+  [[nodiscard]] double rimArea(std::size_t first, std::size_t last, double factor) const {
+    const Vector3d about = mesh_.points[rims_[first].from];
+    double twice = 0.0;
+    for (std::size_t i = first; i < last; ++i) {
+      const RimEdge& e = rims_[i];
+      const Vector3d a = mesh_.points[e.from] + factor * way_[e.from] - about;
+      const Vector3d b = mesh_.points[e.to] + factor * way_[e.to] - about;
+      twice += a.cross(b).dot(held_.normal(e.from));
+    }
+    return 0.5 * twice;
   }
 
   // Six times the volume that each component encloses, over six; about a point of its own, for the
@@ -194,7 +278,9 @@ class SagittaOffset {
   const TriMesh& mesh_;
   const SplineField& phi_;
   const Progress& progress_;
-  std::vector<std::uint8_t> planes_;
+  HeldPlanes held_;
+  std::vector<RimEdge> rims_;   ///< sorted by rim
+  std::vector<char> onRim_;     ///< per vertex
   std::vector<double> area_, height_;  ///< of triangles
   std::vector<double> shift_;          ///< of vertices, mm along the wall's normal
   std::vector<Vector3d> way_;          ///< the shift in the directions that a vertex can go
@@ -204,14 +290,15 @@ class SagittaOffset {
 
 bool inscribedInZeroSet(const TriMesh& mesh, const SplineField& phi) {
   if (mesh.triangles.empty()) return false;
-  const std::vector<std::uint8_t> planes = planesOf(mesh, phi.geometry());
+  const HeldPlanes held(mesh, &phi.geometry(), {});
   std::vector<char> wall(mesh.points.size(), 0);
   std::size_t thin = 0;
   constexpr double cos20 = 0.9396926207859084;
-  for (const auto& t : mesh.triangles) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
     double sharpest = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!isCap(t, planes)) wall[t[k]] = 1;
+      if (!held.isCap(i)) wall[t[k]] = 1;
       const Vector3d a = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]],
                      b = mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]];
       const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
@@ -238,9 +325,10 @@ bool inscribedInZeroSet(const TriMesh& mesh, const SplineField& phi) {
 }
 
 TriMesh offsetBySagitta(const TriMesh& mesh, const SplineField& phi,
-                        const std::vector<char>& frozen, const Progress& progress) {
+                        const std::vector<Port>& ports, const std::vector<char>& frozen,
+                        const Progress& progress) {
   if (mesh.triangles.empty()) return mesh;
-  return SagittaOffset(mesh, phi, frozen, progress).run();
+  return SagittaOffset(mesh, phi, ports, frozen, progress).run();
 }
 
 }  // namespace angiomesh

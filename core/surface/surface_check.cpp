@@ -159,8 +159,7 @@ void countRims(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, Surfac
     }
     rims.join(sides[i].low, sides[i].high);
     onRim.emplace_back(sides[i].low, label);
-    const bool inPlane =
-        (mesh.place[sides[i].low] & mesh.place[sides[i].high] & PatchMesh::planeBits) != 0;
+    const bool inPlane = mesh.place[sides[i].low].shared(mesh.place[sides[i].high]).planes() > 0;
     if (border == SurfaceBorder::Cap || !inPlane) doubtIt(component, "it is not closed");
   }
   // A loop's representative, its lowest vertex, is the lower end of two of its edges.

@@ -31,7 +31,7 @@ struct SurfaceCheck {
 SurfaceCheck checkManifold(const PatchMesh& mesh, SurfaceBorder border);
 
 /// Checks that each component of a mesh of phi = 0 is
-/// - an oriented manifold whose rims lie in the border planes (no rims with `Cap`),
+/// - an oriented manifold whose rims lie in the planes that it ends in (no rims with `Cap`),
 /// - nowhere turned away from the field: on each wall triangle and around it, as far as its feet on
 ///   the zero set, the gradient has a positive part along the triangle's normal. It follows from
 ///   the gradient at the centroid and a bound of the second derivatives (cell_bounds.h); the zero

@@ -11,8 +11,10 @@
 #include "core/base/error.h"
 #include "core/base/large_pages.h"
 #include "core/quality/self_intersection.h"
+#include "core/surface/clip_reference.h"
 #include "core/surface/grow_front.h"
 #include "core/surface/mend_mesh.h"
+#include "core/surface/port_patches.h"
 #include "core/surface/reference_surface.h"
 #include "core/surface/remesh.h"
 #include "core/surface/surface_check.h"
@@ -32,21 +34,30 @@ void append(PatchMesh& to, const PatchMesh& from) {
     to.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
+std::vector<CutPlane> planesOf(const CutAway& away) {
+  std::vector<CutPlane> planes;
+  for (const Section& section : away.sections) planes.push_back(section.plane);
+  return planes;
+}
+
 /// Of the whole program at its peak, as measured with a million triangles.
 constexpr double kBytesPerTriangle = 600.0;
 
 class Mesher {
  public:
   Mesher(const SplineField& field, const SizingParams& sizing, SurfaceBorder border,
-         const Progress& progress)
+         const CutAway& away, const Progress& progress)
       : field_(field),
         sizing_(sizing),
         border_(border),
+        away_(away),
+        ends_(field.geometry(), planesOf(away)),
         progress_(progress),
-        size_(field, sizing, progress.sub(0.0, 0.15)) {
+        size_(field, sizing, progress.sub(0.0, 0.15), &away) {
     checkMemoryFor(size_.estimatedTriangles());
-    reference_ = referenceSurface(sampleField(field, wholeGrid(field.geometry()), progress),
-                                  field.geometry(), border, progress.sub(0.15, 0.2));
+    reference_ = referenceSurface(sampleField(field, wholeGrid(field.geometry()), progress), ends_,
+                                  border, progress.sub(0.15, 0.2));
+    clipReference(reference_, away, field, size_, ends_, border, progress);
     landmarks_ = landmarksOf(wallOf(reference_), field, size_);
     progress_.report(0.25);
   }
@@ -54,13 +65,13 @@ class Mesher {
   ZeroSetMesh run(SurfaceMethod method) {
     PatchMesh mesh;
     if (method == SurfaceMethod::Remesh) {
-      mesh = remesh(reference_, field_, size_, progress_.sub(0.25, 0.9));
+      mesh = remesh(reference_, field_, size_, ends_, progress_.sub(0.25, 0.9));
     } else {
-      mesh = growFront(landmarks_, field_, size_, chordAngle(), border_, progress_);
+      mesh = growFront(landmarks_, field_, size_, ends_, away_, chordAngle(), border_, progress_);
       progress_.report(0.5);
       mendBroken(mesh);
       dropBroken(mesh);
-      improveTriangles(mesh, field_, size_, progress_.sub(0.5, 0.8));
+      improveTriangles(mesh, field_, size_, ends_, progress_.sub(0.5, 0.8));
     }
     SurfaceCheck check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
     progress_.report(0.9);
@@ -104,7 +115,7 @@ class Mesher {
       if (!mendMesh(mesh, meeting, n, field_)) continue;
       changed = true;
       // What improving ties up again stays as it was filled.
-      if (n < improved) improveTriangles(mesh, field_, size_, progress_);
+      if (n < improved) improveTriangles(mesh, field_, size_, ends_, progress_);
       meeting = intersecting(mesh);
     }
     return changed;
@@ -144,7 +155,7 @@ class Mesher {
     if (std::find(missing.begin(), missing.end(), 1) == missing.end()) return false;
     const PatchMesh start =
         selectTriangles(reference_, [&](std::uint32_t t) { return missing[parts.label[t]] != 0; });
-    append(mesh, remesh(start, field_, size_, progress_.sub(0.9, 0.98)));
+    append(mesh, remesh(start, field_, size_, ends_, progress_.sub(0.9, 0.98)));
     return true;
   }
 
@@ -170,14 +181,17 @@ class Mesher {
     if (!mesh.origin.empty())
       out.fromFrontPercent =
           100.0 * static_cast<double>(fromFront) / static_cast<double>(mesh.origin.size());
+    out.origin = mesh.origin;
+    out.ports = numberPatches(mesh, ends_, away_);
     out.mesh = std::move(mesh.mesh);
-    out.origin = std::move(mesh.origin);
     return out;
   }
 
   const SplineField& field_;
   const SizingParams& sizing_;
   SurfaceBorder border_;
+  const CutAway& away_;
+  EndPlanes ends_;
   const Progress& progress_;
   GuidanceField size_;
   PatchMesh reference_;
@@ -202,11 +216,11 @@ void checkMemoryFor(double triangles) {
 }
 
 ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
-                        SurfaceBorder border, const Progress& progress) {
+                        SurfaceBorder border, const Progress& progress, const CutAway& away) {
   if (method == SurfaceMethod::MarchingCubes)
     throw InputError("marching cubes makes no sized triangles", "surface.method",
                      "use advancing-front or remesh");
-  return Mesher(field, sizing, border, progress).run(method);
+  return Mesher(field, sizing, border, away, progress).run(method);
 }
 
 }  // namespace angiomesh

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/surface/cut_away.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/patch_mesh.h"
+#include "core/surface/port.h"
 #include "core/surface/sizing.h"
 #include "core/surface/spline_field.h"
 
@@ -31,14 +33,19 @@ struct ZeroSetMesh {
   std::vector<FaceOrigin> origin;            ///< per triangle
   std::vector<SurfaceComponent> components;  ///< largest first
   double fromFrontPercent = 0.0;
-  double estimatedTriangles = 0.0;   ///< before meshing
+  double estimatedTriangles = 0.0;  ///< before meshing
+  /// The openings, port n patch 1 + n of the mesh: the cuts in their order, then border_1, ... ,
+  /// the caps at the volume's border (with `Open`: the rims), the largest first. As the mesh has
+  /// them; of a cut whose component was dropped the area is 0.
+  std::vector<Port> ports;
   std::vector<std::string> dropped;  ///< what was too small to be meshed, in words
 };
 
 /// The zero set of the field as triangles of the wanted size with well-shaped corners, faces
 /// counter-clockwise from outside, vertices on the zero set; by the advancing front or, for
-/// `Remesh`, by remeshing marching cubes. `Cap` closes it by flat caps in the outermost planes of
-/// voxel centres, `Open` leaves planar rims there. The same for any number of threads.
+/// `Remesh`, by remeshing marching cubes; without what `away` takes. `Cap` closes it by flat caps
+/// in the outermost planes of voxel centres and in the sections of `away`, `Open` leaves planar
+/// rims there. Each triangle has its patch. The same for any number of threads.
 ///
 /// Each component is checked: it is an oriented manifold, closed but for rims; it turns nowhere
 /// away from the field's gradient by 90 degrees or more, bounded from the spline's second
@@ -46,9 +53,10 @@ struct ZeroSetMesh {
 /// grid. Where fronts leave no manifold, or triangles of a component that did not pass the checks
 /// intersect, the place is taken out and filled anew. Where no part of the front's mesh reaches a
 /// component of marching cubes, that is remeshed instead.
-/// @throws InputError for `MarchingCubes`, Cancelled
+/// @throws InputError for `MarchingCubes`, and as clipReference(); Cancelled
 ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
-                        SurfaceBorder border, const Progress& progress = {});
+                        SurfaceBorder border, const Progress& progress = {},
+                        const CutAway& away = {});
 
 /// @throws InputError when so many triangles take more memory than the machine has: their number is
 /// known before meshing, and the system ends a program that asks for too much without a word

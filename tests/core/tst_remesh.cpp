@@ -25,6 +25,8 @@ struct Scene {
   PatchMesh start;
   int euler = 0;
 
+  [[nodiscard]] EndPlanes ends() const { return EndPlanes(field->geometry()); }
+
   Scene(const Volume<float>& phi, int eulerNumber) : euler(eulerNumber) {
     field = std::make_unique<SplineField>(phi, SplineKind::InterpolatingBspline);
     SizingParams params;
@@ -32,7 +34,7 @@ struct Scene {
     params.edgesAround = 0;
     size = std::make_unique<GuidanceField>(*field, params);
     start.mesh = marchingCubes(phi);
-    start.place.assign(start.mesh.points.size(), PatchMesh::wallBit);
+    start.place.assign(start.mesh.points.size(), Place::onWall());
     start.patch.assign(start.mesh.triangles.size(), 0);
     start.origin.assign(start.mesh.triangles.size(), FaceOrigin::Front);
   }
@@ -163,14 +165,14 @@ class TestRemesh : public QObject {
   void meetsTheBars() {
     QFETCH(QString, shape);
     const Scene scene = makeScene(shape);
-    PatchMesh mesh = remesh(scene.start, *scene.field, *scene.size);
+    PatchMesh mesh = remesh(scene.start, *scene.field, *scene.size, scene.ends());
     verifyBars(mesh, scene);
     QVERIFY(std::all_of(mesh.origin.begin(), mesh.origin.end(),
                         [](FaceOrigin o) { return o == FaceOrigin::Remesh; }));
     mesh.origin.assign(mesh.origin.size(), FaceOrigin::Front);
     spoil(mesh, scene);
     QVERIFY(measureQuality(mesh.mesh).minAngleMin < 30.0);
-    improveTriangles(mesh, *scene.field, *scene.size);
+    improveTriangles(mesh, *scene.field, *scene.size, scene.ends());
     verifyBars(mesh, scene);
     QVERIFY(std::all_of(mesh.origin.begin(), mesh.origin.end(),
                         [](FaceOrigin o) { return o == FaceOrigin::Front; }));
@@ -179,15 +181,15 @@ class TestRemesh : public QObject {
   void theNumberOfThreadsDoesNotMatter() {
     const Scene scene = makeScene("oblique");
     setThreads(1);
-    PatchMesh one = remesh(scene.start, *scene.field, *scene.size);
+    PatchMesh one = remesh(scene.start, *scene.field, *scene.size, scene.ends());
     spoil(one, scene);
     PatchMesh spoiled = one;
-    improveTriangles(one, *scene.field, *scene.size);
+    improveTriangles(one, *scene.field, *scene.size, scene.ends());
     setThreads(4);
-    PatchMesh four = remesh(scene.start, *scene.field, *scene.size);
+    PatchMesh four = remesh(scene.start, *scene.field, *scene.size, scene.ends());
     spoil(four, scene);
     QVERIFY(same(spoiled, four));
-    improveTriangles(four, *scene.field, *scene.size);
+    improveTriangles(four, *scene.field, *scene.size, scene.ends());
     setThreads(0);
     QVERIFY(same(one, four));
   }
@@ -207,7 +209,7 @@ class TestRemesh : public QObject {
         shapes::sampled(g, [&](const Vector3d& p) { return analytic::tube(p, middle, axis, 2.6); });
     Scene scene(phi, capped ? 2 : 0);
     PatchMesh start = tube(g, middle, 2.6, capped);
-    const PatchMesh result = remesh(start, *scene.field, *scene.size);
+    const PatchMesh result = remesh(start, *scene.field, *scene.size, scene.ends());
     const MeshQuality q = measureQuality(result.mesh);
     QCOMPARE(q.euler, scene.euler);
     QCOMPARE(q.boundaryLoops, std::size_t{capped ? 0U : 2U});
@@ -219,20 +221,19 @@ class TestRemesh : public QObject {
     for (std::size_t v = 0; v < result.mesh.points.size(); ++v) {
       const Vector3d& p = result.mesh.points[v];
       const double z = g.toIndex(p)[2];
-      const std::uint8_t place = result.place[v];
+      const Place place = result.place[v];
       const Vector3d d = p - middle;
-      if ((place & PatchMesh::wallBit) != 0)
-        QVERIFY(std::abs((d - d.dot(axis) * axis).norm() - 2.6) < 0.02);
-      if ((place & PatchMesh::planeBits) == 0) continue;
+      if (place.wall) QVERIFY(std::abs((d - d.dot(axis) * axis).norm() - 2.6) < 0.02);
+      if (place.planes() == 0) continue;
       ++onPlanes;
-      QVERIFY(std::abs(z - ((place & 16) != 0 ? 0.0 : last)) < 1e-9);
+      QVERIFY(std::abs(z - (place.liesIn(4) ? 0.0 : last)) < 1e-9);
     }
     QVERIFY(onPlanes > 20);
     for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
       if (result.patch[t] == 0) continue;
       QVERIFY(capped);
       for (const std::uint32_t v : result.mesh.triangles[t])
-        QVERIFY((result.place[v] >> (result.patch[t] - 1) & 1) != 0);
+        QVERIFY(result.place[v].liesIn(result.patch[t] - 1));
     }
   }
 
@@ -241,7 +242,7 @@ class TestRemesh : public QObject {
     PatchMesh start;
     start.mesh = shapes::torus(16, 10, 3.0, 1.0);
     start.mesh.triangles.erase(start.mesh.triangles.begin());
-    start.place.assign(start.mesh.points.size(), PatchMesh::wallBit);
+    start.place.assign(start.mesh.points.size(), Place::onWall());
     start.patch.assign(start.mesh.triangles.size(), 0);
     start.origin.assign(start.mesh.triangles.size(), FaceOrigin::Front);
     EditMesh mesh(start);
@@ -259,7 +260,7 @@ class TestRemesh : public QObject {
         if (mesh.canCollapse(h)) mesh.collapse(h), ++done;
       } else {
         const Vector3d middle = 0.5 * (mesh.point(mesh.origin(h)) + mesh.point(mesh.target(h)));
-        mesh.set(mesh.split(h, PatchMesh::wallBit), middle, Vector3d::UnitX(), 1.0);
+        mesh.set(mesh.split(h, Place::onWall()), middle, Vector3d::UnitX(), 1.0);
         ++done;
       }
       if (back) mesh.takeBack();
@@ -280,12 +281,13 @@ class TestRemesh : public QObject {
   void takesWhatThereIs() {
     const Scene scene = makeScene("sphere");
     PatchMesh empty;
-    QVERIFY(remesh(empty, *scene.field, *scene.size).mesh.triangles.empty());
-    improveTriangles(empty, *scene.field, *scene.size);
+    QVERIFY(remesh(empty, *scene.field, *scene.size, scene.ends()).mesh.triangles.empty());
+    improveTriangles(empty, *scene.field, *scene.size, scene.ends());
     QVERIFY(empty.mesh.triangles.empty());
     PatchMesh wrong = scene.start;
     wrong.patch.pop_back();
-    QVERIFY_EXCEPTION_THROWN(improveTriangles(wrong, *scene.field, *scene.size), InputError);
+    QVERIFY_EXCEPTION_THROWN(improveTriangles(wrong, *scene.field, *scene.size, scene.ends()),
+                             InputError);
     // Two tetrahedra in one vertex: not a manifold there, so nothing changes around it.
     PatchMesh joined;
     joined.mesh = shapes::tetrahedron();
@@ -293,15 +295,16 @@ class TestRemesh : public QObject {
     for (const auto& t : shapes::tetrahedron().triangles)
       joined.mesh.triangles.push_back({other(t[0]), other(t[1]), other(t[2])});
     for (int v = 1; v < 4; ++v) joined.mesh.points.emplace_back(-1.0 * joined.mesh.points[v]);
-    joined.place.assign(7, PatchMesh::wallBit);
+    joined.place.assign(7, Place::onWall());
     joined.patch.assign(8, 0);
     joined.origin.assign(8, FaceOrigin::Closing);
     const TriMesh before = joined.mesh;
-    improveTriangles(joined, *scene.field, *scene.size);
+    improveTriangles(joined, *scene.field, *scene.size, scene.ends());
     QVERIFY(joined.mesh.points == before.points && joined.mesh.triangles == before.triangles);
     Progress cancelled;
     cancelled.cancel();
-    QVERIFY_EXCEPTION_THROWN(remesh(scene.start, *scene.field, *scene.size, cancelled), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(
+        remesh(scene.start, *scene.field, *scene.size, scene.ends(), cancelled), Cancelled);
   }
 
  private:
@@ -311,9 +314,9 @@ class TestRemesh : public QObject {
     constexpr std::uint32_t around = 8, rings = 5;
     const Vector3d axis = g.direction.col(2);
     const double length = (g.size[2] - 1) * g.spacing[2];
-    const auto add = [&](const Vector3d& p, int place) {
+    const auto add = [&](const Vector3d& p, const Place& place) {
       mesh.mesh.points.push_back(p);
-      mesh.place.push_back(static_cast<std::uint8_t>(place));
+      mesh.place.push_back(place);
     };
     for (std::uint32_t r = 0; r < rings; ++r)
       for (std::uint32_t i = 0; i < around; ++i) {
@@ -321,11 +324,12 @@ class TestRemesh : public QObject {
         const Vector3d out =
             std::cos(angle) * g.direction.col(0) + std::sin(angle) * g.direction.col(1);
         const double along = length * (1.0 * r / (rings - 1) - 0.5);
-        add(middle + radius * out + along * axis, 64 | (r == 0 ? 16 : r == rings - 1 ? 32 : 0));
+        const auto borders = static_cast<std::uint8_t>(r == 0 ? 16 : r == rings - 1 ? 32 : 0);
+        add(middle + radius * out + along * axis, {borders, true, 0});
       }
     const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, int patch) {
       mesh.mesh.triangles.push_back({a, b, c});
-      mesh.patch.push_back(static_cast<std::uint8_t>(patch));
+      mesh.patch.push_back(static_cast<std::uint16_t>(patch));
       mesh.origin.push_back(FaceOrigin::Front);
     };
     for (std::uint32_t r = 0; r + 1 < rings; ++r)
@@ -336,8 +340,8 @@ class TestRemesh : public QObject {
       }
     if (!capped) return mesh;
     const std::uint32_t last = (rings - 1) * around;
-    add(middle - 0.5 * length * axis, 16);
-    add(middle + 0.5 * length * axis, 32);
+    add(middle - 0.5 * length * axis, Place::inPlane(4));
+    add(middle + 0.5 * length * axis, Place::inPlane(5));
     for (std::uint32_t i = 0; i < around; ++i) {
       face((i + 1) % around, i, rings * around, 5);
       face(last + i, last + (i + 1) % around, rings * around + 1, 6);

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/cut_away.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+
+#include "core/base/error.h"
+#include "core/levelset/redistance.h"
+
+namespace angiomesh {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSlabVoxels = 2.0;
+/// Rims closer than this would leave no room for triangles between them.
+constexpr double kLeastGapVoxels = 1.5;
+
+/// The 26 neighbours.
+const std::array<Index3, 26>& neighbours() {
+  static const std::array<Index3, 26> all = [] {
+    std::array<Index3, 26> steps{};
+    std::size_t n = 0;
+    for (int k = -1; k <= 1; ++k)
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i)
+          if (i != 0 || j != 0 || k != 0) steps[n++] = {i, j, k};
+    return steps;
+  }();
+  return all;
+}
+
+Vector3d centreOf(const Geometry& g, const Index3& p) {
+  return g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+}
+
+/// Calls visit(index) for the voxels around a section, as far as `mm` from its rim.
+template <class Visit>
+void forEachAround(const Geometry& g, const Section& section, double mm, Visit visit) {
+  const Vector3d centre = g.toIndex(section.centreLps);
+  const Eigen::Matrix3d toIndex = g.physicalToIndexMatrix();
+  Index3 low{}, high{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    const double reach = (section.radiusMm + mm) * toIndex.row(axis).norm();
+    low[a] = std::max(0, static_cast<int>(std::floor(centre[axis] - reach)));
+    high[a] = std::min(g.size[a] - 1, static_cast<int>(std::ceil(centre[axis] + reach)));
+  }
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (int i = low[0]; i <= high[0]; ++i) visit(Index3{i, j, k});
+}
+
+class Cutter {
+ public:
+  Cutter(const SplineField& field, const Volume<float>& phi, std::vector<std::string> names,
+         const Progress& progress)
+      : field_(field), phi_(phi), grid_(phi.geometry), progress_(progress) {
+    away_.names = std::move(names);
+  }
+
+  CutAway run(const std::vector<CutPlane>& cuts) {
+    for (const CutPlane& cut : cuts) {
+      const std::string name = away_.nameOf(away_.sections.size());
+      try {
+        away_.sections.push_back(sectionOf(field_, cut));
+      } catch (const InputError& error) {
+        throw InputError(name + ": " + error.what(), "surface cuts",
+                         "move the cut or leave it out");
+      }
+    }
+    if (away_.sections.empty()) return std::move(away_);
+    checkApart();
+    away_.voxels = Volume<std::uint8_t>(grid_);
+    for (std::size_t i = 0; i < phi_.voxels.size(); ++i)
+      away_.voxels.voxels[i] = inside(i) ? CutAway::kLeft : CutAway::kOutside;
+    visited_.assign(phi_.voxels.size(), 0);
+    for (std::size_t n = 0; n < away_.sections.size(); ++n) findLinks(n);
+    for (std::size_t n = 0; n < away_.sections.size(); ++n) flood(n);
+    for (std::uint8_t& label : away_.voxels.voxels)
+      label = static_cast<std::uint8_t>(label & ~kLinked);
+    return std::move(away_);
+  }
+
+ private:
+  static constexpr std::uint8_t kLinked = 4;
+
+  // Where a section parts two voxels.
+  struct Link {
+    std::size_t near, far;
+  };
+
+  [[nodiscard]] std::string nameOf(std::size_t n) const { return away_.nameOf(n); }
+
+  [[nodiscard]] bool inside(std::size_t voxel) const { return phi_.voxels[voxel] < 0.0F; }
+  [[nodiscard]] std::size_t offset(const Index3& p) const { return grid_.offset(p[0], p[1], p[2]); }
+
+  void checkApart() const {
+    const double least = kLeastGapVoxels * grid_.voxelMm();
+    for (std::size_t m = 0; m < away_.sections.size(); ++m)
+      for (std::size_t n = m + 1; n < away_.sections.size(); ++n) {
+        const Section &a = away_.sections[m], &b = away_.sections[n];
+        if ((a.centreLps - b.centreLps).norm() > a.radiusMm + b.radiusMm + least) continue;
+        if (apart(a, b) && apart(b, a) && rimsApart(a, b, least)) continue;
+        throw InputError(nameOf(m) + " and " + nameOf(n) + " touch", "surface cuts",
+                         "move them apart");
+      }
+  }
+
+  // No piece of `b` passes through `a`.
+  static bool apart(const Section& a, const Section& b) {
+    const Section::Lattice& lattice = b.lattice;
+    const auto at = [&](int i, int j) {
+      return Vector3d(lattice.origin + i * lattice.u + j * lattice.v);
+    };
+    const auto in = [&](int i, int j) {
+      return i < lattice.columns && j < lattice.rows &&
+             lattice.inside[static_cast<std::size_t>(i) +
+                            static_cast<std::size_t>(lattice.columns) *
+                                static_cast<std::size_t>(j)] != 0;
+    };
+    for (int j = 0; j < lattice.rows; ++j)
+      for (int i = 0; i < lattice.columns; ++i) {
+        if (!in(i, j)) continue;
+        for (const auto& [di, dj] : {std::pair{1, 0}, std::pair{0, 1}}) {
+          if (!in(i + di, j + dj)) continue;
+          const Vector3d p = at(i, j), q = at(i + di, j + dj);
+          const double hp = a.height(p), hq = a.height(q);
+          if ((hp > 0.0) == (hq > 0.0)) continue;
+          if (a.covers(p + hp / (hp - hq) * (q - p))) return false;
+        }
+      }
+    return true;
+  }
+
+  static bool rimsApart(const Section& a, const Section& b, double least) {
+    for (const auto& one : a.loops)
+      for (const Vector3d& p : one)
+        for (const auto& other : b.loops)
+          for (const Vector3d& q : other)
+            if ((p - q).squaredNorm() < least * least) return false;
+    return true;
+  }
+
+  // Voxels inside phi are joined along the axes, and across where phi < 0 half-way, as for a vessel
+  // one voxel wide that runs diagonally.
+  [[nodiscard]] bool joined(const Index3& p, const Index3& step) const {
+    if (std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]) == 1) return true;
+    return field_.atIndex({p[0] + 0.5 * step[0], p[1] + 0.5 * step[1], p[2] + 0.5 * step[2]})
+               .value < 0.0;
+  }
+
+  [[nodiscard]] bool parts(const Section& section, const Vector3d& p, const Vector3d& q) const {
+    const double hp = section.height(p), hq = section.height(q);
+    if ((hp > 0.0) == (hq > 0.0)) return false;
+    return section.covers(p + hp / (hp - hq) * (q - p));
+  }
+
+  void findLinks(std::size_t n) {
+    const Section& section = away_.sections[n];
+    links_.emplace_back();
+    forEachAround(grid_, section, 2.0 * grid_.spacing.maxCoeff(), [&](const Index3& p) {
+      const std::size_t from = offset(p);
+      const Vector3d here = centreOf(grid_, p);
+      if (!inside(from) || section.height(here) > 0.0) return;
+      for (const Index3& step : neighbours()) {
+        const Index3 q{p[0] + step[0], p[1] + step[1], p[2] + step[2]};
+        if (!grid_.contains(q[0], q[1], q[2]) || !inside(offset(q))) continue;
+        if (!parts(section, here, centreOf(grid_, q))) continue;
+        away_.voxels.voxels[from] |= kLinked;
+        away_.voxels.voxels[offset(q)] |= kLinked;
+        parted_.insert(keyOf(from, offset(q)));
+        if (joined(p, step)) links_.back().push_back({from, offset(q)});
+      }
+    });
+  }
+
+  [[nodiscard]] std::uint64_t keyOf(std::size_t a, std::size_t b) const {
+    return std::min(a, b) * phi_.voxels.size() + std::max(a, b);
+  }
+
+  void flood(std::size_t n) {
+    std::vector<std::size_t> found;
+    const auto take = [&](std::size_t voxel) {
+      if (visited_[voxel] != 0) return;
+      visited_[voxel] = 1;
+      found.push_back(voxel);
+    };
+    for (const Link& link : links_[n]) take(link.far);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (i % 4096 == 0) progress_.check();
+      const Index3 p = grid_.indexOf(found[i]);
+      const bool linked = (away_.voxels.voxels[found[i]] & kLinked) != 0;
+      for (const Index3& step : neighbours()) {
+        const Index3 q{p[0] + step[0], p[1] + step[1], p[2] + step[2]};
+        if (!grid_.contains(q[0], q[1], q[2])) continue;
+        const std::size_t next = offset(q);
+        if (!inside(next) || visited_[next] != 0) continue;
+        if (linked && parted_.count(keyOf(found[i], next)) != 0) continue;
+        if (joined(p, step)) take(next);
+      }
+    }
+    checkFlood(n);
+    for (const std::size_t voxel : found) {
+      visited_[voxel] = 0;
+      std::uint8_t& label = away_.voxels.voxels[voxel];
+      label = static_cast<std::uint8_t>(CutAway::kTaken | (label & kLinked));
+    }
+    away_.taken.push_back(found.size());
+  }
+
+  void checkFlood(std::size_t n) const {
+    for (std::size_t m = 0; m < links_.size(); ++m)
+      for (const Link& link : links_[m]) {
+        if (visited_[link.near] == 0) continue;
+        if (m == n)
+          throw InputError(nameOf(n) + " ends no vessel: its two sides are connected elsewhere",
+                           "surface cuts", "cut the other way round the ring too, or move it");
+        throw InputError(nameOf(m) + " lies in what " + nameOf(n) + " takes away", "surface cuts",
+                         "leave one of them out, or turn a normal round");
+      }
+  }
+
+  const SplineField& field_;
+  const Volume<float>& phi_;
+  const Geometry& grid_;
+  const Progress& progress_;
+  CutAway away_;
+  std::vector<std::vector<Link>> links_;
+  std::unordered_set<std::uint64_t> parted_;
+  std::vector<std::uint8_t> visited_;
+};
+
+}  // namespace
+
+std::string CutAway::nameOf(std::size_t cut) const {
+  const bool named = cut < names.size() && !names[cut].empty();
+  return "the cut " + (named ? "'" + names[cut] + "'" : std::to_string(cut + 1));
+}
+
+bool CutAway::takenAt(const Vector3d& pointLps) const {
+  if (empty()) return false;
+  const Geometry& g = voxels.geometry;
+  const Vector3d index = g.toIndex(pointLps);
+  Index3 nearest{};
+  for (std::size_t a = 0; a < 3; ++a)
+    nearest[a] = std::clamp(static_cast<int>(std::floor(index[static_cast<Eigen::Index>(a)])), 0,
+                            std::max(g.size[a] - 2, 0));
+  double least = std::numeric_limits<double>::max();
+  bool is = false;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Index3 p{nearest[0] + (corner & 1), nearest[1] + (corner >> 1 & 1),
+                   nearest[2] + (corner >> 2 & 1)};
+    if (!g.contains(p[0], p[1], p[2]) || voxels.at(p[0], p[1], p[2]) == kOutside) continue;
+    const double d = (Vector3d(p[0], p[1], p[2]) - index).cwiseProduct(g.spacing).squaredNorm();
+    if (d >= least) continue;
+    least = d;
+    is = voxels.at(p[0], p[1], p[2]) == kTaken;
+  }
+  return is;
+}
+
+bool CutAway::beyond(const Vector3d& pointLps) const {
+  const double voxel = voxels.geometry.voxelMm();
+  for (const Section& section : sections) {
+    const double height = section.height(pointLps);
+    if (height <= 1e-9 * voxel || height > kSlabVoxels * voxel) continue;
+    const Vector3d foot = pointLps - height * section.plane.normalLps;
+    if ((foot - section.centreLps).norm() < section.radiusMm + kSlabVoxels * voxel) return true;
+  }
+  return takenAt(pointLps);
+}
+
+CutAway cutAway(const SplineField& field, const Volume<float>& phi,
+                const std::vector<CutPlane>& cuts, const std::vector<std::string>& names,
+                const Progress& progress) {
+  return Cutter(field, phi, names, progress).run(cuts);
+}
+
+Volume<float> phiWithout(const Volume<float>& phi, const CutAway& away, const Progress& progress) {
+  if (away.empty()) return phi;
+  const Geometry& g = phi.geometry;
+  const double far = 5.0 * g.voxelMm();
+  Volume<float> left = phi;
+  for (std::size_t i = 0; i < left.voxels.size(); ++i)
+    if (away.voxels.voxels[i] == CutAway::kTaken) left.voxels[i] = static_cast<float>(far);
+  // Both sides of a section take the distance from it, as far as they are joined to it along lines
+  // across the plane.
+  for (const Section& section : away.sections)
+    forEachAround(g, section, far, [&](const Index3& p) {
+      const std::size_t voxel = g.offset(p[0], p[1], p[2]);
+      const Vector3d here = centreOf(g, p);
+      const double height = section.height(here);
+      if (std::fabs(height) >= far || phi.voxels[voxel] >= 0.0F) return;
+      if (!section.covers(here - height * section.plane.normalLps)) return;
+      const int steps =
+          std::max(1, static_cast<int>(std::ceil(2.0 * std::fabs(height) / g.voxelMm())));
+      for (int n = 1; n < steps; ++n) {
+        const Vector3d between = here - height * n / steps * section.plane.normalLps;
+        if (interpolateLinear(phi, g.toIndex(between)) >= 0.0) return;
+      }
+      float& value = left.voxels[voxel];
+      if (away.voxels.voxels[voxel] == CutAway::kTaken)
+        value = std::min(value, static_cast<float>(std::max(height, 1e-3 * g.voxelMm())));
+      else if (height <= 0.0)
+        value = std::max(value, static_cast<float>(std::min(height, -1e-3 * g.voxelMm())));
+    });
+  return redistance(std::move(left), 5.0, progress);
+}
+
+}  // namespace angiomesh

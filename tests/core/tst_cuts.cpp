@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/phantom/phantom.h"
+#include "core/phantom/shape.h"
+#include "core/quality/mesh_quality.h"
+#include "core/surface/zero_set_mesh.h"
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+struct Cut {
+  Volume<float> phi;
+  SplineField field;
+  CutAway away;
+
+  Cut(Volume<float> volume, const std::vector<CutPlane>& cuts,
+      const std::vector<std::string>& names = {})
+      : phi(std::move(volume)),
+        field(phi, SplineKind::InterpolatingBspline),
+        away(cutAway(field, phi, cuts, names)) {}
+
+  [[nodiscard]] ZeroSetMesh mesh(SurfaceMethod method = SurfaceMethod::AdvancingFront,
+                                 SurfaceBorder border = SurfaceBorder::Cap,
+                                 double rho = 0.4) const {
+    SizingParams sizing;
+    sizing.rho = rho;
+    return meshZeroSet(field, sizing, method, border, {}, away);
+  }
+};
+
+std::size_t unverifiedOf(const ZeroSetMesh& mesh) {
+  return static_cast<std::size_t>(std::count_if(mesh.components.begin(), mesh.components.end(),
+                                                [](const auto& c) { return !c.verified; }));
+}
+
+// The caps of the cuts are flat, where they should be, and hold the mesh together.
+void checkPorts(const ZeroSetMesh& mesh, const CutAway& away, SurfaceBorder border,
+                std::size_t unverified = 0) {
+  checkMesh(mesh.mesh);
+  QCOMPARE(mesh.mesh.patch.size(), mesh.mesh.triangles.size());
+  const bool open = border == SurfaceBorder::Open;
+  for (std::size_t n = 0; n < away.sections.size(); ++n) {
+    const Port& port = mesh.ports[n];
+    const Section& section = away.sections[n];
+    QVERIFY2(
+        std::abs(port.areaMm2 / section.areaMm2 - 1.0) < 0.06,
+        qPrintable(QString("port %1: %2 of %3 mm2").arg(n).arg(port.areaMm2).arg(section.areaMm2)));
+    QVERIFY((port.centreLps - section.centreLps).norm() < 0.05 * section.radiusMm);
+    QVERIFY(port.normalLps.dot(section.plane.normalLps) > 1.0 - 1e-9);
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
+      if (mesh.mesh.patch[t] != n + 1) continue;
+      ++count;
+      for (const std::uint32_t v : mesh.mesh.triangles[t])
+        QVERIFY(std::abs(section.height(mesh.mesh.points[v])) < 1e-9);
+    }
+    QCOMPARE(count == 0, open);
+  }
+  if (!open) QVERIFY(portFaults(mesh.ports, mesh.mesh).empty());
+  QCOMPARE(unverifiedOf(mesh), unverified);
+  const MeshQuality q = measureQuality(mesh.mesh);
+  QCOMPARE(q.nonManifoldEdges + q.nonManifoldVertices + q.selfIntersections, std::size_t{0});
+  QCOMPARE(q.closed, !open);
+  QVERIFY(q.oriented);
+  QVERIFY2(q.minAngleMin >= 25.0, qPrintable(QString::number(q.minAngleMin)));
+}
+
+Volume<float> tubeAlong(const Geometry& g, const Vector3d& axis, double radius) {
+  const Vector3d centre = analytic::centreOf(g);
+  return shapes::sampled(
+      g, [&](const Vector3d& p) { return analytic::tube(p, centre, axis, radius); });
+}
+
+double volumeOf(const ZeroSetMesh& mesh) { return enclosedVolumeMm3(mesh.mesh); }
+
+}  // namespace
+
+class TestCuts : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void everyMethodEndsATubeAtItsCuts_data() {
+    QTest::addColumn<bool>("remeshed");
+    QTest::addColumn<bool>("open");
+    QTest::newRow("front") << false << false;
+    QTest::newRow("front, open") << false << true;
+    QTest::newRow("remesh") << true << false;
+    QTest::newRow("remesh, open") << true << true;
+  }
+  void everyMethodEndsATubeAtItsCuts() {
+    QFETCH(bool, remeshed);
+    QFETCH(bool, open);
+    const Geometry g = shapes::obliqueGeometry({40, 36, 30});
+    const Vector3d centre = analytic::centreOf(g), axis = Vector3d(0.3, -0.5, 0.8).normalized();
+    const Vector3d tilted = (axis + 0.35 * axis.unitOrthogonal()).normalized();
+    const Cut cut(tubeAlong(g, axis, 2.1),
+                  {{centre + 4.0 * axis, tilted}, {centre - 3.5 * axis, -axis}},
+                  {"outlet", "inlet"});
+    const SurfaceBorder border = open ? SurfaceBorder::Open : SurfaceBorder::Cap;
+    const ZeroSetMesh mesh =
+        cut.mesh(remeshed ? SurfaceMethod::Remesh : SurfaceMethod::AdvancingFront, border);
+    checkPorts(mesh, cut.away, border);
+    QCOMPARE(mesh.components.size(), std::size_t{1});
+    QCOMPARE(mesh.ports.size(), std::size_t{2});
+    QCOMPARE(mesh.ports[0].name, std::string("outlet"));
+    QCOMPARE(mesh.ports[1].name, std::string("inlet"));
+    QVERIFY(cut.away.taken[0] > 100 && cut.away.taken[1] > 100);
+    if (open) return;
+    // A right cylinder and a wedge of it that averages out.
+    const double volume = shapes::pi * 2.1 * 2.1 * 7.5;
+    QVERIFY2(std::abs(volumeOf(mesh) / volume - 1.0) < 0.05,
+             qPrintable(QString::number(volumeOf(mesh) / volume)));
+  }
+
+  // What is cut away is out of phi, and the planes end what is left.
+  void phiEndsAtTheCuts() {
+    const Geometry g = analytic::cube(48);
+    const Vector3d centre = analytic::centreOf(g), axis = Vector3d(0.2, 0.3, 0.93).normalized();
+    const Cut cut(tubeAlong(g, axis, 4.3), {{centre + 10.0 * axis, axis}});
+    const Volume<float> left = phiWithout(cut.phi, cut.away);
+    for (std::size_t i = 0; i < left.voxels.size(); ++i) {
+      const Index3 p = g.indexOf(i);
+      const Vector3d at = g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+      const double height = cut.away.sections[0].height(at);
+      const bool inside = cut.phi.voxels[i] < 0.0F && height <= 0.0;
+      QCOMPARE(left.voxels[i] < 0.0F, inside);
+      // Well inside, the plane is where phi says.
+      if (cut.phi.voxels[i] > -3.0F || std::abs(height) > 2.5) continue;
+      QVERIFY(std::abs(static_cast<double>(left.voxels[i]) - height) < 0.05);
+    }
+  }
+
+  void aTipOfACapsuleIsCutOff() {
+    const Geometry g = analytic::cube(36);
+    const Vector3d from{10.2, 11.1, 9.4}, to{25.3, 24.2, 26.1};
+    const Vector3d axis = (to - from).normalized();
+    const Cut cut(shapes::sampled(g,
+                                  [&](const Vector3d& p) {
+                                    const double t =
+                                        std::clamp((p - from).dot(axis), 0.0, (to - from).norm());
+                                    return (p - from - t * axis).norm() - 3.2;
+                                  }),
+                  {{to, axis}, {from + 1.0 * axis, -axis}});
+    const ZeroSetMesh mesh = cut.mesh();
+    checkPorts(mesh, cut.away, SurfaceBorder::Cap);
+    QCOMPARE(mesh.components.size(), std::size_t{1});
+    const double volume = shapes::pi * 3.2 * 3.2 * ((to - from).norm() - 1.0);
+    QVERIFY(std::abs(volumeOf(mesh) / volume - 1.0) < 0.05);
+  }
+
+  // Two cuts take a piece out of a ring; one alone ends nothing.
+  void aRingNeedsTwoCuts() {
+    const Geometry g = analytic::cube(40);
+    const Vector3d centre{19.4, 19.7, 19.2};
+    const auto ring = [&] {
+      return shapes::sampled(
+          g, [&](const Vector3d& p) { return analytic::torus(p, centre, 11.0, 3.6); });
+    };
+    const CutPlane east{centre + Vector3d(11.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
+    const CutPlane north{centre + Vector3d(0.0, 11.0, 0.0), {1.0, 0.0, 0.0}};
+    const Cut cut(ring(), {east, north}, {"a", "b"});
+    const ZeroSetMesh mesh = cut.mesh();
+    checkPorts(mesh, cut.away, SurfaceBorder::Cap);
+    QCOMPARE(mesh.components.size(), std::size_t{1});
+    QCOMPARE(mesh.components[0].euler, 2);
+    const double volume = 0.75 * 2.0 * shapes::pi * shapes::pi * 11.0 * 3.6 * 3.6;
+    QVERIFY(std::abs(volumeOf(mesh) / volume - 1.0) < 0.04);
+    QVERIFY_EXCEPTION_THROWN(Cut(ring(), {east}), InputError);
+  }
+
+  // Neither the voxels nor the mesh of the vessel beside are touched.
+  void aKissingVesselStaysWhole() {
+    PhantomParams params;
+    params.kind = PhantomKind::Kissing;
+    params.size = {48, 48, 48};
+    params.radius = 3.0;
+    const Shape shape = analyticShape(params);
+    const Geometry g = phantomGeometry(params);
+    const auto phi = shapes::sampled(g, [&](const Vector3d& p) { return shape.signedDistance(p); });
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
+    const ZeroSetMesh whole =
+        meshZeroSet(field, {}, SurfaceMethod::AdvancingFront, SurfaceBorder::Cap);
+    QCOMPARE(whole.components.size(), std::size_t{2});
+    QCOMPARE(whole.ports.size(), std::size_t{4});
+    // The nearest point of one vessel to the other.
+    Vector3d at = Vector3d::Zero();
+    double deepest = 0.0;
+    for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+      const Index3 p = g.indexOf(i);
+      const Vector3d q{1.0 * p[0], 1.0 * p[1], 1.0 * p[2]};
+      if ((q - Vector3d(24.0, 24.0, 24.0)).norm() > 5.0 || phi.voxels[i] >= deepest) continue;
+      deepest = phi.voxels[i];
+      at = g.toPhysical(q);
+    }
+    for (const double sign : {1.0, -1.0}) {
+      const Cut cut(phi, {{at, sign * Vector3d::UnitZ()}}, {"here"});
+      const ZeroSetMesh mesh = cut.mesh();
+      checkPorts(mesh, cut.away, SurfaceBorder::Cap, unverifiedOf(whole));
+      QCOMPARE(mesh.components.size(), std::size_t{2});
+      // The cut takes one of four openings and makes one.
+      QCOMPARE(mesh.ports.size(), std::size_t{4});
+      double untouched = 0.0, before = 0.0;
+      for (const SurfaceComponent& c : mesh.components)
+        untouched = std::max(untouched, c.volumeMm3);
+      for (const SurfaceComponent& c : whole.components) before = std::max(before, c.volumeMm3);
+      QVERIFY(std::abs(untouched / before - 1.0) < 2e-3);
+    }
+  }
+
+  void theResultDoesNotDependOnTheNumberOfThreads() {
+    const Geometry g = shapes::obliqueGeometry({40, 36, 30});
+    const Vector3d centre = analytic::centreOf(g), axis = Vector3d(0.3, -0.5, 0.8).normalized();
+    const auto made = [&](int threads) {
+      setThreads(threads);
+      const Cut cut(tubeAlong(g, axis, 2.1), {{centre + 4.0 * axis, axis}});
+      return cut.mesh().mesh;
+    };
+    const TriMesh one = made(1), four = made(4);
+    setThreads(0);
+    QVERIFY(one.points == four.points && one.triangles == four.triangles &&
+            one.patch == four.patch);
+  }
+
+  void whatCannotBeCutIsNamed() {
+    const Geometry g = analytic::cube(40);
+    const Vector3d centre = analytic::centreOf(g), axis = Vector3d::UnitZ();
+    const auto refused = [&](const std::vector<CutPlane>& cuts, const char* why) {
+      try {
+        const Cut cut(tubeAlong(g, axis, 5.0), cuts, {"first", "second"});
+      } catch (const InputError& error) {
+        const std::string text = error.what();
+        if (text.find(why) != std::string::npos) return true;
+        qWarning("%s", text.c_str());
+      }
+      return false;
+    };
+    QVERIFY(refused({{centre + 12.0 * Vector3d::UnitX(), axis}}, "'first'"));
+    QVERIFY(refused({{centre, axis}, {centre, Vector3d(0.5, 0.0, 1.0)}}, "touch"));
+    QVERIFY(refused({{centre, axis}, {centre + Vector3d(0, 0, 1), axis}}, "touch"));
+    QVERIFY(refused({{centre, axis}, {centre + 8.0 * axis, axis}}, "'second' lies in what"));
+    QVERIFY(refused({{centre, Vector3d::UnitX()}}, "reaches the border"));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestCuts)
+#include "tst_cuts.moc"
