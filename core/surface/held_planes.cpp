@@ -18,9 +18,8 @@ constexpr double kHair = 1e-4;
 
 std::vector<char> onOpenRim(const TriMesh& mesh) {
   std::vector<char> rim(mesh.points.size(), 0);
-  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
-  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i))
-    if (edgeRunEnd(sides, i) == i + 1) rim[sides[i].low] = rim[sides[i].high] = 1;
+  for (const RimEdge& edge : rimEdges(mesh))
+    if (!edge.second) rim[edge.low] = rim[edge.high] = 1;
   return rim;
 }
 

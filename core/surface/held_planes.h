@@ -16,8 +16,8 @@ namespace angiomesh {
 /// open rims at ports, and the outermost planes of voxel centres.
 class HeldPlanes {
  public:
-  /// `grid` may be null: no border planes. `ports` tell open rims; those with triangles of their own
-  /// are known from the mesh.
+  /// `grid` may be null: no border planes. `ports` tell open rims; those with triangles of their
+  /// own are known from the mesh.
   HeldPlanes(const TriMesh& mesh, const Geometry* grid, const std::vector<Port>& ports);
 
   /// 0, 1, or 2 where no direction is left along the wall.
@@ -25,9 +25,7 @@ class HeldPlanes {
     return (of_[v][0] != none ? 1 : 0) + (of_[v][1] != none ? 1 : 0);
   }
   /// The normal of the (first) plane that a vertex lies in, unit.
-  [[nodiscard]] const Eigen::Vector3d& normal(std::uint32_t v) const {
-    return normals_[of_[v][0]];
-  }
+  [[nodiscard]] const Eigen::Vector3d& normal(std::uint32_t v) const { return normals_[of_[v][0]]; }
   /// Whether a triangle is part of a cap.
   [[nodiscard]] bool isCap(std::size_t triangle) const { return cap_[triangle] != 0; }
   [[nodiscard]] bool sharePlane(std::uint32_t v, std::uint32_t w) const;

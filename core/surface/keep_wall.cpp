@@ -39,7 +39,7 @@ bool freezeMeeting(const TriMesh& smoothed, std::vector<char>& frozen, int rings
 }  // namespace
 
 TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params, const SplineField* phi,
-                       const Progress& progress) {
+                       const Progress& progress, const std::vector<Port>& ports) {
   progress.report(0.0);
   checkMesh(mesh);
   if (mesh.triangles.empty() || params.iterations <= 0) return mesh;
@@ -47,7 +47,7 @@ TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params, const Sp
   constexpr int attempts = 6;
   if (phi != nullptr && inscribedInZeroSet(mesh, *phi)) {
     for (int attempt = 0; attempt < attempts; ++attempt) {
-      TriMesh moved = offsetBySagitta(mesh, *phi, frozen, progress);
+      TriMesh moved = offsetBySagitta(mesh, *phi, ports, frozen, progress);
       if (!freezeMeeting(moved, frozen, attempt < 2 ? 1 : 3, progress.sub(0.5, 0.95))) {
         progress.report(1.0);
         return moved;
@@ -63,7 +63,7 @@ TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params, const Sp
   }
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const double from = attempt == 0 ? 0.0 : 0.9;
-    TriMesh smoothed = WallSmoother(mesh, params, phi, *wall, frozen)
+    TriMesh smoothed = WallSmoother(mesh, params, phi, *wall, ports, frozen)
                            .run(progress.sub(from, attempt == 0 ? 0.85 : 0.95));
     if (!freezeMeeting(smoothed, frozen, attempt < 2 ? 1 : 3, progress.sub(0.85, 0.9))) {
       progress.report(1.0);

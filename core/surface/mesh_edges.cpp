@@ -48,6 +48,21 @@ std::size_t edgeRunEnd(const std::vector<EdgeSide>& sides, std::size_t first) {
   return last;
 }
 
+std::vector<RimEdge> rimEdges(const TriMesh& mesh) {
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  std::vector<RimEdge> rims;
+  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
+    const std::size_t count = edgeRunEnd(sides, i) - i;
+    if (count == 1) rims.push_back({sides[i].low, sides[i].high, sides[i], std::nullopt});
+    if (count != 2 || mesh.patch.empty()) continue;
+    const EdgeSide &a = sides[i], &b = sides[i + 1];
+    const std::uint16_t pa = mesh.patch[a.triangle], pb = mesh.patch[b.triangle];
+    if (pa == pb) continue;
+    rims.push_back({a.low, a.high, pa < pb ? a : b, pa < pb ? b : a});
+  }
+  return rims;
+}
+
 DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
   std::iota(parent_.begin(), parent_.end(), 0U);
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/surface/tri_mesh.h"
@@ -23,6 +24,16 @@ std::vector<EdgeSide> sortedEdgeSides(const TriMesh& mesh);
 
 /// The end of the run of equal edges that starts at `first`.
 std::size_t edgeRunEnd(const std::vector<EdgeSide>& sides, std::size_t first);
+
+/// An edge that a surface ends at: of one triangle alone, or between two patches.
+struct RimEdge {
+  std::uint32_t low = 0, high = 0;  ///< low < high
+  /// Of its triangles, the sides: the second null at an open rim; else of the patch of the higher
+  /// number.
+  EdgeSide first;
+  std::optional<EdgeSide> second;
+};
+std::vector<RimEdge> rimEdges(const TriMesh& mesh);
 
 /// Disjoint sets over 0..n-1 with the smallest member as representative.
 class DisjointSets {

@@ -156,41 +156,30 @@ class SagittaOffset {
     });
   }
 
-  struct RimEdge {
+  struct CapEdge {
     std::uint32_t from, to;  ///< the cap to the left
     std::uint32_t rim;
   };
 
   // The edges between caps and the wall, and open rims in planes; rims by their caps' patches, open
-  // ones by connection. Their vertices move by the mean height of phi = 0 over the rim's edges in the
-  // plane.
+  // ones by connection. Their vertices move by the mean height of phi = 0 over the rim's edges in
+  // the plane.
   void findRims() {
     onRim_.assign(mesh_.points.size(), 0);
-    const std::vector<EdgeSide> sides = sortedEdgeSides(mesh_);
     DisjointSets open(mesh_.points.size());
-    const auto patchOf = [&](const EdgeSide& s) {
-      return mesh_.patch.empty() ? 0U : static_cast<std::uint32_t>(mesh_.patch[s.triangle]);
-    };
-    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-      const std::size_t count = edgeRunEnd(sides, i) - i;
-      const EdgeSide* cap = nullptr;
-      bool forward = false;
-      if (count == 1 && held_.sharePlane(sides[i].low, sides[i].high)) {
-        cap = &sides[i];
-        forward = !cap->forward;
-        open.join(cap->low, cap->high);
-      } else if (count == 2 && (patchOf(sides[i]) == 0) != (patchOf(sides[i + 1]) == 0)) {
-        cap = patchOf(sides[i]) != 0 ? &sides[i] : &sides[i + 1];
-        forward = cap->forward;
-      }
-      if (cap == nullptr) continue;
-      rims_.push_back({forward ? cap->low : cap->high, forward ? cap->high : cap->low,
-                       count == 1 ? 0U : patchOf(*cap)});
-      onRim_[cap->low] = onRim_[cap->high] = 1;
+    for (const RimEdge& edge : rimEdges(mesh_)) {
+      if (!held_.sharePlane(edge.low, edge.high)) continue;
+      // Where two caps meet there is no wall.
+      if (edge.second && mesh_.patch[edge.first.triangle] != 0) continue;
+      const bool forward = edge.second ? edge.second->forward : !edge.first.forward;
+      rims_.push_back({forward ? edge.low : edge.high, forward ? edge.high : edge.low,
+                       edge.second ? mesh_.patch[edge.second->triangle] : 0U});
+      if (!edge.second) open.join(edge.low, edge.high);
+      onRim_[edge.low] = onRim_[edge.high] = 1;
     }
-    for (RimEdge& e : rims_)
+    for (CapEdge& e : rims_)
       if (e.rim == 0) e.rim = kOpenRims + open.find(e.from);
-    std::sort(rims_.begin(), rims_.end(), [](const RimEdge& a, const RimEdge& b) {
+    std::sort(rims_.begin(), rims_.end(), [](const CapEdge& a, const CapEdge& b) {
       return std::tie(a.rim, a.from) < std::tie(b.rim, b.from);
     });
     shiftRims();
@@ -198,8 +187,8 @@ class SagittaOffset {
 
   void shiftRims() {
     std::vector<double> weight(mesh_.points.size(), 0.0);
-    for (const RimEdge& e : rims_) shift_[e.from] = shift_[e.to] = 0.0;
-    for (const RimEdge& e : rims_) {
+    for (const CapEdge& e : rims_) shift_[e.from] = shift_[e.to] = 0.0;
+    for (const CapEdge& e : rims_) {
       const double length = (mesh_.points[e.to] - mesh_.points[e.from]).norm();
       const double height = edgeHeight(e);
       for (const std::uint32_t v : {e.from, e.to}) {
@@ -212,7 +201,7 @@ class SagittaOffset {
   }
 
   // The mean height of phi = 0 over an edge within its plane, outwards: three points (Gauss).
-  [[nodiscard]] double edgeHeight(const RimEdge& e) const {
+  [[nodiscard]] double edgeHeight(const CapEdge& e) const {
     const Vector3d &a = mesh_.points[e.from], &b = mesh_.points[e.to];
     const double length = (b - a).norm();
     if (!(length > 0.0)) return 0.0;
@@ -252,7 +241,7 @@ class SagittaOffset {
     const Vector3d about = mesh_.points[rims_[first].from];
     double twice = 0.0;
     for (std::size_t i = first; i < last; ++i) {
-      const RimEdge& e = rims_[i];
+      const CapEdge& e = rims_[i];
       const Vector3d a = mesh_.points[e.from] + factor * way_[e.from] - about;
       const Vector3d b = mesh_.points[e.to] + factor * way_[e.to] - about;
       twice += a.cross(b).dot(held_.normal(e.from));
@@ -279,8 +268,8 @@ class SagittaOffset {
   const SplineField& phi_;
   const Progress& progress_;
   HeldPlanes held_;
-  std::vector<RimEdge> rims_;   ///< sorted by rim
-  std::vector<char> onRim_;     ///< per vertex
+  std::vector<CapEdge> rims_;          ///< sorted by rim
+  std::vector<char> onRim_;            ///< per vertex
   std::vector<double> area_, height_;  ///< of triangles
   std::vector<double> shift_;          ///< of vertices, mm along the wall's normal
   std::vector<Vector3d> way_;          ///< the shift in the directions that a vertex can go
@@ -324,9 +313,8 @@ bool inscribedInZeroSet(const TriMesh& mesh, const SplineField& phi) {
   return count > 0 && 200 * far <= count;
 }
 
-TriMesh offsetBySagitta(const TriMesh& mesh, const SplineField& phi,
-                        const std::vector<Port>& ports, const std::vector<char>& frozen,
-                        const Progress& progress) {
+TriMesh offsetBySagitta(const TriMesh& mesh, const SplineField& phi, const std::vector<Port>& ports,
+                        const std::vector<char>& frozen, const Progress& progress) {
   if (mesh.triangles.empty()) return mesh;
   return SagittaOffset(mesh, phi, ports, frozen, progress).run();
 }

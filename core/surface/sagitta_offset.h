@@ -18,13 +18,12 @@ bool inscribedInZeroSet(const TriMesh& mesh, const SplineField& phi);
 
 /// Moves the vertices of an inscribed mesh along the wall's normal by the mean height of the zero
 /// set over the flat triangles around them (the mean sagitta), and then by a common factor for each
-/// component so that it encloses the zero set's volume. Vertices in border planes, of patches and of
-/// open rims at `ports` stay in their planes: rims move by the mean height of phi = 0 over their
+/// component so that it encloses the zero set's volume. Vertices in border planes, of patches and
+/// of open rims at `ports` stay in their planes: rims move by the mean height of phi = 0 over their
 /// edges, so that each encloses the area of phi < 0 in its plane. Vertices inside flat caps, in
 /// corners and where `frozen` is set stay in place. The same triangles and vertices come out.
 /// @throws Cancelled
-TriMesh offsetBySagitta(const TriMesh& mesh, const SplineField& phi,
-                        const std::vector<Port>& ports, const std::vector<char>& frozen,
-                        const Progress& progress = {});
+TriMesh offsetBySagitta(const TriMesh& mesh, const SplineField& phi, const std::vector<Port>& ports,
+                        const std::vector<char>& frozen, const Progress& progress = {});
 
 }  // namespace angiomesh

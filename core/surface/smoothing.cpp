@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/surface/half_edges.h"
+#include "core/surface/held_planes.h"
 #include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
@@ -37,9 +38,28 @@ std::optional<HalfEdgeMesh> halfEdgeMesh(const TriMesh& mesh) {
   return result;
 }
 
-// One step on OpenMesh: vertices of a rim average over their neighbours along it.
-void step(HalfEdgeMesh& mesh, double factor, std::vector<OpenMesh::Vec3d>& moved,
-          const Progress& progress) {
+std::uint32_t patchOf(const TriMesh& mesh, std::size_t triangle) {
+  return mesh.patch.empty() ? 0U : static_cast<std::uint32_t>(mesh.patch[triangle]);
+}
+
+// The part of a move that leaves a vertex in its planes.
+Eigen::Vector3d heldMove(const HeldPlanes& held, std::uint32_t v, const Eigen::Vector3d& move) {
+  if (held.count(v) == 0) return move;
+  if (held.count(v) > 1) return Eigen::Vector3d::Zero();
+  return move - move.dot(held.normal(v)) * held.normal(v);
+}
+
+// One step on OpenMesh, whose faces are numbered as the triangles: vertices of a rim average over
+// their neighbours along it.
+void step(HalfEdgeMesh& mesh, const TriMesh& start, const HeldPlanes& held, double factor,
+          std::vector<OpenMesh::Vec3d>& moved, const Progress& progress) {
+  const auto isRim = [&](HalfEdgeMesh::HalfedgeHandle h) {
+    if (mesh.is_boundary(mesh.edge_handle(h))) return true;
+    const auto face = [&](HalfEdgeMesh::HalfedgeHandle side) {
+      return patchOf(start, static_cast<std::size_t>(mesh.face_handle(side).idx()));
+    };
+    return face(h) != face(mesh.opposite_halfedge_handle(h));
+  };
   parallelFor(0, moved.size(), blockSize, [&](std::size_t begin, std::size_t end) {
     progress.check();
     for (std::size_t i = begin; i < end; ++i) {
@@ -49,13 +69,17 @@ void step(HalfEdgeMesh& mesh, double factor, std::vector<OpenMesh::Vec3d>& moved
       if (mesh.is_isolated(v)) continue;
       OpenMesh::Vec3d sum(0.0, 0.0, 0.0);
       int count = 0;
-      const bool rim = mesh.is_boundary(v);
+      bool rim = false;
+      for (auto h = mesh.cvoh_ccwbegin(v); h.is_valid(); ++h) rim = rim || isRim(*h);
       for (auto h = mesh.cvoh_ccwbegin(v); h.is_valid(); ++h) {
-        if (rim && !mesh.is_boundary(mesh.edge_handle(*h))) continue;
+        if (rim && !isRim(*h)) continue;
         sum += mesh.point(mesh.to_vertex_handle(*h));
         ++count;
       }
-      moved[i] += factor * (sum / count - p);
+      const OpenMesh::Vec3d move = factor * (sum / count - p);
+      const Eigen::Vector3d allowed =
+          heldMove(held, static_cast<std::uint32_t>(i), {move[0], move[1], move[2]});
+      moved[i] += OpenMesh::Vec3d(allowed.x(), allowed.y(), allowed.z());
     }
   });
   for (std::size_t i = 0; i < moved.size(); ++i)
@@ -78,7 +102,10 @@ Neighbours averagingNeighbours(const TriMesh& mesh) {
   std::vector<Edge> edges;
   std::vector<char> onRim(mesh.points.size(), 0);
   for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-    edges.push_back({sides[i].low, sides[i].high, edgeRunEnd(sides, i) == i + 1});
+    const std::size_t count = edgeRunEnd(sides, i) - i;
+    const bool rim = count == 1 || (count == 2 && patchOf(mesh, sides[i].triangle) !=
+                                                      patchOf(mesh, sides[i + 1].triangle));
+    edges.push_back({sides[i].low, sides[i].high, rim});
     if (edges.back().rim) onRim[sides[i].low] = onRim[sides[i].high] = 1;
   }
   Neighbours result;
@@ -97,8 +124,9 @@ Neighbours averagingNeighbours(const TriMesh& mesh) {
   return result;
 }
 
-void step(const Neighbours& neighbours, double factor, std::vector<Eigen::Vector3d>& points,
-          std::vector<Eigen::Vector3d>& moved, const Progress& progress) {
+void step(const Neighbours& neighbours, const HeldPlanes& held, double factor,
+          std::vector<Eigen::Vector3d>& points, std::vector<Eigen::Vector3d>& moved,
+          const Progress& progress) {
   parallelFor(0, moved.size(), blockSize, [&](std::size_t begin, std::size_t end) {
     progress.check();
     for (std::size_t v = begin; v < end; ++v) {
@@ -107,7 +135,8 @@ void step(const Neighbours& neighbours, double factor, std::vector<Eigen::Vector
       if (first == last) continue;
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (std::uint32_t i = first; i < last; ++i) sum += points[neighbours.list[i]];
-      moved[v] += factor * (sum / static_cast<double>(last - first) - points[v]);
+      moved[v] += heldMove(held, static_cast<std::uint32_t>(v),
+                           factor * (sum / static_cast<double>(last - first) - points[v]));
     }
   });
   points.swap(moved);
@@ -125,21 +154,25 @@ void filter(const SmoothParams& params, const Progress& progress, Step forward) 
 
 }  // namespace
 
-TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params, const Progress& progress) {
+TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params, const Progress& progress,
+                     const std::vector<Port>& ports) {
   progress.report(0.0);
   checkMesh(mesh);
   TriMesh result = mesh;
   if (params.iterations > 0) {
+    const HeldPlanes held(mesh, nullptr, ports);
     if (auto halfEdges = halfEdgeMesh(mesh)) {
       std::vector<OpenMesh::Vec3d> moved(mesh.points.size());
-      filter(params, progress, [&](double factor) { step(*halfEdges, factor, moved, progress); });
+      filter(params, progress,
+             [&](double factor) { step(*halfEdges, mesh, held, factor, moved, progress); });
       for (std::size_t v = 0; v < moved.size(); ++v)
         result.points[v] = {moved[v][0], moved[v][1], moved[v][2]};
     } else {
       const Neighbours neighbours = averagingNeighbours(mesh);
       std::vector<Eigen::Vector3d> moved(mesh.points.size());
-      filter(params, progress,
-             [&](double factor) { step(neighbours, factor, result.points, moved, progress); });
+      filter(params, progress, [&](double factor) {
+        step(neighbours, held, factor, result.points, moved, progress);
+      });
     }
   }
   progress.report(1.0);
@@ -147,12 +180,12 @@ TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params, const Prog
 }
 
 TriMesh smoothSurface(const TriMesh& mesh, const SmoothParams& params, const SplineField* phi,
-                      const Progress& progress) {
+                      const Progress& progress, const std::vector<Port>& ports) {
   switch (params.method) {
     case SmoothMethod::KeepWall:
-      return keepWallSmooth(mesh, params, phi, progress);
+      return keepWallSmooth(mesh, params, phi, progress, ports);
     case SmoothMethod::Taubin:
-      return taubinSmooth(mesh, params, progress);
+      return taubinSmooth(mesh, params, progress, ports);
     case SmoothMethod::None:
       break;
   }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "core/base/progress.h"
+#include "core/surface/port.h"
 #include "core/surface/spline_field.h"
 #include "core/surface/tri_mesh.h"
 
@@ -19,34 +22,38 @@ struct SmoothParams {
 };
 
 /// Taubin's lambda-mu filter (Taubin 1995; thesis eq. 4.5-4.7) with uniform weights 1/valence: each
-/// iteration is one step with lambda, then one with mu. Vertices of an open rim average along the
-/// rim only.
+/// iteration is one step with lambda, then one with mu. Vertices of rims, open ones and those
+/// between patches, average along the rim only; those of patches, and of open rims at `ports`, stay
+/// in their planes.
 /// @throws InputError (see checkMesh), Cancelled
-TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params,
-                     const Progress& progress = {});
+TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params, const Progress& progress = {},
+                     const std::vector<Port>& ports = {});
 
 /// Smooths the triangulation, not the vessel; 0 iterations change nothing.
 /// Good triangles inscribed in phi = 0 (of the advancing front and the remesher; see
 /// inscribedInZeroSet()) need no smoothing, but enclose less than a convex wall: their vertices
 /// move along the wall's normal by the mean height of the wall over the triangles around them, so
 /// that each component encloses the zero set's volume; lambda and wallBoundVoxels play no part, and
-/// surroundings of triangles that would come to meet stay as they were. Rims and caps in the
-/// outermost planes of voxel centres of phi stay there.
-/// On other meshes, such as marching cubes: in each of `iterations` sweeps the vertices slide
-/// along the wall towards their neighbours' mean (by lambda; mu is not used, as nothing shrinks),
-/// and edges are flipped where that makes better triangles; then the worst triangles are worked on
-/// one by one, and the volume that the input enclosed is given back place by place.
-/// The wall is phi = 0: vertices end within wallBoundVoxels of it, except where a triangle would
-/// fold over. Without `phi` it is the input surface, and the mean edge length counts as a voxel.
-/// Vertices of caps (outside the outermost voxel centres of phi) and of open rims stay in their
-/// planes. Topology and numbers of vertices and triangles stay, irregular vertices stay in place,
-/// and surroundings of triangles that would come to meet are left as they were.
+/// surroundings of triangles that would come to meet stay as they were. Rims and caps, of patches
+/// and in the outermost planes of voxel centres of phi, stay in their planes, and rims come to
+/// enclose the area of phi < 0 there (see offsetBySagitta()). On other meshes, such as marching
+/// cubes: in each of `iterations` sweeps the vertices slide along the wall towards their
+/// neighbours' mean (by lambda; mu is not used, as nothing shrinks), and edges are flipped where
+/// that makes better triangles; then the worst triangles are worked on one by one, and the volume
+/// that the input enclosed is given back place by place. The wall is phi = 0: vertices end within
+/// wallBoundVoxels of it, except where a triangle would fold over. Without `phi` it is the input
+/// surface, and the mean edge length counts as a voxel. Vertices of caps (patches, or outside the
+/// outermost voxel centres of phi) and of open rims (there, and at `ports`) stay in their planes.
+/// Topology and numbers of vertices and triangles stay, irregular vertices stay in place, and
+/// surroundings of triangles that would come to meet are left as they were.
 /// @throws InputError (see checkMesh), Cancelled
 TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params,
-                       const SplineField* phi = nullptr, const Progress& progress = {});
+                       const SplineField* phi = nullptr, const Progress& progress = {},
+                       const std::vector<Port>& ports = {});
 
 /// By params.method; `None` returns the mesh as it is.
 TriMesh smoothSurface(const TriMesh& mesh, const SmoothParams& params,
-                      const SplineField* phi = nullptr, const Progress& progress = {});
+                      const SplineField* phi = nullptr, const Progress& progress = {},
+                      const std::vector<Port>& ports = {});
 
 }  // namespace angiomesh

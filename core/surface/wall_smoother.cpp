@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/surface/held_planes.h"
+#include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
 namespace {
@@ -27,10 +29,12 @@ Eigen::Vector3d unitNormal(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 }
 
 WallSmoother::WallSmoother(const TriMesh& mesh, const SmoothParams& params, const SplineField* phi,
-                           const Wall& wall, const std::vector<char>& frozen)
+                           const Wall& wall, const std::vector<Port>& ports,
+                           const std::vector<char>& frozen)
     : params_(params),
       wall_(wall),
       edges_(mesh),
+      patch_(mesh.patch),
       points_(mesh.points),
       freedom_(mesh.points.size()),
       normals_(mesh.points.size(), Vector3d::Zero()) {
@@ -39,6 +43,7 @@ WallSmoother::WallSmoother(const TriMesh& mesh, const SmoothParams& params, cons
     freedom_[v].fixed = frozen[v] != 0 || edges_.irregular(v) || edges_.valence(v) >= ringLimit;
   }
   if (phi != nullptr) findPlanes(phi->geometry());
+  if (!mesh.patch.empty()) holdPatches(mesh, ports, phi != nullptr);
   fixTips();
   refreshNormals();
 }
@@ -63,7 +68,7 @@ TriMesh WallSmoother::run(const Progress& progress) {
   std::vector<double> given(points_.size(), 0.0);
   for (int i = 0; i < 2; ++i) restoreOffsets(before, given, progress);
   enforceBound(progress);
-  return {points_, edges_.triangles()};
+  return {points_, edges_.triangles(), patch_};
 }
 
 void WallSmoother::findPlanes(const Geometry& g) {
@@ -86,6 +91,25 @@ void WallSmoother::findPlanes(const Geometry& g) {
       f.planeNormal = index[axis] < 0.5 * last ? Vector3d(-n) : n;
     }
   }
+}
+
+void WallSmoother::holdPatches(const TriMesh& mesh, const std::vector<Port>& ports,
+                               bool rimsFollowWall) {
+  const HeldPlanes held(mesh, nullptr, ports);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles[t])
+      if (held.isCap(t)) freedom_[v].cap = true;
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    if (held.count(v) == 0) continue;
+    Freedom& f = freedom_[v];
+    if (held.count(v) > 1) f.fixed = true;
+    f.held = true;
+    f.planeNormal = held.normal(v);
+  }
+  if (rimsFollowWall) return;
+  // A wall that is a mesh goes on over the caps: nothing there tells where a rim is.
+  for (const RimEdge& edge : rimEdges(mesh))
+    for (const std::uint32_t v : {edge.low, edge.high}) freedom_[v].held = false;
 }
 
 bool WallSmoother::inOneCap(const Corners& t) const {
@@ -143,8 +167,11 @@ WallSmoother::Surroundings WallSmoother::surroundings(std::uint32_t v) const {
       const bool before = inOneCap({v, ring[(i + n - 1) % n], ring[i]});
       const bool after = inOneCap({v, ring[i], ring[(i + 1) % n]});
       if (after) ++capTriangles;
-      if (before != after) take(ring[i]);
+      if (before == after) continue;
+      s.alongRim[s.count == 0 ? 0 : 1] = ring[i];
+      take(ring[i]);
     }
+    if (s.count != 2) s.alongRim = {HalfEdges::none, HalfEdges::none};
     s.insideCap = capTriangles == n;
     if (s.insideCap) std::for_each(ring.begin(), ring.begin() + n, take);
   } else {

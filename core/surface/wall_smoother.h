@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/surface/half_edges.h"
+#include "core/surface/port.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/wall.h"
 
@@ -17,10 +18,10 @@ namespace angiomesh {
 /// triangles are worked on one by one, and the volume between mesh and wall is given back.
 class WallSmoother {
  public:
-  /// `phi` (may be null) tells where caps and open rims lie; `frozen` vertices keep their place and
-  /// their edges. All references must outlive the object.
+  /// Patches, `ports` and `phi` (may be null) tell where caps and open rims lie; `frozen` vertices
+  /// keep their place and their edges. All references must outlive the object.
   WallSmoother(const TriMesh& mesh, const SmoothParams& params, const SplineField* phi,
-               const Wall& wall, const std::vector<char>& frozen);
+               const Wall& wall, const std::vector<Port>& ports, const std::vector<char>& frozen);
 
   TriMesh run(const Progress& progress);
 
@@ -29,8 +30,9 @@ class WallSmoother {
   using Corners = std::array<std::uint32_t, 3>;
   using Ring = std::array<std::uint32_t, 64>;
 
-  // What a vertex may do. A cap is a plane half a voxel outside the grid of phi, an open rim lies
-  // in the outermost plane of voxel centres: their vertices stay in these planes.
+  // What a vertex may do. A cap is a patch, or a plane half a voxel outside the grid of phi; an
+  // open rim lies in the outermost plane of voxel centres, or at a port: their vertices stay in
+  // these planes.
   struct Freedom {
     bool fixed = false;
     bool cap = false;
@@ -58,6 +60,7 @@ class WallSmoother {
   };
 
   void findPlanes(const Geometry& g);
+  void holdPatches(const TriMesh& mesh, const std::vector<Port>& ports, bool rimsFollowWall);
   void fixTips();
   [[nodiscard]] bool inOneCap(const Corners& t) const;
   std::size_t ringOf(std::uint32_t v, Ring& ring) const;
@@ -87,6 +90,7 @@ class WallSmoother {
   const SmoothParams& params_;
   const Wall& wall_;
   HalfEdges edges_;
+  std::vector<std::uint16_t> patch_;  ///< per triangle; may be empty
   std::vector<Vector3d> points_;
   std::vector<Freedom> freedom_;
   std::vector<Vector3d> normals_;  ///< of the wall at the vertices

@@ -14,6 +14,7 @@ int WallSmoother::excess(std::uint32_t v, int change) const {
 // Whether flipping h makes a better pair of triangles on the same surface.
 bool WallSmoother::worthFlipping(std::uint32_t h, bool byValence) const {
   const std::uint32_t g = edges_.twin(h);
+  if (!patch_.empty() && patch_[h / 3] != patch_[g / 3]) return false;
   const std::uint32_t a = edges_.origin(h), b = edges_.origin(g);
   const std::uint32_t c = edges_.origin(HalfEdges::previous(h));
   const std::uint32_t d = edges_.origin(HalfEdges::previous(g));

@@ -8,6 +8,7 @@
 #include "core/phantom/phantom.h"
 #include "core/phantom/shape.h"
 #include "core/quality/mesh_quality.h"
+#include "core/surface/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/mesh_shapes.h"
 
@@ -118,6 +119,56 @@ class TestCuts : public QObject {
     const double volume = shapes::pi * 2.1 * 2.1 * 7.5;
     QVERIFY2(std::abs(volumeOf(mesh) / volume - 1.0) < 0.05,
              qPrintable(QString::number(volumeOf(mesh) / volume)));
+  }
+
+  // Whatever smooths: caps stay flat where they are, and keep-wall gives each its section's area.
+  void smoothingKeepsThePorts_data() {
+    QTest::addColumn<int>("method");
+    QTest::addColumn<bool>("open");
+    for (const bool open : {false, true}) {
+      const char* name = open ? "%s, open" : "%s";
+      QTest::addRow(name, "keep-wall") << static_cast<int>(SmoothMethod::KeepWall) << open;
+      QTest::addRow(name, "without phi") << -1 << open;
+      QTest::addRow(name, "taubin") << static_cast<int>(SmoothMethod::Taubin) << open;
+    }
+  }
+  void smoothingKeepsThePorts() {
+    QFETCH(int, method);
+    QFETCH(bool, open);
+    const Geometry g = shapes::obliqueGeometry({40, 36, 30});
+    const Vector3d centre = analytic::centreOf(g), axis = Vector3d(0.3, -0.5, 0.8).normalized();
+    const Vector3d tilted = (axis + 0.35 * axis.unitOrthogonal()).normalized();
+    const Cut cut(tubeAlong(g, axis, 2.1),
+                  {{centre + 4.0 * axis, tilted}, {centre - 3.5 * axis, -axis}});
+    const ZeroSetMesh mesh =
+        cut.mesh(SurfaceMethod::AdvancingFront, open ? SurfaceBorder::Open : SurfaceBorder::Cap);
+    SmoothParams params;
+    params.method = method < 0 ? SmoothMethod::KeepWall : static_cast<SmoothMethod>(method);
+    const TriMesh smooth =
+        smoothSurface(mesh.mesh, params, method < 0 ? nullptr : &cut.field, {}, mesh.ports);
+    QCOMPARE(smooth.patch, mesh.mesh.patch);
+    std::vector<Port> after = measurePatches(smooth, 2);
+    for (std::size_t n = 0; n < 2; ++n) {
+      const Section& section = cut.away.sections[n];
+      std::size_t inPlane = 0;
+      for (std::size_t v = 0; v < smooth.points.size(); ++v) {
+        if (std::abs(section.height(mesh.mesh.points[v])) > 1e-9) continue;
+        ++inPlane;
+        QVERIFY(std::abs(section.height(smooth.points[v])) < 1e-6);
+      }
+      QVERIFY(inPlane >= 8);
+      if (open) continue;
+      const double area = after[n].areaMm2 / section.areaMm2;
+      const double most = method == static_cast<int>(SmoothMethod::KeepWall) ? 5e-3 : 0.15;
+      QVERIFY2(std::abs(area - 1.0) < most, qPrintable(QString::number(area)));
+      QVERIFY((after[n].centreLps - section.centreLps).norm() < 0.05);
+    }
+    // Taubin's filter may change the radius of a rim of few edges by more than is taken for a port.
+    if (!open && params.method != SmoothMethod::Taubin)
+      QVERIFY(portFaults(mesh.ports, smooth).empty());
+    const MeshQuality q = measureQuality(smooth);
+    QCOMPARE(q.nonManifoldEdges + q.selfIntersections, std::size_t{0});
+    QCOMPARE(q.closed, !open);
   }
 
   // What is cut away is out of phi, and the planes end what is left.
