@@ -3,229 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
-#include <queue>
 
+#include "core/quality/centre_lines.h"
 #include "core/quality/voxel_set.h"
 
 namespace angiomesh {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
-constexpr double kFar = std::numeric_limits<double>::max();
-
 /// Smoothing of a path: a moving mean over so many points on either side, twice.
 constexpr int kSmoothPoints = 3;
-
-/// One end of a path.
-struct PathEnd {
-  bool joins = false;        ///< ends on another path
-  std::size_t attached = 0;  ///< points before the innermost one at which another path joins it
-  bool isAttached = false;
-};
-
-/// From a tip (front) to where it joins another path, or to the root's tip (back).
-struct Path {
-  std::vector<std::uint32_t> points;
-  PathEnd front, back;
-};
 
 struct Length {
   double mm = 0.0;
   int freeTips = 0;
 };
 
-/// The centre lines of the parts of a set of voxels.
-class CentreLines {
- public:
-  CentreLines(const Volume<float>& phi, const VoxelSet& set);
-
-  /// Of the part that holds voxel `start`. `visited` gets its voxels, in no particular order.
-  Length measure(std::uint32_t start, std::vector<std::uint32_t>& visited,
-                 const Progress& progress);
-
- private:
-  void findWallDistances(const Volume<float>& phi);
-  std::uint32_t spread(std::uint32_t root, std::vector<std::uint32_t>& visited,
-                       const Progress& progress);
-  void addPath(std::uint32_t tip);
-  void closeRing(Path& path);
-  void cover(std::uint32_t path);
-  void attach(std::uint32_t point);
-  [[nodiscard]] bool straightInside(std::uint32_t from, std::uint32_t to) const;
-  [[nodiscard]] std::vector<Eigen::Vector3d> smoothed(
-      const std::vector<std::uint32_t>& points) const;
-  [[nodiscard]] Length lengthOf(const Path& path) const;
-  double trim(std::vector<std::uint32_t>& points, const PathEnd& end, int& freeTips) const;
-  [[nodiscard]] std::optional<double> toBorder(const std::vector<std::uint32_t>& points,
-                                               std::size_t from) const;
-  [[nodiscard]] bool inside(const Eigen::Vector3d& position) const;
-  [[nodiscard]] double reach(std::uint32_t n) const { return 1.3 * wall_[n] + 2.0 * voxelMm_; }
-
-  const VoxelSet& set_;
-  double voxelMm_;
-  std::vector<double> wall_;          ///< distance to the wall, mm
-  std::vector<double> cost_, along_;  ///< from the root: of the cheapest path, and its length
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint32_t> coveredBy_;  ///< the nearest earlier point of a path that reaches it
-  std::vector<std::uint32_t> pathOf_;     ///< number of the path that a voxel is a point of
-  std::vector<Path> paths_;
-};
-
-CentreLines::CentreLines(const Volume<float>& phi, const VoxelSet& set)
-    : set_(set),
-      voxelMm_(set.geometry().voxelMm()),
-      wall_(set.size(), kFar),
-      cost_(set.size(), kFar),
-      along_(set.size(), 0.0),
-      parent_(set.size(), kNone),
-      coveredBy_(set.size(), kNone),
-      pathOf_(set.size(), kNone) {
-  findWallDistances(phi);
-}
-
-/// phi tells it near the wall; where phi is clamped it grows on from there by steps.
-void CentreLines::findWallDistances(const Volume<float>& phi) {
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const double known = 4.5 * voxelMm_;
-  for (std::size_t n = 0; n < set_.size(); ++n) {
-    const double depth = -static_cast<double>(phi.voxels[set_.voxel(n)]);
-    if (depth > known) continue;
-    wall_[n] = std::max(depth, 0.2 * voxelMm_);
-    if (depth > 3.0 * voxelMm_) queue.push({wall_[n], static_cast<std::uint32_t>(n)});
-  }
-  while (!queue.empty()) {
-    const auto [distance, n] = queue.top();
-    queue.pop();
-    if (distance > wall_[n]) continue;
-    set_.forNeighbours(n, [&, from = distance](std::size_t next, double length) {
-      if (wall_[next] <= known || from + length >= wall_[next]) return;
-      wall_[next] = from + length;
-      queue.push({wall_[next], static_cast<std::uint32_t>(next)});
-    });
-  }
-  for (double& distance : wall_) distance = std::min(distance, 1e3 * voxelMm_);
-}
-
-/// Cheapest paths from `root` over its part. Returns the voxel whose path is the longest.
-std::uint32_t CentreLines::spread(std::uint32_t root, std::vector<std::uint32_t>& visited,
-                                  const Progress& progress) {
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (const std::uint32_t n : visited) cost_[n] = kFar;
-  visited.clear();
-  cost_[root] = along_[root] = 0.0;
-  parent_[root] = kNone;
-  queue.push({0.0, root});
-  std::uint32_t farthest = root;
-  while (!queue.empty()) {
-    const auto [cost, n] = queue.top();
-    queue.pop();
-    if (cost > cost_[n]) continue;
-    visited.push_back(n);
-    if (visited.size() % 4096 == 0) progress.check();
-    if (along_[n] > along_[farthest]) farthest = n;
-    set_.forNeighbours(n, [&, from = n, before = cost](std::size_t next, double length) {
-      const double d = 0.5 * (wall_[from] + wall_[next]) / voxelMm_;
-      const double total = before + length / (d * d);
-      if (total >= cost_[next]) return;
-      cost_[next] = total;
-      along_[next] = along_[from] + length;
-      parent_[next] = from;
-      queue.push({total, static_cast<std::uint32_t>(next)});
-    });
-  }
-  return farthest;
-}
-
-/// Notes that a path joins another at `point`.
-void CentreLines::attach(std::uint32_t point) {
-  Path& path = paths_[pathOf_[point]];
-  const auto at = std::find(path.points.begin(), path.points.end(), point);
-  const auto before = static_cast<std::size_t>(at - path.points.begin());
-  const std::size_t behind = path.points.size() - 1 - before;
-  PathEnd& end = before < behind ? path.front : path.back;
-  end.attached =
-      end.isAttached ? std::min(end.attached, std::min(before, behind)) : std::min(before, behind);
-  end.isAttached = true;
-}
-
-void CentreLines::addPath(std::uint32_t tip) {
-  Path path;
-  std::uint32_t n = tip;
-  while (n != kNone && pathOf_[n] == kNone) {
-    path.points.push_back(n);
-    n = parent_[n];
-  }
-  const auto number = static_cast<std::uint32_t>(paths_.size());
-  if (n != kNone) {
-    path.points.push_back(n);
-    path.back.joins = true;
-    attach(n);
-    closeRing(path);
-  }
-  for (const std::uint32_t point : path.points)
-    if (pathOf_[point] == kNone) pathOf_[point] = number;
-  paths_.push_back(std::move(path));
-  cover(number);
-}
-
-/// Where the tip of a new path lies beside what another one covers, far from where it joins, it is
-/// no tip: there two ways around a ring meet.
-void CentreLines::closeRing(Path& path) {
-  const std::uint32_t tip = path.points.front();
-  const std::uint32_t joint = path.points.back();
-  std::uint32_t other = kNone;
-  double nearest = kFar;
-  set_.forNeighbours(tip, [&](std::size_t next, double) {
-    const std::uint32_t by = coveredBy_[next];
-    if (by == kNone) return;
-    const double away = (set_.position(by) - set_.position(joint)).norm();
-    const double d = (set_.position(by) - set_.position(tip)).norm();
-    if (away < reach(by) + reach(joint) || d >= nearest || !straightInside(tip, by)) return;
-    nearest = d;
-    other = by;
-  });
-  if (other == kNone) return;
-  path.points.insert(path.points.begin(), other);
-  path.front.joins = true;
-  attach(other);
-}
-
-bool CentreLines::straightInside(std::uint32_t from, std::uint32_t to) const {
-  const Eigen::Vector3d way = set_.position(to) - set_.position(from);
-  const int steps = static_cast<int>(2.0 * way.norm() / voxelMm_) + 1;
-  for (int n = 1; n < steps; ++n)
-    if (!inside(set_.position(from) + way * (1.0 * n / steps))) return false;
-  return true;
-}
-
-void CentreLines::cover(std::uint32_t number) {
-  const Eigen::Vector3d& spacing = set_.geometry().spacing;
-  for (const std::uint32_t point : paths_[number].points) {
-    if (pathOf_[point] != number) continue;
-    const Index3 p = set_.indexOf(point);
-    const double radius = reach(point);
-    const int rk = static_cast<int>(radius / spacing[2]);
-    const int rj = static_cast<int>(radius / spacing[1]);
-    for (int dk = -rk; dk <= rk; ++dk)
-      for (int dj = -rj; dj <= rj; ++dj) {
-        const double rest =
-            radius * radius - std::pow(dk * spacing[2], 2) - std::pow(dj * spacing[1], 2);
-        if (rest < 0.0) continue;
-        const int ri = static_cast<int>(std::sqrt(rest) / spacing[0]);
-        set_.forRow(p[0] - ri, p[0] + ri, p[1] + dj, p[2] + dk, [&](std::size_t n, int) {
-          if (coveredBy_[n] == kNone) coveredBy_[n] = point;
-        });
-      }
-  }
-}
-
-std::vector<Eigen::Vector3d> CentreLines::smoothed(const std::vector<std::uint32_t>& points) const {
+std::vector<Eigen::Vector3d> smoothed(const VoxelSet& set,
+                                      const std::vector<std::uint32_t>& points) {
   std::vector<Eigen::Vector3d> line;
-  for (const std::uint32_t n : points) line.push_back(set_.position(n));
+  for (const std::uint32_t n : points) line.push_back(set.position(n));
   const auto count = static_cast<int>(line.size());
   for (int pass = 0; pass < 2; ++pass) {
     const std::vector<Eigen::Vector3d> before = line;
@@ -239,105 +35,22 @@ std::vector<Eigen::Vector3d> CentreLines::smoothed(const std::vector<std::uint32
   return line;
 }
 
-/// Length from points[from] straight on, away from the path, to the face of the volume; nothing
-/// where the part ends before.
-std::optional<double> CentreLines::toBorder(const std::vector<std::uint32_t>& points,
-                                            std::size_t from) const {
-  const auto span = static_cast<std::size_t>(6.0 + 2.0 * wall_[points[from]] / voxelMm_);
-  const std::size_t to = std::min(from + span, points.size());
-  const std::size_t middle = (from + to) / 2;
-  if (middle == from) return std::nullopt;
-  const auto mean = [&](std::size_t first, std::size_t last) -> Eigen::Vector3d {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t i = first; i < last; ++i) sum += set_.position(points[i]);
-    return sum / static_cast<double>(last - first);
-  };
-  const Eigen::Vector3d direction = (mean(from, middle) - mean(middle, to)).normalized();
-  const Eigen::Vector3d here = set_.position(points[from]);
-  const Geometry& g = set_.geometry();
-  double face = kFar;
-  for (int a = 0; a < 3; ++a) {
-    if (std::fabs(direction[a]) < 1e-9) continue;
-    const double at = (direction[a] > 0.0 ? g.size[a] - 0.5 : -0.5) * g.spacing[a];
-    face = std::min(face, (at - here[a]) / direction[a]);
-  }
-  for (double gone = 0.5 * voxelMm_; gone < face; gone += 0.5 * voxelMm_)
-    if (!inside(here + gone * direction)) return std::nullopt;
-  return face;
-}
-
-bool CentreLines::inside(const Eigen::Vector3d& position) const {
-  Index3 p;
-  for (std::size_t a = 0; a < 3; ++a)
-    p[a] = static_cast<int>(std::floor(position[static_cast<Eigen::Index>(a)] /
-                                           set_.geometry().spacing[static_cast<Eigen::Index>(a)] +
-                                       0.5));
-  bool found = false;
-  set_.forRow(p[0], p[0], p[1], p[2], [&](std::size_t, int) { found = true; });
-  return found;
-}
-
-/// Cuts the front of a path where its centre line ends. Returns the length to add there.
-double CentreLines::trim(std::vector<std::uint32_t>& points, const PathEnd& end,
-                         int& freeTips) const {
-  if (end.joins) return 0.0;
-  const Eigen::Vector3d tip = set_.position(points.front());
-  double radius = wall_[points.front()];
-  std::size_t at = 0;
-  double gone = 0.0;
-  // A path out of a ball's end goes along its radius, but for the steps of the grid.
-  while (at + 1 < points.size() && gone <= 1.15 * radius + 1.5 * voxelMm_) {
-    ++at;
-    gone = (set_.position(points[at]) - tip).norm();
-    radius = std::max(radius, wall_[points[at]]);
-  }
-  double extra = 0.0;
-  if (end.isAttached && end.attached <= at) {
-    at = end.attached;
-  } else if (const auto face = toBorder(points, at)) {
-    extra = *face;
-  } else {
-    ++freeTips;
-    extra = gone + wall_[points.front()] - radius;
-  }
-  points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(at));
-  return extra;
-}
-
-Length CentreLines::lengthOf(const Path& path) const {
+Length lengthOf(const CentreLines& lines, const VoxelSet& set, const CentreLines::Path& path) {
   Length length;
   std::vector<std::uint32_t> points = path.points;
-  double extra = trim(points, path.front, length.freeTips);
+  double extra = 0.0;
+  for (const CentreLines::PathEnd* end : {&path.front, &path.back}) {
+    const CentreLines::LineEnd line = lines.endOf(points, *end);
+    if (line.kind == CentreLines::LineEnd::Kind::Tip) ++length.freeTips;
+    extra += line.extraMm;
+    points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(line.at));
+    std::reverse(points.begin(), points.end());
+  }
   std::reverse(points.begin(), points.end());
-  extra += trim(points, path.back, length.freeTips);
-  const std::vector<Eigen::Vector3d> line = smoothed(points);
+  const std::vector<Eigen::Vector3d> line = smoothed(set, points);
   for (std::size_t i = 1; i < line.size(); ++i) length.mm += (line[i] - line[i - 1]).norm();
   length.mm = std::max(length.mm + extra, 0.0);
   return length;
-}
-
-Length CentreLines::measure(std::uint32_t start, std::vector<std::uint32_t>& visited,
-                            const Progress& progress) {
-  visited.clear();
-  const std::uint32_t root = spread(start, visited, progress);
-  spread(root, visited, progress);
-  std::vector<std::uint32_t> order = visited;
-  std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-    return along_[a] != along_[b] ? along_[a] > along_[b] : a < b;
-  });
-  paths_.clear();
-  for (const std::uint32_t tip : order) {
-    if (coveredBy_[tip] != kNone) continue;
-    progress.check();
-    addPath(tip);
-  }
-  Length sum;
-  for (const Path& path : paths_) {
-    const Length length = lengthOf(path);
-    sum.mm += length.mm;
-    sum.freeTips += length.freeTips;
-  }
-  return sum;
 }
 
 /// Volume of each part, mm3: voxels at the wall count by the share that phi gives them. That is the
@@ -397,7 +110,12 @@ std::vector<ComponentMeasure> measureComponents(const Volume<float>& phi,
     const auto part = static_cast<std::size_t>(labels.voxels[set.voxel(n)] - 1);
     if (done[part]) continue;
     done[part] = true;
-    const Length length = lines.measure(static_cast<std::uint32_t>(n), visited, progress);
+    Length length;
+    for (const auto& path : lines.find(static_cast<std::uint32_t>(n), visited, progress)) {
+      const Length one = lengthOf(lines, set, path);
+      length.mm += one.mm;
+      length.freeTips += one.freeTips;
+    }
     ComponentMeasure& measure = result[part];
     measure.lengthMm = length.mm;
     measure.meanRadiusMm = radiusOf(volume[part], length.mm, length.mm > 0.0 ? length.freeTips : 2,
