@@ -129,7 +129,9 @@ Vector3d LumenProbe::normalAt(const Vector3d& point) const {
 }
 
 std::optional<LumenSection> LumenProbe::section(const Vector3d& point, const Vector3d& axis) const {
-  if (!isInside(point) || (intoVolume(point) - point).norm() > 1e-6 * voxelMm_) return std::nullopt;
+  if (!(axis.squaredNorm() > 0.5) || !isInside(point) ||
+      (intoVolume(point) - point).norm() > 1e-6 * voxelMm_)
+    return std::nullopt;
   const Plane plane(axis);
   LumenSection section;
   section.centreLps = point;
@@ -149,6 +151,10 @@ std::optional<LumenSection> LumenProbe::section(const Vector3d& point, const Vec
       moment += 2.0 * kPi / (3.0 * kSectionRays) * square * lengths[n] * rays[n].direction;
     }
     section.radiusMm = std::sqrt(area / kPi);
+    section.cutShare =
+        static_cast<double>(std::count_if(rays.begin(), rays.end(),
+                                          [](const Ray& ray) { return ray.end == End::Border; })) /
+        kSectionRays;
     section.inscribedMm = *std::min_element(lengths.begin(), lengths.end());
     if (area <= 0.0) return std::nullopt;
     const Vector3d step = moment / area;

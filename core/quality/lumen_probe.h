@@ -14,6 +14,7 @@ struct LumenSection {
   Eigen::Vector3d centreLps{0.0, 0.0, 0.0};  ///< of its area
   double radiusMm = 0.0;                     ///< sqrt(area / pi)
   double inscribedMm = 0.0;                  ///< from the centre to the nearest wall in the plane
+  double cutShare = 0.0;  ///< of the directions in which the volume ends before the vessel
 };
 
 /// Looks from points inside a vessel at its wall: along rays, which tell the distance also where

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/quality/centre_lines.h"
+#include "core/quality/skeleton.h"
+
+namespace angiomesh {
+
+/// Voxels, as numbers of a VoxelSet, from node to node.
+struct Chain {
+  int from = 0, to = 0;
+  std::vector<std::uint32_t> voxels;  ///< one or more; neighbours but for where a ring closes
+};
+
+/// The paths of one part, split where they meet.
+struct ChainGraph {
+  struct Node {
+    NodeKind kind = NodeKind::Tip;
+    std::uint32_t voxel = 0;
+    int chains = 0;  ///< ends of chains here
+  };
+  std::vector<Node> nodes;
+  std::vector<Chain> chains;
+};
+
+/// Without branches that end inside the ball that the junction holds, and without nodes between two
+/// chains.
+ChainGraph chainsOf(const CentreLines& lines, const VoxelSet& set,
+                    const std::vector<CentreLines::Path>& paths);
+
+}  // namespace angiomesh
