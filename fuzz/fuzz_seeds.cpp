@@ -251,10 +251,14 @@ void makeMeshes(const fs::path& folder) {
       options.encoding = ascii ? MeshEncoding::Ascii : MeshEncoding::Binary;
       options.key = "0123abc";
       options.normals = options.quality = extension == ".ply" || extension == ".vtp";
-      if (ascii && extension == ".stl") options.parts = {{"one", 0, 3}, {"two", 3, 5}};
       const fs::path path = scratch / ("m" + extension);
       writeMesh(octahedron(), path, options);
       keepMesh(folder, (ascii ? "ascii" : "ours") + extension, bytesOf(path));
+      TriMesh patched = octahedron();
+      patched.patch = {0, 0, 1, 0, 2, 2, 0, 0};
+      options.patchNames = {"wall", "one", "two"};
+      writeMesh(patched, path, options);
+      keepMesh(folder, (ascii ? "patches-ascii" : "patches") + extension, bytesOf(path));
     }
   makeVtkMeshes(folder, scratch / "m");
 

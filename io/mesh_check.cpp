@@ -5,7 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/surface/outward.h"
+#include "core/surface/port.h"
 #include "io/mesh_io.h"
+#include "io/mesh_patch.h"
 #include "io/mesh_place.h"
 #include "io/point_merger.h"
 
@@ -16,8 +18,23 @@ namespace fs = std::filesystem;
 
 struct Expected {
   TriMesh mesh;  ///< as the file has to hold it, back in LPS mm
+  std::vector<std::string> patchNames;
   bool outward = true;
 };
+
+/// As a file of the format gives them back.
+void settlePatches(const MeshWriteOptions& options, const std::string& extension,
+                   Expected& expected) {
+  TriMesh& mesh = expected.mesh;
+  const bool isStl = extension == ".stl", ascii = options.encoding == MeshEncoding::Ascii;
+  const bool named = mesh.patch.empty() ? isStl && ascii : !isStl || ascii;
+  std::vector<std::uint32_t> groups(mesh.patch.begin(), mesh.patch.end());
+  groups.resize(mesh.triangles.size());
+  PatchSet set;
+  if (named) set = patchesOfGroups(groups, patchNamesFor(mesh, options.patchNames));
+  mesh.patch = std::move(set.patch);
+  expected.patchNames = std::move(set.names);
+}
 
 Expected expectedMesh(const TriMesh& mesh, const fs::path& path, const MeshWriteOptions& options) {
   TriMesh moved = mesh;
@@ -35,6 +52,7 @@ Expected expectedMesh(const TriMesh& mesh, const fs::path& path, const MeshWrite
       }
       merged.triangles.push_back(t);
     }
+    merged.patch = std::move(moved.patch);
     moved = std::move(merged);
   }
   toPatientPlace(moved.points, options.frame, options.unit);
@@ -42,7 +60,57 @@ Expected expectedMesh(const TriMesh& mesh, const fs::path& path, const MeshWrite
   // Merging may have closed what was a heap of triangles.
   expected.outward = turnOutward(moved).turnedParts == 0;
   expected.mesh = std::move(moved);
+  settlePatches(options, meshExtension(path), expected);
   return expected;
+}
+
+/// Whether the triangles, some with an area, have about the normal: then it and the centre are
+/// those of an opening and no rounding.
+bool facesOneWay(const TriMesh& mesh, const std::vector<std::uint32_t>& triangles,
+                 const Eigen::Vector3d& normal) {
+  constexpr double kLeastShare = 0.5;
+  double along = 0.0, all = 0.0;
+  for (const std::uint32_t t : triangles) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Eigen::Vector3d area =
+        (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+    along += area.dot(normal);
+    all += area.norm();
+  }
+  return all > 0.0 && along >= kLeastShare * all;
+}
+
+/// What differs between the patches, empty: nothing.
+std::string patchFault(const Expected& wanted, const LoadedMesh& found) {
+  const auto listOf = [](const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : " ") + name;
+    return list.empty() ? std::string("none") : list;
+  };
+  if (found.patchNames != wanted.patchNames)
+    return "patches: " + listOf(found.patchNames) + " instead of " + listOf(wanted.patchNames);
+  if (found.mesh.patch.empty() != wanted.mesh.patch.empty()) return "patches of the triangles";
+  const std::size_t count = wanted.patchNames.size();
+  if (wanted.mesh.patch.empty()) return {};
+  const auto was = trianglesByPatch(wanted.mesh, count), is = trianglesByPatch(found.mesh, count);
+  for (std::size_t patch = 0; patch < count; ++patch)
+    if (is[patch].size() != was[patch].size())
+      return "triangles of " + wanted.patchNames[patch] + ": " + std::to_string(is[patch].size()) +
+             " instead of " + std::to_string(was[patch].size());
+  // Patches may be anything; those that are openings are compared as such.
+  const std::vector<Port> measured = measurePatches(wanted.mesh, count - 1);
+  std::vector<std::uint16_t> portOf(count, 0);
+  std::vector<Port> ports;
+  for (std::size_t n = 0; n < measured.size(); ++n) {
+    if (!facesOneWay(wanted.mesh, was[n + 1], measured[n].normalLps)) continue;
+    ports.push_back(measured[n]);
+    ports.back().name = wanted.patchNames[n + 1];
+    portOf[n + 1] = static_cast<std::uint16_t>(ports.size());
+  }
+  TriMesh openings = found.mesh;
+  for (std::uint16_t& patch : openings.patch) patch = portOf[patch];
+  const std::vector<std::string> faults = portFaults(ports, openings);
+  return faults.empty() ? std::string() : faults.front();
 }
 
 Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
@@ -64,12 +132,13 @@ const char* yesOrNo(bool value) { return value ? "yes" : "no"; }
 
 MeshFileFacts checkMeshFile(const TriMesh& mesh, const fs::path& path,
                             const MeshWriteOptions& options) {
+  const auto differ = [&](const std::string& what) {
+    throw IoError("the written file does not hold the mesh (" + what + ")", path.string(),
+                  "write it again, to another place or in another format");
+  };
   const auto compare = [&](const std::string& what, const auto& found, const auto& wanted,
                            bool equal) {
-    if (!equal)
-      throw IoError("the written file does not hold the mesh (" + what + ": " + found +
-                        " instead of " + wanted + ")",
-                    path.string(), "write it again, to another place or in another format");
+    if (!equal) differ(what + ": " + found + " instead of " + wanted);
   };
   const auto number = [&](const std::string& what, std::size_t found, std::size_t wanted) {
     compare(what, std::to_string(found), std::to_string(wanted), found == wanted);
@@ -77,7 +146,8 @@ MeshFileFacts checkMeshFile(const TriMesh& mesh, const fs::path& path,
   const auto flag = [&](const std::string& what, bool found, bool wanted) {
     compare(what, yesOrNo(found), yesOrNo(wanted), found == wanted);
   };
-  const auto [wanted, outward] = expectedMesh(mesh, path, options);
+  const Expected expected = expectedMesh(mesh, path, options);
+  const TriMesh& wanted = expected.mesh;
   const LoadedMesh loaded = loadMesh(path);
   number("vertices", loaded.mesh.points.size(), wanted.points.size());
   number("triangles", loaded.mesh.triangles.size(), wanted.triangles.size());
@@ -87,7 +157,6 @@ MeshFileFacts checkMeshFile(const TriMesh& mesh, const fs::path& path,
           loaded.unitStated && loaded.unit == options.unit);
   flag("normals", loaded.hasNormals, options.normals);
   flag("quality", loaded.hasQuality, options.quality);
-  if (!options.parts.empty()) number("parts", loaded.parts.size(), options.parts.size());
   const Eigen::AlignedBox3d box = boxOf(loaded.mesh), wantedBox = boxOf(wanted);
   const double reach =
       std::max(wantedBox.min().cwiseAbs().maxCoeff(), wantedBox.max().cwiseAbs().maxCoeff());
@@ -96,10 +165,11 @@ MeshFileFacts checkMeshFile(const TriMesh& mesh, const fs::path& path,
   compare("box", boxText(box), boxText(wantedBox),
           (box.min() - wantedBox.min()).cwiseAbs().maxCoeff() <= tolerance &&
               (box.max() - wantedBox.max()).cwiseAbs().maxCoeff() <= tolerance);
+  if (const std::string fault = patchFault(expected, loaded); !fault.empty()) differ(fault);
   MeshFileFacts facts;
   facts.closed = isClosed(loaded.mesh);
   flag("closed", facts.closed, isClosed(wanted));
-  flag("facing outward", loaded.warnings.empty(), outward);
+  flag("facing outward", loaded.warnings.empty(), expected.outward);
   facts.vertices = loaded.mesh.points.size();
   facts.triangles = loaded.mesh.triangles.size();
   facts.unit = loaded.unit;

@@ -11,6 +11,7 @@
 #include "core/surface/outward.h"
 #include "core/surface/wall.h"
 #include "io/files.h"
+#include "io/mesh_patch.h"
 #include "io/mesh_place.h"
 #include "io/point_merger.h"
 #include "io/polygon_mesh.h"
@@ -36,9 +37,6 @@ void checkOptions(const std::string& extension, const MeshWriteOptions& options,
   if ((options.normals || options.quality) && extension != ".ply" && extension != ".vtp")
     throw InputError("normals and quality are written to PLY and VTP files alone", path.string(),
                      "choose .ply or .vtp, or leave them out");
-  if (!options.parts.empty() && (extension != ".stl" || !ascii))
-    throw InputError("named parts are written to ASCII STL files alone", path.string(),
-                     "choose an ASCII .stl, or leave the parts out");
 }
 
 /// Says what the single precision of a binary STL file does to the mesh.
@@ -85,8 +83,7 @@ void writeFile(const WritableMesh& mesh, const std::string& extension, const fs:
   } else if (extension == ".ply") {
     writeText(path, plyBytes(mesh));
   } else if (extension == ".stl") {
-    writeText(path,
-              mesh.options.encoding == MeshEncoding::Ascii ? stlText(mesh, path) : stlBytes(mesh));
+    writeText(path, mesh.options.encoding == MeshEncoding::Ascii ? stlText(mesh) : stlBytes(mesh));
   } else {
     writeText(path, objBytes(mesh));
   }
@@ -155,19 +152,20 @@ void settlePlace(const MeshHeader& header, const MeshReadOptions& options, const
                               unitWord(loaded.unit) + " are taken, " + path.string());
 }
 
-/// Parts of triangles out of parts of polygons.
-std::vector<MeshPart> partsOfTriangles(const PolygonMesh& mesh) {
-  std::vector<MeshPart> parts;
-  std::size_t polygon = 0, triangle = 0;
-  const auto advance = [&](std::size_t to) {
-    for (; polygon < to; ++polygon) triangle += mesh.polygons[polygon].size() - 2;
-    return triangle;
-  };
-  for (const MeshPart& part : mesh.parts) {
-    const std::size_t first = advance(part.first);
-    parts.push_back({part.name, first, advance(part.first + part.count) - first});
-  }
-  return parts;
+void takePatches(const PolygonMesh& polygons, const fs::path& path, LoadedMesh& loaded) {
+  std::vector<std::uint32_t> groups;
+  for (std::size_t p = 0; p < polygons.groups.size(); ++p)
+    groups.insert(groups.end(), polygons.polygons[p].size() - 2, polygons.groups[p]);
+  PatchSet set = patchesOfGroups(groups, polygons.groupNames);
+  loaded.mesh.patch = std::move(set.patch);
+  loaded.patchNames = std::move(set.names);
+  if (polygons.oddGroups)
+    loaded.warnings.push_back(
+        "the patches are no whole numbers, or not one for each face, and are left out, " +
+        path.string());
+  if (set.tooMany)
+    loaded.warnings.push_back("the file has " + std::to_string(polygons.groupNames.size()) +
+                              " patches, which are too many and are left out, " + path.string());
 }
 
 }  // namespace
@@ -182,13 +180,19 @@ std::vector<std::string> writeMesh(const TriMesh& mesh, const fs::path& path,
     throw InputError(error.what(), path.string(), "mesh the volume again");
   }
   std::vector<std::string> warnings;
-  WritableMesh moved{mesh, {}, {}, options};
+  WritableMesh moved{mesh, {}, {}, {}, options};
   if (const std::size_t turned = turnOutward(moved.mesh).turnedParts; turned > 0)
     warnings.push_back(counted(turned, "closed part of the mesh was", "closed parts were") +
                        " inside out and turned round in the file");
   toFilePlace(moved.mesh.points, options.frame, options.unit);
-  if (extension == ".stl" && options.encoding == MeshEncoding::Binary)
+  moved.patchNames = patchNamesFor(mesh, options.patchNames);
+  if (extension == ".stl" && options.encoding == MeshEncoding::Binary) {
+    if (moved.patchNames.size() > 1)
+      warnings.push_back("the names of " + std::to_string(moved.patchNames.size()) +
+                         " patches are lost in a binary STL file: write an ASCII STL, PLY, OBJ or "
+                         "VTP file to keep them");
     checkSinglePrecision(moved.mesh, path, warnings);
+  }
   if (options.normals) moved.normals = vertexNormals(moved.mesh);
   if (options.quality) {
     const auto& points = moved.mesh.points;
@@ -206,7 +210,7 @@ LoadedMesh loadMesh(const fs::path& path, const MeshReadOptions& options) {
   settlePlace(polygons.header, options, path, loaded);
   toPatientPlace(polygons.points, loaded.frame, loaded.unit);
   loaded.mesh.triangles = triangulate(polygons);
-  loaded.parts = partsOfTriangles(polygons);
+  takePatches(polygons, path, loaded);
   loaded.mesh.points = std::move(polygons.points);
   loaded.hasNormals = polygons.hasNormals;
   loaded.hasQuality = polygons.hasQuality;

@@ -19,12 +19,6 @@ enum class MeshEncoding { Binary, Ascii };
 std::string frameWord(Frame frame);
 std::string unitWord(LengthUnit unit);
 
-/// Successive triangles with a name: one solid of an ASCII STL file.
-struct MeshPart {
-  std::string name;
-  std::size_t first = 0, count = 0;
-};
-
 struct MeshWriteOptions {
   LengthUnit unit = LengthUnit::Millimetre;
   Frame frame = Frame::Lps;
@@ -32,9 +26,10 @@ struct MeshWriteOptions {
   MeshEncoding encoding = MeshEncoding::Binary;  ///< of PLY and STL; OBJ is always text
   bool normals = false;  ///< PLY and VTP: unit normals of the vertices, 0 where no triangle is
   bool quality = false;  ///< PLY and VTP: `quality` of each face, 2 * inradius / circumradius
-  /// ASCII STL: the solids; together all triangles, each once. Empty: one solid, "surface". In
-  /// names, what is no printable ASCII becomes '_'; the same name again gets a number.
-  std::vector<MeshPart> parts = {};
+  /// Of TriMesh::patch: the wall's, then the ports' in their order. One that is not given is "wall"
+  /// or "patch_n". In names, what is no printable ASCII becomes '_'; the same name again gets a
+  /// number. Of a mesh without patches the first names the solid of an ASCII STL file ("surface").
+  std::vector<std::string> patchNames = {};
 };
 
 /// Writes .ply (float64 vertices), .stl, .obj or .vtp by extension, to a temporary name, then
@@ -42,10 +37,15 @@ struct MeshWriteOptions {
 /// the shortest numbers that read back as the same double (ASCII STL: at least 9 digits), so that
 /// equal points stay equal and others do not. Closed parts that face inward are turned round in the
 /// file, see turnOutward().
-/// @returns warnings: parts that were turned round; triangles that lose their area, and points that
-/// fall together, in the single precision of a binary STL file (which is written nevertheless)
-/// @throws InputError: the mesh is not usable, parts that overlap or leave triangles out, an option
-/// that the format does not have   @throws IoError; nothing is left behind
+///
+/// Patches are the solids of ASCII STL and the groups (g) of OBJ, triangles in their order; `patch`
+/// of each face and lines "comment patch 1 inlet" of PLY; and, as in SimVascular, `ModelFaceID` of
+/// each cell (1 + patch) with the names in the field `ModelFaceNames` of VTP. Binary STL has none.
+/// @returns warnings: parts that were turned round; patches that a binary STL file loses; triangles
+/// that lose their area, and points that fall together, in its single precision (it is written
+/// nevertheless)
+/// @throws InputError: the mesh is not usable, an option that the format does not have
+/// @throws IoError; nothing is left behind
 std::vector<std::string> writeMesh(const TriMesh& mesh, const std::filesystem::path& path,
                                    const MeshWriteOptions& options = {});
 
@@ -62,13 +62,23 @@ struct LoadedMesh {
   bool frameStated = false, unitStated = false;  ///< in its header
   std::string key;                               ///< of the pipeline, empty: none stated
   bool hasNormals = false, hasQuality = false;
-  std::vector<MeshPart> parts;  ///< the solids of an ASCII STL file
+  /// Of mesh.patch. Of a mesh without patches: what the file calls its only solid, group or face;
+  /// empty: nothing.
+  std::vector<std::string> patchNames;
   std::vector<std::string> warnings;
 };
 
 /// Reads .ply, .stl, .obj, .vtp or legacy .vtk; points equal bit for bit are merged (STL), polygons
 /// are triangulated, and closed parts that face inward are turned round, with a warning. LPS and mm
-/// unless the header or `options` say otherwise. @throws IoError, InputError
+/// unless the header or `options` say otherwise.
+///
+/// Patches are read where writeMesh() writes them, `o` of an OBJ file without `g` included, and
+/// `ModelFaceID` from legacy VTK files, too. Patch 0 is the one called "wall", whatever its number
+/// in the file; the others are 1, 2, ... in the order of their first solid or group, or of their
+/// numbers in PLY and VTK files. Where none is called "wall", no triangle is in patch 0: names
+/// stay, numbers move. What has no name is "patch_n" or, in VTK files, "face_ID"; `patch` 0 of a
+/// PLY file is "wall". Names are cleaned as in writing. A file with one patch alone has none.
+/// @throws IoError, InputError
 LoadedMesh loadMesh(const std::filesystem::path& path, const MeshReadOptions& options = {});
 
 /// The mesh of loadMesh().
@@ -84,7 +94,8 @@ struct MeshFileFacts {
 };
 
 /// Reads again what writeMesh() made of `mesh` and compares: vertices (merged, STL), triangles,
-/// bounding box within the numbers' precision, closedness, frame, unit, normals, quality and parts.
+/// bounding box within the numbers' precision, closedness, frame, unit, normals, quality, and
+/// names, triangles and shape of the patches.
 /// @throws IoError with the figures when the file holds something else
 MeshFileFacts checkMeshFile(const TriMesh& mesh, const std::filesystem::path& path,
                             const MeshWriteOptions& options = {});

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <charconv>
+#include <optional>
 
 #include "core/base/error.h"
+#include "io/mesh_patch.h"
 #include "io/polygon_mesh.h"
 #include "io/text_scanner.h"
 
 namespace angiomesh {
+namespace {
+
+/// What the format calls the group of faces before the first one.
+constexpr std::string_view kDefaultGroup = "default";
+
+}  // namespace
 
 PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path) {
   const auto broken = [&](int line) -> InputError {
@@ -13,6 +21,10 @@ PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path)
             "copy it again or write it with another program"};
   };
   PolygonMesh mesh;
+  // Objects hold groups: they count where there are no groups.
+  const bool hasGroups = bytes.starts_with("g ") || bytes.find("\ng ") != std::string::npos;
+  GroupsByName groups(mesh);
+  std::optional<std::uint32_t> group;
   TextScanner lines(bytes);
   for (int number = 1; !lines.done(); ++number) {
     const std::string_view text = lines.line();
@@ -27,6 +39,9 @@ PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path)
       mesh.points.push_back(p);
     } else if (kind == "vn") {
       mesh.hasNormals = true;
+    } else if (kind == (hasGroups ? "g" : "o")) {
+      const std::string_view name = scan.word();
+      group = groups.number(name.empty() ? kDefaultGroup : name);
     } else if (kind == "f") {
       std::vector<std::uint32_t> polygon;
       for (std::string_view corner = scan.word(); !corner.empty(); corner = scan.word()) {
@@ -41,8 +56,13 @@ PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path)
       }
       if (polygon.size() < 3) throw broken(number);
       mesh.polygons.push_back(std::move(polygon));
+      if (!group) group = groups.number(kDefaultGroup);
+      mesh.groups.push_back(*group);
     }
   }
+  // A name for everything that nobody gave.
+  if (mesh.groupNames == std::vector<std::string>{std::string(kDefaultGroup)})
+    mesh.groupNames.front().clear();
   return mesh;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/mesh_patch.h"
 #include "io/mesh_text.h"
 #include "io/polygon_mesh.h"
 
@@ -14,10 +15,15 @@ std::string objBytes(const WritableMesh& mesh) {
     }
     text += '\n';
   }
-  for (const auto& t : mesh.mesh.triangles) {
-    text += 'f';
-    for (const std::uint32_t corner : t) text += ' ' + std::to_string(corner + 1);
-    text += '\n';
+  const auto patches = trianglesByPatch(mesh.mesh, mesh.patchNames.size());
+  for (std::size_t patch = 0; patch < patches.size(); ++patch) {
+    if (!mesh.mesh.patch.empty()) text += "g " + mesh.patchNames[patch] + "\n";
+    for (const std::uint32_t t : patches[patch]) {
+      text += 'f';
+      for (const std::uint32_t corner : mesh.mesh.triangles[t])
+        text += ' ' + std::to_string(corner + 1);
+      text += '\n';
+    }
   }
   return text;
 }

@@ -2,13 +2,17 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/surface/port.h"
 #include "io/mesh_number.h"
+#include "io/mesh_patch.h"
 #include "io/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kPatch = "patch";
 
 struct Property {
   std::string name;
@@ -25,6 +29,7 @@ struct Element {
 struct Header {
   Encoding encoding = Encoding::Ascii;
   std::vector<Element> elements;
+  std::map<std::uint32_t, std::string> patches;  ///< names
 };
 
 [[noreturn]] void broken(const fs::path& path, const std::string& what) {
@@ -43,6 +48,15 @@ Scalar scalarOf(std::string_view name, const fs::path& path) {
   const auto found = types.find(name);
   if (found == types.end()) broken(path, "unknown type '" + std::string(name) + "'");
   return found->second;
+}
+
+/// Of a comment: "patch 1 inlet".
+void readPatchName(TextScanner& comment, Header& header) {
+  double number = -1.0;
+  if (comment.word() != "patch" || !comment.number(number)) return;
+  const std::string_view name = comment.word();
+  if (number >= 0.0 && number <= 65535.0 && !name.empty())
+    header.patches.emplace(static_cast<std::uint32_t>(number), name);
 }
 
 Header readHeader(TextScanner& lines, PolygonMesh& mesh, const fs::path& path) {
@@ -67,6 +81,7 @@ Header readHeader(TextScanner& lines, PolygonMesh& mesh, const fs::path& path) {
       hasFormat = true;
     } else if (key == "comment" || key == "obj_info") {
       mesh.header.read(text);
+      readPatchName(scan, header);
     } else if (key == "element") {
       Element element;
       element.name = scan.word();
@@ -140,12 +155,14 @@ void readVertices(const Element& element, Body& body, PolygonMesh& mesh) {
   }
 }
 
-/// Faces, or an element of no interest (`mesh` null).
-void readRows(const Element& element, Body& body, PolygonMesh* mesh, const fs::path& path) {
+/// Faces with their patches, or an element of no interest (`mesh` null).
+void readRows(const Element& element, Body& body, PolygonMesh* mesh, std::vector<double>& patches,
+              const fs::path& path) {
   for (std::uint64_t i = 0; i < element.count; ++i)
     for (const Property& property : element.properties) {
       if (property.countType == Scalar::None) {
-        body.next(property.type);
+        const double value = body.next(property.type);
+        if (mesh != nullptr && property.name == kPatch) patches.push_back(value);
         continue;
       }
       const bool corners =
@@ -167,8 +184,9 @@ void readRows(const Element& element, Body& body, PolygonMesh* mesh, const fs::p
 PolygonMesh readPly(const std::string& bytes, const fs::path& path) {
   PolygonMesh mesh;
   TextScanner lines(bytes);
-  const Header header = readHeader(lines, mesh, path);
+  Header header = readHeader(lines, mesh, path);
   Body body(lines, header.encoding, path);
+  std::vector<double> patches;
   for (const Element& element : header.elements) {
     const auto has = [&](const char* name) {
       for (const Property& property : element.properties)
@@ -186,8 +204,12 @@ PolygonMesh readPly(const std::string& bytes, const fs::path& path) {
       mesh.hasNormals = has("nx") && has("ny") && has("nz");
       readVertices(element, body, mesh);
     } else {
-      readRows(element, body, element.name == "face" ? &mesh : nullptr, path);
+      readRows(element, body, element.name == "face" ? &mesh : nullptr, patches, path);
     }
+  }
+  if (!patches.empty()) {
+    header.patches.try_emplace(0, kWallName);
+    groupByNumber(mesh, patches, header.patches, "patch_");
   }
   return mesh;
 }

@@ -10,12 +10,16 @@ std::string headerOf(const WritableMesh& mesh) {
   std::string text = "ply\nformat ";
   text += binary ? "binary_little_endian" : "ascii";
   text += " 1.0\ncomment Angiomesh\ncomment " + headerWords(mesh.options, "\ncomment ") + "\n";
+  const bool patches = !mesh.mesh.patch.empty();
+  for (std::size_t patch = 0; patches && patch < mesh.patchNames.size(); ++patch)
+    text += "comment patch " + std::to_string(patch) + " " + mesh.patchNames[patch] + "\n";
   text += "element vertex " + std::to_string(mesh.mesh.points.size()) + "\n";
   text += "property double x\nproperty double y\nproperty double z\n";
   if (!mesh.normals.empty()) text += "property float nx\nproperty float ny\nproperty float nz\n";
   text += "element face " + std::to_string(mesh.mesh.triangles.size()) + "\n";
   text += "property list uchar int vertex_indices\n";
   if (!mesh.quality.empty()) text += "property float quality\n";
+  if (patches) text += "property int patch\n";
   return text + "end_header\n";
 }
 
@@ -38,12 +42,13 @@ void appendAscii(const WritableMesh& mesh, std::string& text) {
       text += ' ';
       appendShortest(text, static_cast<float>(mesh.quality[t]));
     }
+    if (!mesh.mesh.patch.empty()) text += ' ' + std::to_string(mesh.mesh.patch[t]);
     text += '\n';
   }
 }
 
 void appendBinary(const WritableMesh& mesh, std::string& bytes) {
-  bytes.reserve(bytes.size() + mesh.mesh.points.size() * 36 + mesh.mesh.triangles.size() * 17);
+  bytes.reserve(bytes.size() + mesh.mesh.points.size() * 36 + mesh.mesh.triangles.size() * 21);
   for (std::size_t v = 0; v < mesh.mesh.points.size(); ++v) {
     for (int a = 0; a < 3; ++a) appendRaw(bytes, mesh.mesh.points[v][a]);
     for (int a = 0; a < 3 && !mesh.normals.empty(); ++a)
@@ -54,6 +59,7 @@ void appendBinary(const WritableMesh& mesh, std::string& bytes) {
     for (const std::uint32_t corner : mesh.mesh.triangles[t])
       appendRaw(bytes, static_cast<std::int32_t>(corner));
     if (!mesh.quality.empty()) appendRaw(bytes, static_cast<float>(mesh.quality[t]));
+    if (!mesh.mesh.patch.empty()) appendRaw(bytes, std::int32_t{mesh.mesh.patch[t]});
   }
 }
 

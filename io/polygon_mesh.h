@@ -17,9 +17,11 @@ namespace angiomesh {
 struct PolygonMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::vector<std::uint32_t>> polygons;
-  std::vector<MeshPart> parts;  ///< of polygons
+  std::vector<std::uint32_t> groups;    ///< of polygons; empty: none
+  std::vector<std::string> groupNames;  ///< in the order of the file; empty: has none
   MeshHeader header;
   bool hasNormals = false, hasQuality = false;
+  bool oddGroups = false;  ///< were stated in a way that makes no sense, and left out
 };
 
 /// @throws IoError (truncated), InputError (not such a file)
@@ -44,12 +46,12 @@ struct WritableMesh {
   TriMesh mesh;
   std::vector<Eigen::Vector3d> normals;  ///< of vertices; empty: not wanted
   std::vector<double> quality;           ///< of triangles; empty: not wanted
+  std::vector<std::string> patchNames;   ///< see patchNamesFor()
   const MeshWriteOptions& options;
 };
 
 std::string plyBytes(const WritableMesh& mesh);
-/// @throws InputError: parts that overlap or leave triangles out
-std::string stlText(const WritableMesh& mesh, const std::filesystem::path& path);
+std::string stlText(const WritableMesh& mesh);
 std::string stlBytes(const WritableMesh& mesh);
 std::string objBytes(const WritableMesh& mesh);
 /// Not atomic. @throws IoError

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/files.h"
+#include "io/mesh_patch.h"
 #include "io/point_merger.h"
 #include "io/polygon_mesh.h"
 #include "io/text_scanner.h"
@@ -42,6 +43,8 @@ PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& pat
   };
   PolygonMesh mesh;
   PointMerger merger(mesh.points);
+  GroupsByName solids(mesh);
+  std::uint32_t solid = 0;
   TextScanner scan(bytes);
   bool ended = false;
   std::vector<std::uint32_t> face;
@@ -54,9 +57,9 @@ PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& pat
       if (!scan.number(x) || !scan.number(y) || !scan.number(z)) throw broken();
       face.push_back(merger.add(x, y, z));
     } else if (word == "endfacet") {
-      if (face.size() < 3 || mesh.parts.empty()) throw broken();
+      if (face.size() < 3 || mesh.groupNames.empty()) throw broken();
       mesh.polygons.push_back(face);
-      ++mesh.parts.back().count;
+      mesh.groups.push_back(solid);
       face.clear();
     } else if (word == "endsolid") {
       ended = true;
@@ -67,7 +70,7 @@ PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& pat
       // Any word may be in a name, so the line is taken as a whole.
       const std::string_view line = scan.line();
       mesh.header.read(line);
-      mesh.parts.push_back({nameOf(line), mesh.polygons.size(), 0});
+      solid = solids.number(nameOf(line));
     }
   }
   if (!ended || !face.empty()) throw broken();

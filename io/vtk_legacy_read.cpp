@@ -4,7 +4,9 @@
 
 #include "core/base/error.h"
 #include "io/mesh_number.h"
+#include "io/mesh_patch.h"
 #include "io/polygon_mesh.h"
+#include "io/vtp_data.h"
 
 namespace angiomesh {
 namespace {
@@ -26,11 +28,11 @@ class LegacyReader {
       } else if (word == "POINTS") {
         readPoints();
       } else if (word == "VERTICES" || word == "LINES") {
-        readCells();
+        others_ += readCells().size();
       } else if (word == "POLYGONS") {
         for (auto& polygon : readCells()) mesh_.polygons.push_back(std::move(polygon));
       } else if (word == "TRIANGLE_STRIPS") {
-        for (const auto& strip : readCells()) appendStrip(strip, mesh_.polygons);
+        for (auto& strip : readCells()) strips_.push_back(std::move(strip));
       } else if (word == "METADATA") {
         skipMetadata();
       } else if (word == "FIELD") {
@@ -38,11 +40,15 @@ class LegacyReader {
       } else if (word == "POINT_DATA" || word == "CELL_DATA") {
         mesh_.hasNormals = text_.rest().find("\nNORMALS ") != std::string_view::npos;
         mesh_.hasQuality = text_.rest().find("\nSCALARS quality ") != std::string_view::npos;
+        findFaces(word);
         break;
       } else {
         throwTruncated(path_);
       }
     }
+    if (!faces_.empty()) takeFaces();
+    for (const auto& strip : strips_) appendStrip(strip, mesh_.polygons);
+    if (!faces_.empty()) groupByNumber(mesh_, faces_, {}, "face_");
     return std::move(mesh_);
   }
 
@@ -163,6 +169,51 @@ class LegacyReader {
     while (!text_.done() && !text_.line().empty()) continue;
   }
 
+  /// Of the attributes behind the cells only one array is of interest: it is looked for by its
+  /// name, among the cells' attributes and not the points'.
+  void findFaces(std::string_view section) {
+    std::string_view attributes = text_.rest();
+    if (section == "POINT_DATA") {
+      const std::size_t cells = attributes.find("\nCELL_DATA ");
+      if (cells == std::string_view::npos) return;
+      attributes.remove_prefix(cells);
+    } else {
+      attributes = attributes.substr(0, attributes.find("\nPOINT_DATA "));
+    }
+    const std::size_t cells = others_ + mesh_.polygons.size() + strips_.size();
+    const std::string name(kFaceId);
+    if (const std::size_t at = attributes.find("\nSCALARS " + name + " ");
+        at != std::string_view::npos) {
+      text_ = TextScanner(attributes.substr(at + 10 + name.size()));
+      const Scalar type = typeOf(text_.word(false));
+      if (text_.word(false) == "1" || text_.rest().starts_with('\n')) {
+        text_.line();
+        readFaces(cells, type);
+      }
+    } else if (const std::size_t in = attributes.find("\n" + name + " 1 ");
+               in != std::string_view::npos) {
+      text_ = TextScanner(attributes.substr(in + 4 + name.size()));
+      if (takeCount() != cells) return;
+      readFaces(cells, typeOf(text_.word(false)));
+    }
+  }
+
+  void readFaces(std::size_t cells, Scalar type) {
+    beginBlock(cells, type);
+    for (std::size_t c = 0; c < cells; ++c) faces_.push_back(take(type));
+  }
+
+  /// From one for each cell to one for each polygon: strips come last and are of several triangles.
+  void takeFaces() {
+    const std::size_t polygons = others_ + mesh_.polygons.size();
+    std::vector<double> faces(faces_.begin() + static_cast<std::ptrdiff_t>(others_),
+                              faces_.begin() + static_cast<std::ptrdiff_t>(polygons));
+    for (std::size_t s = 0; s < strips_.size(); ++s)
+      if (strips_[s].size() >= 3)
+        faces.insert(faces.end(), strips_[s].size() - 2, faces_[polygons + s]);
+    faces_ = std::move(faces);
+  }
+
   void skipField() {
     text_.word();
     for (std::size_t arrays = takeCount(); arrays > 0; --arrays) {
@@ -183,6 +234,9 @@ class LegacyReader {
   TextScanner text_;
   const fs::path& path_;
   PolygonMesh mesh_;
+  Cells strips_;
+  std::size_t others_ = 0;     ///< points and lines, which are no surface
+  std::vector<double> faces_;  ///< of the cells, then of the polygons
   Encoding encoding_ = Encoding::Ascii;
   bool newCells_ = false;
 };

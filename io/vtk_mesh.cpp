@@ -5,6 +5,7 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
+#include <vtkIntArray.h>
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>
 #include <vtkNew.h>
@@ -67,11 +68,20 @@ bool succeeds(const Work& work) {
   return fine && !messages->caught();
 }
 
-void addField(vtkPolyData* data, const char* name, const std::string& text) {
+void addField(vtkPolyData* data, const char* name, const std::vector<std::string>& texts) {
   vtkNew<vtkStringArray> array;
   array->SetName(name);
-  array->InsertNextValue(text);
+  for (const std::string& text : texts) array->InsertNextValue(text);
   data->GetFieldData()->AddArray(array);
+}
+
+/// As SimVascular has them: its faces count from 1.
+void addPatches(vtkPolyData* data, const WritableMesh& mesh) {
+  vtkNew<vtkIntArray> faces;
+  faces->SetName(kFaceId);
+  for (const std::uint16_t patch : mesh.mesh.patch) faces->InsertNextValue(patch + 1);
+  data->GetCellData()->AddArray(faces);
+  addField(data, kFaceNames, mesh.patchNames);
 }
 
 vtkSmartPointer<vtkPoints> toVtk(const std::vector<Eigen::Vector3d>& from) {
@@ -176,9 +186,10 @@ void writeVtp(const WritableMesh& mesh, const fs::path& path) {
       quality->SetTuple(static_cast<vtkIdType>(t), &mesh.quality[t]);
     data->GetCellData()->SetScalars(quality);
   }
-  addField(data, "SPACE", frameWord(options.frame));
-  addField(data, "UNIT", unitWord(options.unit));
-  if (const std::string key = cleanKey(options.key); !key.empty()) addField(data, "KEY", key);
+  if (!mesh.mesh.patch.empty()) addPatches(data, mesh);
+  addField(data, "SPACE", {frameWord(options.frame)});
+  addField(data, "UNIT", {unitWord(options.unit)});
+  if (const std::string key = cleanKey(options.key); !key.empty()) addField(data, "KEY", {key});
   vtkNew<vtkXMLPolyDataWriter> writer;
   if (!succeeds([&] {
         writer->SetInputData(data);

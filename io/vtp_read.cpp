@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/mesh_number.h"
+#include "io/mesh_patch.h"
 #include "io/polygon_mesh.h"
 #include "io/vtp_data.h"
 
@@ -33,6 +34,7 @@ class VtpReader {
       at = xml_.find('<', end);
     }
     if (piece_) finishPiece();
+    if (!faces_.empty()) groupByNumber(mesh_, faces_, std::move(faceNames_), "face_");
     return std::move(mesh_);
   }
 
@@ -78,6 +80,7 @@ class VtpReader {
       points_ = countOf(tag, "NumberOfPoints");
       polys_ = countOf(tag, "NumberOfPolys");
       strips_ = countOf(tag, "NumberOfStrips");
+      others_ = countOf(tag, "NumberOfVerts") + countOf(tag, "NumberOfLines");
       arrays_.clear();
       if (tag.ends_with('/')) finishPiece();
     } else if (name == "PointData" || name == "CellData") {
@@ -112,9 +115,13 @@ class VtpReader {
     const std::string_view name = xmlAttribute(tag, "Name").value_or("");
     if (section_ == "FieldData") {
       if (name == "SPACE" || name == "UNIT" || name == "KEY")
-        mesh_.header.read(std::string(name) + "=" + textOf(arrayOf(tag, content)));
+        mesh_.header.read(std::string(name) + "=" + textsOf(arrayOf(tag, content)).front());
+      if (name == kFaceNames) takeFaceNames(textsOf(arrayOf(tag, content)));
     } else if (section_ == "PointData" || section_ == "CellData") {
       mesh_.hasQuality = mesh_.hasQuality || name == "quality";
+      if (section_ == "CellData" && name == kFaceId &&
+          xmlAttribute(tag, "NumberOfComponents").value_or("1") == "1")
+        arrays_[kFaceId] = arrayOf(tag, content);
     } else if (section_ == "Points") {
       if (countOf(tag, "NumberOfComponents") != 3) throwTruncated(path_);
       arrays_["Points"] = arrayOf(tag, content);
@@ -147,17 +154,43 @@ class VtpReader {
     return array;
   }
 
-  /// Of a string array: its first string.
-  std::string textOf(const Array& array) const {
-    std::string text;
-    if (array.encoding != Encoding::Ascii) {
-      text = array.bytes;
-    } else {
+  /// Of a string array, one at least. What is no ASCII becomes '?'.
+  static std::vector<std::string> textsOf(const Array& array) {
+    std::string bytes = array.bytes;
+    if (array.encoding == Encoding::Ascii) {
       TextScanner scan(array.text);
-      for (double code = 0.0; scan.number(code) && code > 0.0 && code < 128.0;)
-        text += static_cast<char>(code);
+      for (double code = 0.0; scan.number(code);)
+        bytes += code >= 0.0 && code < 128.0 ? static_cast<char>(code) : '?';
     }
-    return text.substr(0, text.find('\0'));
+    std::vector<std::string> texts;
+    for (std::size_t at = 0; at < bytes.size() || texts.empty();) {
+      const std::size_t end = std::min(bytes.find('\0', at), bytes.size());
+      texts.push_back(bytes.substr(at, end - at));
+      at = end + 1;
+    }
+    return texts;
+  }
+
+  void takeFaceNames(const std::vector<std::string>& names) {
+    for (std::uint32_t n = 0; n < names.size(); ++n)
+      if (!names[n].empty()) faceNames_[n + 1] = names[n];
+  }
+
+  /// The face of each polygon of the piece; of the cells, points and lines come first and strips,
+  /// of several triangles each, last.
+  void takeFaces(const std::vector<std::vector<std::uint32_t>>& polygons,
+                 const std::vector<std::vector<std::uint32_t>>& strips) {
+    if (arrays_.count(kFaceId) == 0) return;
+    const std::vector<double> faces = numbers(kFaceId, others_ + polys_ + strips_);
+    auto face = faces.begin() + static_cast<std::ptrdiff_t>(others_);
+    for (const auto& polygon : polygons) {
+      if (polygon.size() >= 3) faces_.push_back(*face);
+      ++face;
+    }
+    for (const auto& strip : strips) {
+      if (strip.size() >= 3) faces_.insert(faces_.end(), strip.size() - 2, *face);
+      ++face;
+    }
   }
 
   /// Exactly `count` numbers where that is given, else all there are.
@@ -215,10 +248,12 @@ class VtpReader {
       for (std::size_t i = 0; i + 2 < values.size(); i += 3)
         mesh_.points.emplace_back(values[i], values[i + 1], values[i + 2]);
     }
-    for (auto& polygon : cells("Polys", polys_, firstPoint))
+    auto polygons = cells("Polys", polys_, firstPoint);
+    const auto strips = cells("Strips", strips_, firstPoint);
+    takeFaces(polygons, strips);
+    for (auto& polygon : polygons)
       if (polygon.size() >= 3) mesh_.polygons.push_back(std::move(polygon));
-    for (const auto& strip : cells("Strips", strips_, firstPoint))
-      appendStrip(strip, mesh_.polygons);
+    for (const auto& strip : strips) appendStrip(strip, mesh_.polygons);
   }
 
   std::string_view xml_;
@@ -231,7 +266,10 @@ class VtpReader {
   std::string_view section_;
   bool piece_ = false;  ///< one is open
   std::uint64_t points_ = 0, polys_ = 0, strips_ = 0;
+  std::uint64_t others_ = 0;             ///< points and lines, which are no surface
   std::map<std::string, Array> arrays_;  ///< of the piece
+  std::vector<double> faces_;            ///< of the mesh's polygons
+  std::map<std::uint32_t, std::string> faceNames_;
 };
 
 }  // namespace

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "app/cli/commands.h"
 #include "app/cli/mesh_files.h"
@@ -32,43 +29,11 @@ bool isMeshName(const fs::path& path) {
   return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
 }
 
-/// Whether a name holds nothing but words that models for flow solvers use, and numbers.
-bool isPlainName(const std::string& name) {
-  static const std::set<std::string> words{
-      "aneurysm", "aorta",   "artery", "boundary", "branch",  "cap",   "end",
-      "face",     "in",      "inflow", "inlet",    "left",    "lumen", "mesh",
-      "out",      "outflow", "outlet", "part",     "patch",   "right", "solid",
-      "stl",      "surface", "vein",   "vessel",   "vessels", "wall",  "walls"};
-  std::string word;
-  for (const char c : name + ' ') {
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      continue;
-    }
-    if (!word.empty() && words.count(word) == 0) return false;
-    word.clear();
-  }
-  // A long number may be a patient's.
-  return std::count_if(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; }) <= 3;
-}
-
-/// Solids whose names may be those of files and patients by number; `any`: there were some.
-std::vector<MeshPart> withoutNames(std::vector<MeshPart> parts, bool& any) {
-  int number = 0;
-  for (MeshPart& part : parts) {
-    ++number;
-    if (isPlainName(part.name)) continue;
-    any = true;
-    part.name = parts.size() == 1 ? "surface" : "part-" + std::to_string(number);
-  }
-  return parts;
-}
-
 int convertMesh(const ConvertOptions& options) {
-  const bool hasSolids = options.ascii && meshExtension(options.output) == ".stl";
-  if (options.solidNames && !hasSolids)
-    throw InputError("only ASCII STL has solids with names", "--solid-names",
-                     "leave it out, or write .stl with --ascii");
+  const bool hasNames = options.ascii || meshExtension(options.output) != ".stl";
+  if (options.solidNames && !hasNames)
+    throw InputError("a binary STL file has no names of patches", "--solid-names",
+                     "leave it out, or write .stl with --ascii, .ply, .vtp or .obj");
   const LoadedMesh loaded =
       loadMesh(options.input, meshReadOptions(options.fromFrame, options.fromUnit));
   for (const std::string& warning : loaded.warnings) printWarning(warning);
@@ -83,10 +48,10 @@ int convertMesh(const ConvertOptions& options) {
   write.quality = options.quality;
   write.key = loaded.key;
   bool numbered = false;
-  if (hasSolids)
-    write.parts = options.solidNames ? loaded.parts : withoutNames(loaded.parts, numbered);
-  if (numbered && loaded.parts.size() > 1)
-    printWarning("solids are numbered whose names may tell who the patient is, " + options.input +
+  write.patchNames =
+      options.solidNames ? loaded.patchNames : plainPatchNames(loaded.patchNames, numbered);
+  if (numbered && loaded.patchNames.size() > 1 && hasNames)
+    printWarning("patches are numbered whose names may tell who the patient is, " + options.input +
                  ": give --solid-names to keep them");
   writeChecked(loaded.mesh, options.output, options.output, write);
   return Done;
@@ -138,7 +103,8 @@ void addConvert(CLI::App& program, Session& session) {
       command->add_flag("--quality", options->quality,
                         "Write each face's radius ratio, 1 if equilateral (PLY, VTP)"),
       command->add_flag("--solid-names", options->solidNames,
-                        "Keep the names of an ASCII STL file's solids (ASCII STL)")};
+                        "Keep the names of solids, groups and faces (patches: inlets, outlets), "
+                        "whatever they tell")};
   command->callback([options, ofMeshes, &session] {
     for (const CLI::Option* option : ofMeshes)
       if (option->count() > 0) options->meshOption = option->get_name();

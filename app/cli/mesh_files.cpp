@@ -1,9 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/mesh_files.h"
 
+#include <algorithm>
+#include <cctype>
+#include <set>
+
 #include "app/cli/session.h"
 
 namespace angiomesh::cli {
+namespace {
+
+/// Whether a name holds nothing but words that models for flow solvers use, and numbers.
+bool isPlainName(const std::string& name) {
+  static const std::set<std::string> words{
+      "aneurysm", "aorta",   "artery", "boundary", "branch",  "cap",   "end",
+      "face",     "in",      "inflow", "inlet",    "left",    "lumen", "mesh",
+      "out",      "outflow", "outlet", "part",     "patch",   "right", "solid",
+      "stl",      "surface", "vein",   "vessel",   "vessels", "wall",  "walls"};
+  std::string word;
+  for (const char c : name + ' ') {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      continue;
+    }
+    if (!word.empty() && words.count(word) == 0) return false;
+    word.clear();
+  }
+  // A long number may be a patient's.
+  return std::count_if(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; }) <= 3;
+}
+
+}  // namespace
 
 Frame frameFromOption(const std::string& word) { return word == "ras" ? Frame::Ras : Frame::Lps; }
 
@@ -16,6 +43,15 @@ MeshReadOptions meshReadOptions(const std::string& frame, const std::string& uni
   if (!frame.empty()) options.frame = frameFromOption(frame);
   if (!unit.empty()) options.unit = unitFromOption(unit);
   return options;
+}
+
+std::vector<std::string> plainPatchNames(std::vector<std::string> names, bool& any) {
+  for (std::size_t patch = 0; patch < names.size(); ++patch) {
+    if (isPlainName(names[patch])) continue;
+    any = true;
+    names[patch] = names.size() == 1 ? "surface" : "part-" + std::to_string(patch);
+  }
+  return names;
 }
 
 void writeChecked(const TriMesh& mesh, const std::filesystem::path& place, const std::string& name,

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "io/mesh_io.h"
 
@@ -14,6 +15,10 @@ LengthUnit unitFromOption(const std::string& word);
 
 /// Of the two words; empty: by the file's header.
 MeshReadOptions meshReadOptions(const std::string& frame, const std::string& unit);
+
+/// Names of patches of a file of anybody: those that may be of files and patients become numbers;
+/// `any`: there were some.
+std::vector<std::string> plainPatchNames(std::vector<std::string> names, bool& any);
 
 /// Writes a mesh, says its warnings with `name`, and reads it back to see that the file holds it.
 /// @throws as writeMesh() and checkMeshFile()

@@ -63,7 +63,10 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
                 params.surface.spline);
   const TriMesh smooth =
       smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr, progress.sub(0.3, 1.0));
-  writeChecked(smooth, options.output, options.output);
+  MeshWriteOptions write;
+  bool numbered = false;
+  write.patchNames = plainPatchNames(loaded.patchNames, numbered);
+  writeChecked(smooth, options.output, options.output, write);
   return Done;
 }
 

@@ -34,6 +34,17 @@ class TestConvert : public QObject {
     return sum / static_cast<double>(mesh.points.size());
   }
 
+  /// A cube: "wall_1" of eight triangles and "roe_jane" of four, two opposite sides.
+  void writeSolids() const {
+    TriMesh mesh = shapes::cube();
+    mesh.patch = readPatches();
+    MeshWriteOptions write;
+    write.encoding = MeshEncoding::Ascii;
+    write.patchNames = {"wall", "wall_1", "roe_jane"};
+    writeMesh(mesh, at("solids.stl"), write);
+  }
+  static std::vector<std::uint16_t> readPatches() { return {1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2}; }
+
  private Q_SLOTS:
   void initTestCase() {
     TriMesh ball = shapes::icosphere(2);
@@ -124,11 +135,7 @@ class TestConvert : public QObject {
   }
 
   void solidsGoFromStlToStl() {
-    TriMesh mesh = shapes::cube();
-    MeshWriteOptions write;
-    write.encoding = MeshEncoding::Ascii;
-    write.parts = {{"wall_1", 0, 8}, {"roe_jane", 8, 4}};
-    writeMesh(mesh, at("solids.stl"), write);
+    writeSolids();
     for (const bool named : {false, true}) {
       QStringList command{"convert", "solids.stl", "-o", "again.stl", "--ascii"};
       if (named) command << "--solid-names";
@@ -136,11 +143,48 @@ class TestConvert : public QObject {
       QCOMPARE(result.code, 0);
       QCOMPARE(result.errors.contains("--solid-names"), !named);
       const LoadedMesh back = loadMesh(at("again.stl"));
-      QCOMPARE(back.parts.size(), std::size_t{2});
-      QCOMPARE(back.parts[0].name, std::string("wall_1"));
-      QCOMPARE(back.parts[1].name, std::string(named ? "roe_jane" : "part-2"));
-      QCOMPARE(back.parts[1].first, std::size_t{8});
+      QCOMPARE(back.patchNames,
+               (std::vector<std::string>{"wall", "wall_1", named ? "roe_jane" : "part-2"}));
+      QCOMPARE(back.mesh.patch, readPatches());
     }
+  }
+
+  void patchesGoFromFormatToFormat_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"again.ply", "again.obj", "again.vtp"}) QTest::newRow(name) << name;
+  }
+  void patchesGoFromFormatToFormat() {
+    QFETCH(QString, name);
+    writeSolids();
+    for (const bool named : {false, true}) {
+      QStringList command{"convert", "solids.stl", "-o", name};
+      if (named) command << "--solid-names";
+      const CliResult result = cli(command);
+      QCOMPARE(result.code, 0);
+      QCOMPARE(result.errors.contains("--solid-names"), !named);
+      const LoadedMesh back = loadMesh(at(name));
+      QCOMPARE(back.patchNames.back(), std::string(named ? "roe_jane" : "part-2"));
+      QCOMPARE(back.mesh.patch, readPatches());
+    }
+  }
+
+  void aBinaryStlFileSaysThatItLosesThePatches() {
+    writeSolids();
+    const CliResult result = cli({"convert", "solids.stl", "-o", "lost.stl"});
+    QCOMPARE(result.code, 0);
+    QVERIFY(result.errors.contains("patches are lost") && result.errors.contains("VTP"));
+    QVERIFY(!result.errors.contains("--solid-names"));
+    QVERIFY(loadMesh(at("lost.stl")).mesh.patch.empty());
+  }
+
+  void smoothingKeepsThePatches() {
+    writeSolids();
+    const CliResult result =
+        cli({"smooth", "solids.stl", "-o", "smooth.vtp", "--set", "smooth.method=taubin"});
+    QVERIFY2(result.code == 0, result.errors.constData());
+    const LoadedMesh back = loadMesh(at("smooth.vtp"));
+    QCOMPARE(back.mesh.patch, readPatches());
+    QCOMPARE(back.patchNames.back(), std::string("part-2"));
   }
 
   void whatTheOutputHasNotIsRefused_data() {

@@ -32,6 +32,28 @@ inline TriMesh octahedron() {
   return mesh;
 }
 
+/// A closed tube about the z axis: patch 1 is the cap at z = 0, patch 2 the one at the other end;
+/// each a fan about its centre.
+inline TriMesh cappedTube(int around, int rings, double radius) {
+  TriMesh mesh = shapes::openTube(around, rings, radius);
+  mesh.patch.assign(mesh.triangles.size(), 0);
+  const auto cap = [&](int ring, std::uint16_t patch) {
+    const double z = mesh.points[static_cast<std::size_t>(ring * around)].z();
+    const auto centre = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.emplace_back(0.0, 0.0, z);
+    for (int i = 0; i < around; ++i) {
+      auto a = static_cast<std::uint32_t>(ring * around + i);
+      auto b = static_cast<std::uint32_t>(ring * around + (i + 1) % around);
+      if (ring == 0) std::swap(a, b);
+      mesh.triangles.push_back({centre, a, b});
+      mesh.patch.push_back(patch);
+    }
+  };
+  cap(0, 1);
+  cap(rings - 1, 2);
+  return mesh;
+}
+
 inline TriMesh insideOut(TriMesh mesh) {
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;

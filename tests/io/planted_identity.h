@@ -215,11 +215,19 @@ inline std::vector<fs::path> savePlantedMeshes(const fs::path& folder) {
   std::string stl = bytesOf(file("_binary.stl"));
   const std::string head = "Model of " + planted(key);
   save(file("_binary.stl"), stl.replace(0, head.size(), head));
-  ascii.parts = {{std::string(kPerson) + "_wall", 0, 40},
-                 {std::string(kPerson) + "_inlet", 40, 40}};
-  writeMesh(ball, file(".stl"), ascii);
-  ascii.parts = {{kPerson, 0, 80}};
+  ascii.patchNames = {kPerson};
   writeMesh(ball, file("_one.stl"), ascii);
+  TriMesh patched = ball;
+  patched.patch.assign(80, 0);
+  std::fill(patched.patch.begin() + 40, patched.patch.end(), std::uint16_t{1});
+  ascii.patchNames = {std::string(kPerson) + "_wall", std::string(kPerson) + "_inlet"};
+  writeMesh(patched, file(".stl"), ascii);
+  binary.patchNames = ascii.patchNames;
+  writeMesh(patched, file("_patches.ply"), ascii);
+  writeMesh(patched, file("_patches.obj"), binary);
+  writeMesh(patched, file("_patches.vtp"), binary);
+  save(file("_patches.vtp"), withBehind(bytesOf(file("_patches.vtp")), "<FieldData>",
+                                        "<!-- " + planted("comment") + " -->"));
   writeMesh(ball, file(".vtp"), binary);
   save(file(".vtp"),
        withBehind(bytesOf(file(".vtp")), "<FieldData>",
@@ -236,8 +244,9 @@ inline std::vector<fs::path> savePlantedMeshes(const fs::path& folder) {
     vtk += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) +
            "\n";
   save(file(".vtk"), vtk);
-  return {file(".ply"),     file(".obj"), file("_binary.stl"), file(".stl"),
-          file("_one.stl"), file(".vtp"), file(".vtk")};
+  return {file(".ply"),         file(".obj"),        file("_binary.stl"), file(".stl"),
+          file("_one.stl"),     file(".vtp"),        file(".vtk"),        file("_patches.ply"),
+          file("_patches.obj"), file("_patches.vtp")};
 }
 
 }  // namespace angiomesh::test

@@ -229,13 +229,8 @@ class TestMeshIo : public QObject {
     const LoadedMesh mesh = loadMesh(folder / "m.stl");
     QCOMPARE(mesh.mesh.triangles.size(), std::size_t{4});
     QCOMPARE(mesh.mesh.points[1].x(), 1000.0);
-    const std::vector<std::string> names{"wall", "facet", "", "empty"};
-    const std::vector<std::size_t> counts{2, 1, 1, 0};
-    QCOMPARE(mesh.parts.size(), names.size());
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      QCOMPARE(mesh.parts[i].name, names[i]);
-      QCOMPARE(mesh.parts[i].count, counts[i]);
-    }
+    QCOMPARE(mesh.patchNames, (std::vector<std::string>{"wall", "facet", "patch_2", "empty"}));
+    QCOMPARE(mesh.mesh.patch, (std::vector<std::uint16_t>{0, 0, 1, 2}));
   }
 
   void theUserKnowsFrameAndUnitBetter() {

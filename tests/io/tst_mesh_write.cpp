@@ -16,7 +16,6 @@
 #include <QTest>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "core/base/error.h"
 #include "core/quality/triangle_shape.h"
@@ -312,50 +311,11 @@ class TestMeshWrite : public QObject {
     QVERIFY(!fs::exists(folder / "big.stl"));
   }
 
-  void solidsKeepTheirNamesAndTriangles() {
-    const Folder folder;
-    const TriMesh mesh = shapes::cube();
-    MeshWriteOptions options;
-    options.encoding = MeshEncoding::Ascii;
-    options.parts = {{"outlet 1\n", 4, 2}, {"wall", 0, 4}, {"SPACE=RAS", 6, 4}, {"wall", 10, 2}};
-    writeMesh(mesh, folder / "m.stl", options);
-    const LoadedMesh back = loadMesh(folder / "m.stl");
-    QCOMPARE(back.parts.size(), std::size_t{4});
-    const std::vector<std::string> names{"wall", "outlet_1_", "SPACE_RAS", "wall-2"};
-    const std::vector<std::size_t> firsts{0, 4, 6, 10}, counts{4, 2, 4, 2};
-    for (std::size_t i = 0; i < 4; ++i) {
-      QCOMPARE(back.parts[i].name, names[i]);
-      QCOMPARE(back.parts[i].first, firsts[i]);
-      QCOMPARE(back.parts[i].count, counts[i]);
-    }
-    QVERIFY(back.frame == Frame::Lps);
-    QVERIFY(isClosed(back.mesh));
-    checkMeshFile(mesh, folder / "m.stl", options);
-  }
-
-  void unusablePartsAndOptionsAreRefused() {
+  void unusableMeshesAndOptionsAreRefused() {
     const Folder folder;
     const TriMesh mesh = shapes::cube();
     MeshWriteOptions ascii;
     ascii.encoding = MeshEncoding::Ascii;
-    constexpr auto kHuge = std::numeric_limits<std::size_t>::max();
-    const std::vector<std::vector<MeshPart>> bad{{{"a", 0, 13}},
-                                                 {{"a", 13, 0}},
-                                                 {{"a", 2, kHuge}},
-                                                 {{"a", 0, 6}, {"b", 5, 7}},
-                                                 {{"a", 0, 6}, {"b", 7, 5}},
-                                                 {{"a", 0, 11}},
-                                                 {{"a", 0, 12}, {"b", 0, 12}}};
-    for (const auto& parts : bad) {
-      ascii.parts = parts;
-      const QString message = messageOf([&] { writeMesh(mesh, folder / "m.stl", ascii); });
-      QVERIFY2(message.contains("the part '"), qPrintable(message));
-    }
-    MeshWriteOptions parts;
-    parts.parts = {{"a", 0, 12}};
-    QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / "m.stl", parts), InputError);
-    QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / "m.ply", parts), InputError);
-    ascii.parts.clear();
     QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / "m.vtp", ascii), InputError);
     MeshWriteOptions normals, quality;
     normals.normals = quality.quality = true;
@@ -368,6 +328,9 @@ class TestMeshWrite : public QObject {
     QVERIFY_EXCEPTION_THROWN(writeMesh(broken, folder / "m.ply"), InputError);
     broken = mesh;
     broken.triangles[0][0] = 8;
+    QVERIFY_EXCEPTION_THROWN(writeMesh(broken, folder / "m.ply"), InputError);
+    broken = mesh;
+    broken.patch = {0, 1};
     QVERIFY_EXCEPTION_THROWN(writeMesh(broken, folder / "m.ply"), InputError);
     QCOMPARE(entriesOf(folder.path()), 0);
   }
