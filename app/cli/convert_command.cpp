@@ -10,6 +10,7 @@
 #include "io/image_io.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
+#include "io/patch_files.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -20,7 +21,7 @@ struct ConvertOptions {
   ReadOptions reading;
   std::optional<int> component;
   std::string input, output, unit = "mm", frame = "lps", fromFrame, fromUnit;
-  bool ascii = false, normals = false, quality = false, solidNames = false;
+  bool ascii = false, normals = false, quality = false, solidNames = false, patchFiles = false;
   std::string meshOption;  ///< one that was given and means nothing for a volume
 };
 
@@ -31,11 +32,14 @@ bool isMeshName(const fs::path& path) {
 
 int convertMesh(const ConvertOptions& options) {
   const bool hasNames = options.ascii || meshExtension(options.output) != ".stl";
-  if (options.solidNames && !hasNames)
+  if (options.solidNames && !hasNames && !options.patchFiles)
     throw InputError("a binary STL file has no names of patches", "--solid-names",
                      "leave it out, or write .stl with --ascii, .ply, .vtp or .obj");
   const LoadedMesh loaded =
       loadMesh(options.input, meshReadOptions(options.fromFrame, options.fromUnit));
+  if (options.patchFiles && loaded.mesh.patch.empty())
+    throw InputError("the mesh has no patches", options.input,
+                     "leave --patch-files out, or give a mesh with named solids, groups or faces");
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   if (!loaded.frameStated && options.fromFrame.empty())
     printWarning("the mesh does not say its frame, LPS is taken, " + options.input +
@@ -50,10 +54,11 @@ int convertMesh(const ConvertOptions& options) {
   bool numbered = false;
   write.patchNames =
       options.solidNames ? loaded.patchNames : plainPatchNames(loaded.patchNames, numbered);
-  if (numbered && loaded.patchNames.size() > 1 && hasNames)
+  if (numbered && loaded.patchNames.size() > 1 && (hasNames || options.patchFiles))
     printWarning("patches are numbered whose names may tell who the patient is, " + options.input +
                  ": give --solid-names to keep them");
   writeChecked(loaded.mesh, options.output, options.output, write);
+  if (options.patchFiles) writePatchFiles(loaded.mesh, options.output, write);
   return Done;
 }
 
@@ -104,7 +109,9 @@ void addConvert(CLI::App& program, Session& session) {
                         "Write each face's radius ratio, 1 if equilateral (PLY, VTP)"),
       command->add_flag("--solid-names", options->solidNames,
                         "Keep the names of solids, groups and faces (patches: inlets, outlets), "
-                        "whatever they tell")};
+                        "whatever they tell"),
+      command->add_flag("--patch-files", options->patchFiles,
+                        "Write each patch to a file of its own, too: NAME_PATCH beside NAME")};
   command->callback([options, ofMeshes, &session] {
     for (const CLI::Option* option : ofMeshes)
       if (option->count() > 0) options->meshOption = option->get_name();

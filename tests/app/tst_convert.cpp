@@ -177,6 +177,25 @@ class TestConvert : public QObject {
     QVERIFY(loadMesh(at("lost.stl")).mesh.patch.empty());
   }
 
+  void eachPatchGoesToAFileOfItsOwn() {
+    writeSolids();
+    const CliResult result = cli({"convert", "solids.stl", "-o", "all.ply", "--patch-files",
+                                  "--solid-names", "--unit", "m"});
+    QVERIFY2(result.code == 0 && result.errors.isEmpty(), result.errors.constData());
+    QCOMPARE(readMesh(at("all.ply")).triangles.size(), std::size_t{12});
+    const LoadedMesh first = loadMesh(at("all_wall_1.ply")),
+                     second = loadMesh(at("all_roe_jane.ply"));
+    QCOMPARE(first.mesh.triangles.size(), std::size_t{8});
+    QCOMPARE(second.mesh.triangles.size(), std::size_t{4});
+    QVERIFY(second.unit == LengthUnit::Metre);
+    QVERIFY(std::abs(surfaceAreaMm2(first.mesh) - 4.0) < 1e-9);
+    QVERIFY(std::abs(surfaceAreaMm2(second.mesh) - 2.0) < 1e-9);
+    QVERIFY(!std::filesystem::exists(at("all_wall.ply")));
+    const CliResult none = cli({"convert", "ball.ply", "-o", "none.ply", "--patch-files"});
+    QCOMPARE(none.code, 2);
+    QVERIFY(none.errors.contains("no patches") && !std::filesystem::exists(at("none.ply")));
+  }
+
   void smoothingKeepsThePatches() {
     writeSolids();
     const CliResult result =
@@ -193,7 +212,7 @@ class TestConvert : public QObject {
          {"convert ball.ply -o x.stl --normals", "convert ball.ply -o x.obj --quality",
           "convert ball.ply -o x.vtp --ascii", "convert ball.ply -o x.nrrd --unit m",
           "convert ball.ply -o x.nrrd --ascii", "convert ball.ply -o x.ply --from-frame up",
-          "convert ball.ply -o x.stl --solid-names"})
+          "convert ball.ply -o x.stl --solid-names", "convert ball.ply -o x.nrrd --patch-files"})
       QTest::newRow(line) << line;
   }
   void whatTheOutputHasNotIsRefused() {

@@ -198,6 +198,7 @@ class TestPrivacy : public QObject {
       for (const char* end : {".ply", ".stl"})
         done({"convert", text(input), "-o", QString::number(++n) + end, "--ascii"});
     }
+    done({"convert", text(meshes_[3]), "-o", "parts.ply", "--patch-files"});
     verifyNothingTold();
   }
 

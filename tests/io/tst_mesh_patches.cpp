@@ -25,6 +25,7 @@
 #include "core/surface/outward.h"
 #include "core/surface/port.h"
 #include "io/mesh_io.h"
+#include "io/patch_files.h"
 #include "tests/io/io_test.h"
 #include "tests/io/mesh_samples.h"
 
@@ -434,6 +435,27 @@ class TestMeshPatches : public QObject {
     other = mesh;
     for (auto& patch : other.patch) patch = patch == 0 ? 0 : 3 - patch;
     QVERIFY(complaint(other, options.patchNames).contains("the port 'in' has its centre"));
+  }
+
+  void patchesGoToFilesOfTheirOwn() {
+    const Folder folder;
+    for (const char* name : {"m.stl", "m.ply", "m.obj", "m.vtp"}) {
+      const MeshWriteOptions options = named({"wall", "../in", "a/IN"});
+      const auto files = writePatchFiles(insideOut(tube()), folder / name, options);
+      QCOMPARE(files.size(), std::size_t{3});
+      const std::string end = fs::path(name).extension().string();
+      QCOMPARE(files[0], folder / ("m_wall" + end));
+      QCOMPARE(files[1], folder / ("m__._in" + end));
+      QCOMPARE(files[2], folder / ("m_a_IN" + end));
+      const TriMesh cap = readMesh(files[1]);
+      QCOMPARE(cap.triangles.size(), std::size_t{kAround});
+      QCOMPARE(cap.points.size(), std::size_t{kAround + 1});
+      TriMesh patch = cap;
+      patch.patch.assign(patch.triangles.size(), 1);
+      QVERIFY((measurePatches(patch, 1)[0].normalLps + Eigen::Vector3d::UnitZ()).norm() < 1e-6);
+    }
+    QCOMPARE(fileWords({"In", "in", ".x", "a b"}), (Names{"In", "in-2", "_x", "a_b"}));
+    QVERIFY_EXCEPTION_THROWN(writePatchFiles(tube(), folder / "none" / "m.stl"), IoError);
   }
 };
 

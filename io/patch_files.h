@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/mesh_io.h"
+
+namespace angiomesh {
+
+/// The triangles of one patch and their points: an open surface without patches.
+TriMesh patchSurface(const TriMesh& mesh, std::size_t patch);
+
+/// Writes each patch that has triangles to a file of its own beside `path`, "vessel_inlet.stl" for
+/// vessel.stl, and reads it back; in the names of files, what is no letter, digit, '-' or '.'
+/// becomes '_'. Each file appears as a whole or not at all. `mesh` has patches; closed parts of it
+/// that face inward are turned round in the files. @returns the files, in the patches' order
+/// @throws as writeMesh() and checkMeshFile(); files that were written already stay
+std::vector<std::filesystem::path> writePatchFiles(const TriMesh& mesh,
+                                                   const std::filesystem::path& path,
+                                                   const MeshWriteOptions& options = {});
+
+/// Names for folders, files and dictionaries: of letters, digits, '-', '_' and '.', not '.' first,
+/// all different even where small and capital letters are the same.
+std::vector<std::string> fileWords(const std::vector<std::string>& names);
+
+}  // namespace angiomesh
