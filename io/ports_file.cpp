@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/ports_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/base/error.h"
+#include "io/files.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 1;
+constexpr double kTolerance = 1e-3;
+
+/// What a reader says about a value and where it stands.
+class Place {
+ public:
+  Place(const fs::path& path, std::string name) : path_(path), name_(std::move(name)) {}
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(name_ + " " + what, path_.string(),
+                     "correct the file, or write it again with angiomesh");
+  }
+  [[nodiscard]] Place in(const std::string& key) const {
+    return {path_, name_.empty() ? key : name_ + "." + key};
+  }
+  [[nodiscard]] Place at(std::size_t n) const {
+    return {path_, name_ + "[" + std::to_string(n) + "]"};
+  }
+
+ private:
+  const fs::path& path_;
+  std::string name_;
+};
+
+/// The object's values in the order of `keys`: these and no others.
+std::vector<Json> valuesOf(const Json& object, const std::vector<std::string>& keys,
+                           const Place& place) {
+  if (!object.is_object()) place.refuse("is no object");
+  std::vector<Json> values;
+  for (const std::string& key : keys) {
+    if (!object.contains(key)) place.in(key).refuse("is missing");
+    values.push_back(object.at(key));
+  }
+  for (const auto& entry : object.items())
+    if (std::find(keys.begin(), keys.end(), entry.key()) == keys.end())
+      place.in(entry.key()).refuse("is not known");
+  return values;
+}
+
+double numberIn(const Json& value, const Place& place) {
+  // JSON has no infinity, but 1e999 reads as one.
+  if (!value.is_number() || !std::isfinite(value.get<double>())) place.refuse("is no number");
+  return value.get<double>();
+}
+
+Eigen::Vector3d vectorIn(const Json& value, const Place& place) {
+  if (!value.is_array() || value.size() != 3) place.refuse("is no list of three numbers");
+  Eigen::Vector3d vector;
+  for (std::size_t a = 0; a < 3; ++a) vector[static_cast<int>(a)] = numberIn(value[a], place.at(a));
+  return vector;
+}
+
+void expect(const Json& value, const Json& wanted, const Place& place) {
+  if (value != wanted) place.refuse("is not " + wanted.dump());
+}
+
+Port portIn(const Json& json, const Place& place) {
+  const std::vector<Json> values =
+      valuesOf(json, {"name", "centre_mm", "normal", "area_mm2", "equivalent_diameter_mm"}, place);
+  Port port;
+  if (!values[0].is_string()) place.in("name").refuse("is no text");
+  port.name = values[0].get<std::string>();
+  port.centreLps = vectorIn(values[1], place.in("centre_mm"));
+  port.normalLps = vectorIn(values[2], place.in("normal"));
+  port.areaMm2 = numberIn(values[3], place.in("area_mm2"));
+  const double diameter = numberIn(values[4], place.in("equivalent_diameter_mm"));
+  if (std::fabs(port.normalLps.norm() - 1.0) > kTolerance)
+    place.in("normal").refuse("is not of length 1");
+  if (port.areaMm2 < 0.0) place.in("area_mm2").refuse("is negative");
+  if (std::fabs(diameter - port.equivalentDiameterMm()) > kTolerance * diameter)
+    place.in("equivalent_diameter_mm").refuse("is not that of a circle of this area");
+  return port;
+}
+
+/// What is wrong with a name beside those before it, empty: nothing.
+std::string nameFault(const std::string& name, std::set<std::string>& taken) {
+  if (name.empty()) return "is empty";
+  if (name == kWallName) return "is the wall's";
+  return taken.insert(name).second ? "" : "is another port's";
+}
+
+}  // namespace
+
+void writePorts(const std::vector<Port>& ports, const fs::path& path) {
+  const auto toJson = [](const Eigen::Vector3d& v) { return Json::array({v[0], v[1], v[2]}); };
+  Json list = Json::array();
+  std::set<std::string> names;
+  for (const Port& port : ports) {
+    if (const std::string fault = nameFault(port.name, names); !fault.empty())
+      throw InputError("the name of port " + std::to_string(list.size() + 1) + " " + fault,
+                       path.string(), "give each port a name of its own");
+    if (!port.centreLps.allFinite() || !port.normalLps.allFinite() || !std::isfinite(port.areaMm2))
+      throw InputError("the port '" + port.name + "' has a measure that is no number",
+                       path.string(), "cut the surface again");
+    list.push_back({{"name", port.name},
+                    {"centre_mm", toJson(port.centreLps)},
+                    {"normal", toJson(port.normalLps)},
+                    {"area_mm2", port.areaMm2},
+                    {"equivalent_diameter_mm", port.equivalentDiameterMm()}});
+  }
+  const Json json = {{"schema", kSchema}, {"frame", "LPS"}, {"unit", "mm"}, {"ports", list}};
+  writeText(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::vector<Port> readPorts(const fs::path& path) {
+  const Json json = Json::parse(readText(path), nullptr, false);
+  if (json.is_discarded()) throw IoError("the file is no JSON", path.string(), kCopyAgain);
+  if (!json.is_object() || !json.contains("schema") || !json.contains("ports"))
+    throw InputError("not a file of ports", path.string(), "give a ports.json");
+  const Place root(path, "");
+  const Json& schema = json.at("schema");
+  if (schema.is_number_integer() && schema.get<std::int64_t>() > kSchema)
+    throw InputError("the ports were written by a newer Angiomesh (schema " + schema.dump() + ")",
+                     path.string(), "update the program");
+  const std::vector<Json> values = valuesOf(json, {"schema", "frame", "unit", "ports"}, root);
+  expect(values[0], kSchema, root.in("schema"));
+  expect(values[1], "LPS", root.in("frame"));
+  expect(values[2], "mm", root.in("unit"));
+  const Place place = root.in("ports");
+  if (!values[3].is_array()) place.refuse("is no list");
+  std::vector<Port> ports;
+  std::set<std::string> names;
+  for (std::size_t n = 0; n < values[3].size(); ++n) {
+    ports.push_back(portIn(values[3][n], place.at(n)));
+    if (const std::string fault = nameFault(ports.back().name, names); !fault.empty())
+      place.at(n).in("name").refuse(fault);
+  }
+  return ports;
+}
+
+}  // namespace angiomesh

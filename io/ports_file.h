@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/surface/port.h"
+
+namespace angiomesh {
+
+/// Writes the ports in their order as JSON (schema 1, LPS, mm), to a temporary name, then renames.
+/// @throws InputError: a port without a name, with another's or the wall's, or with a measure that
+/// is no number   @throws IoError; nothing is left behind
+void writePorts(const std::vector<Port>& ports, const std::filesystem::path& path);
+
+/// Reads what writePorts() wrote: each key must be there and no other, normals of length 1 and
+/// diameters of the areas within a thousandth. @throws IoError: no readable JSON
+/// @throws InputError that names the place, such as ports[1].normal
+std::vector<Port> readPorts(const std::filesystem::path& path);
+
+}  // namespace angiomesh
