@@ -63,7 +63,7 @@ PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& pat
       face.clear();
     } else if (word == "endsolid") {
       ended = true;
-      scan.line();
+      mesh.header.read(scan.line());
     } else if (word == "facet") {
       ended = false;
     } else if (word == "solid") {

@@ -24,13 +24,18 @@ std::string stlText(const WritableMesh& mesh) {
     text += '\n';
   };
   std::string text;
+  const std::string words = " " + headerWords(mesh.options, " ");
   const auto patches = trianglesByPatch(mesh.mesh, mesh.patchNames.size());
+  const bool named = patches.size() > 1 || !mesh.options.patchNames.empty();
   for (std::size_t patch = 0; patch < patches.size(); ++patch) {
     // The wall of a mesh of ports alone; a port without triangles keeps its place among the others.
     if (patch == 0 && patches[0].empty() && patches.size() > 1) continue;
     const std::string& name = mesh.patchNames[patch];
-    // An ASCII STL file has no comments: the line of the name is where 3D Slicer looks.
-    text += "solid " + name + " " + headerWords(mesh.options, " ") + "\n";
+    // An ASCII STL file has no comments: the first line is where 3D Slicer looks. OpenFOAM and
+    // others take all of that line for the name, so it stays free where names matter, unless the
+    // frame is one that 3D Slicer does not take unsaid.
+    const bool wordsFirst = !named || (mesh.options.frame == Frame::Ras && text.empty());
+    text += "solid " + name + (wordsFirst ? words : "") + "\n";
     for (const std::uint32_t t : patches[patch]) {
       text += "facet normal";
       appendVector(text, normalOf(mesh.mesh, mesh.mesh.triangles[t]));
@@ -41,7 +46,7 @@ std::string stlText(const WritableMesh& mesh) {
       }
       text += " endloop\nendfacet\n";
     }
-    text += "endsolid " + name + "\n";
+    text += "endsolid " + name + (wordsFirst ? "" : words) + "\n";
   }
   return text;
 }

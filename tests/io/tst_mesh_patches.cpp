@@ -9,6 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
+#include <vtkSTLReader.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
@@ -182,6 +183,33 @@ class TestMeshPatches : public QObject {
                  line.c_str());
       }
     }
+  }
+
+  /// OpenFOAM takes all of the line for the name.
+  void theLineOfASolidHoldsItsNameAlone() {
+    const Folder folder;
+    MeshWriteOptions options = named({"wall", "in", "out"}, true);
+    const auto linesOf = [&] {
+      writeMesh(tube(), folder / "m.stl", options);
+      QStringList lines;
+      for (const QString& line : QString::fromStdString(bytesOf(folder / "m.stl")).split('\n'))
+        if (line.contains("solid")) lines.append(line);
+      return lines;
+    };
+    QCOMPARE(linesOf(), (QStringList{"solid wall", "endsolid wall SPACE=LPS UNIT=mm", "solid in",
+                                     "endsolid in SPACE=LPS UNIT=mm", "solid out",
+                                     "endsolid out SPACE=LPS UNIT=mm"}));
+    QVERIFY(loadMesh(folder / "m.stl").frameStated);
+    // 3D Slicer takes a file for LPS that does not begin with another frame.
+    options.frame = Frame::Ras;
+    QCOMPARE(linesOf()[0], QString("solid wall SPACE=RAS UNIT=mm"));
+    QCOMPARE(linesOf()[2], QString("solid in"));
+    vtkNew<vtkSTLReader> reader;
+    reader->SetFileName((folder / "m.stl").c_str());
+    reader->Update();
+    QCOMPARE(reader->GetOutput()->GetNumberOfPolys(),
+             static_cast<vtkIdType>(tube().triangles.size()));
+    QVERIFY(std::string(reader->GetHeader()).find("SPACE=RAS") != std::string::npos);
   }
 
   void patchZeroIsTheOneCalledWall() {
