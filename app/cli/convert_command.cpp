@@ -7,9 +7,11 @@
 #include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "core/base/error.h"
+#include "core/surface/port.h"
 #include "io/image_io.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
+#include "io/openfoam_case.h"
 #include "io/patch_files.h"
 
 namespace angiomesh::cli {
@@ -21,7 +23,8 @@ struct ConvertOptions {
   ReadOptions reading;
   std::optional<int> component;
   std::string input, output, unit = "mm", frame = "lps", fromFrame, fromUnit;
-  bool ascii = false, normals = false, quality = false, solidNames = false, patchFiles = false;
+  bool ascii = false, normals = false, quality = false, solidNames = false, patchFiles = false,
+       openFoam = false, force = false;
   std::string meshOption;  ///< one that was given and means nothing for a volume
 };
 
@@ -30,20 +33,29 @@ bool isMeshName(const fs::path& path) {
   return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
 }
 
+LoadedMesh loadSpoken(const ConvertOptions& options) {
+  LoadedMesh loaded = loadMesh(options.input, meshReadOptions(options.fromFrame, options.fromUnit));
+  for (const std::string& warning : loaded.warnings) printWarning(warning);
+  if (!loaded.frameStated && options.fromFrame.empty())
+    printWarning("the mesh does not say its frame, LPS is taken, " + options.input +
+                 ": give --from-frame ras if it is in RAS");
+  return loaded;
+}
+
+void sayNumbered(const ConvertOptions& options) {
+  printWarning("patches are numbered whose names may tell who the patient is, " + options.input +
+               ": give --solid-names to keep them");
+}
+
 int convertMesh(const ConvertOptions& options) {
   const bool hasNames = options.ascii || meshExtension(options.output) != ".stl";
   if (options.solidNames && !hasNames && !options.patchFiles)
     throw InputError("a binary STL file has no names of patches", "--solid-names",
                      "leave it out, or write .stl with --ascii, .ply, .vtp or .obj");
-  const LoadedMesh loaded =
-      loadMesh(options.input, meshReadOptions(options.fromFrame, options.fromUnit));
+  const LoadedMesh loaded = loadSpoken(options);
   if (options.patchFiles && loaded.mesh.patch.empty())
     throw InputError("the mesh has no patches", options.input,
                      "leave --patch-files out, or give a mesh with named solids, groups or faces");
-  for (const std::string& warning : loaded.warnings) printWarning(warning);
-  if (!loaded.frameStated && options.fromFrame.empty())
-    printWarning("the mesh does not say its frame, LPS is taken, " + options.input +
-                 ": give --from-frame ras if it is in RAS");
   MeshWriteOptions write;
   write.unit = unitFromOption(options.unit);
   write.frame = frameFromOption(options.frame);
@@ -55,10 +67,23 @@ int convertMesh(const ConvertOptions& options) {
   write.patchNames =
       options.solidNames ? loaded.patchNames : plainPatchNames(loaded.patchNames, numbered);
   if (numbered && loaded.patchNames.size() > 1 && (hasNames || options.patchFiles))
-    printWarning("patches are numbered whose names may tell who the patient is, " + options.input +
-                 ": give --solid-names to keep them");
+    sayNumbered(options);
   writeChecked(loaded.mesh, options.output, options.output, write);
   if (options.patchFiles) writePatchFiles(loaded.mesh, options.output, write);
+  return Done;
+}
+
+int convertToOpenFoam(const ConvertOptions& options) {
+  const LoadedMesh loaded = loadSpoken(options);
+  bool numbered = false;
+  const std::vector<std::string> names =
+      options.solidNames ? loaded.patchNames : plainPatchNames(loaded.patchNames, numbered);
+  if (numbered && names.size() > 1) sayNumbered(options);
+  std::vector<Port> ports;
+  if (!loaded.mesh.patch.empty()) ports = measurePatches(loaded.mesh, names.size() - 1);
+  for (std::size_t n = 0; n < ports.size(); ++n) ports[n].name = names[n + 1];
+  const OpenFoamCase written = writeOpenFoamCase(loaded.mesh, ports, options.output, options.force);
+  for (const std::string& warning : written.warnings) printWarning(warning + ", " + options.output);
   return Done;
 }
 
@@ -79,10 +104,14 @@ int convertVolume(const ConvertOptions& options, const Progress& progress) {
 
 void addConvert(CLI::App& program, Session& session) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = program.add_subcommand(
-      "convert", "Between volume formats (the pixel type stays), or between mesh formats");
+  CLI::App* command =
+      program.add_subcommand("convert",
+                             "Between volume formats (the pixel type stays), between mesh formats, "
+                             "or from a mesh to a case for OpenFOAM");
   command->add_option("INPUT", options->input, "Volume or mesh")->required();
-  command->add_option("-o,--output", options->output, "File to write; its name tells the format")
+  command
+      ->add_option("-o,--output", options->output,
+                   "File to write, whose name tells the format, or folder")
       ->required();
   addReading(*command, options->reading);
   command
@@ -112,10 +141,20 @@ void addConvert(CLI::App& program, Session& session) {
                         "whatever they tell"),
       command->add_flag("--patch-files", options->patchFiles,
                         "Write each patch to a file of its own, too: NAME_PATCH beside NAME")};
+  CLI::Option* openFoam = command->add_flag(
+      "--openfoam", options->openFoam,
+      "Write a folder for OpenFOAM instead: the closed mesh in metres, its patches as wall, inlets "
+      "and outlets, and what snappyHexMesh needs");
+  for (const char* name :
+       {"--unit", "--frame", "--ascii", "--normals", "--quality", "--patch-files"})
+    openFoam->excludes(name);
+  command->add_flag("--force", options->force, "With --openfoam: replace the case in the folder")
+      ->needs(openFoam);
   command->callback([options, ofMeshes, &session] {
     for (const CLI::Option* option : ofMeshes)
       if (option->count() > 0) options->meshOption = option->get_name();
     session.action = [options, &session] {
+      if (options->openFoam) return convertToOpenFoam(*options);
       return isMeshName(options->output) ? convertMesh(*options)
                                          : convertVolume(*options, session.progress);
     };

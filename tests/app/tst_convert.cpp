@@ -8,8 +8,10 @@
 #include "io/mesh_io.h"
 #include "tests/app/cli_process.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/io/mesh_samples.h"
 
 using namespace angiomesh;
+using namespace angiomesh::test;
 
 /// Meshes from one format to another on the command line.
 class TestConvert : public QObject {
@@ -196,6 +198,28 @@ class TestConvert : public QObject {
     QVERIFY(none.errors.contains("no patches") && !std::filesystem::exists(at("none.ply")));
   }
 
+  void aCaseForOpenFoamIsWritten() {
+    MeshWriteOptions write;
+    write.patchNames = {"wall", "inlet_1", "roe_jane"};
+    writeMesh(cappedTube(24, 9, 2.0), at("tube.vtp"), write);
+    const QStringList command{"convert", "tube.vtp", "-o", "foam", "--openfoam"};
+    const CliResult result = cli(command);
+    QCOMPARE(result.code, 0);
+    QVERIFY(result.errors.contains("--solid-names"));
+    const LoadedMesh surface = loadMesh(at("foam/constant/triSurface/vessel.stl"));
+    QCOMPARE(surface.patchNames, (std::vector<std::string>{"wall", "inlet_1", "part-2"}));
+    QVERIFY(surface.unit == LengthUnit::Metre);
+    QVERIFY(bytes("foam/system/snappyHexMeshDict").contains("part-2 { name part-2; }"));
+    QVERIFY(!bytes("foam/system/snappyHexMeshDict").contains("roe_jane"));
+
+    const CliResult again = cli(command);
+    QCOMPARE(again.code, 2);
+    QVERIFY(again.errors.contains("--force"));
+    const CliResult forced = cli(command + QStringList{"--force", "--solid-names"});
+    QVERIFY2(forced.code == 0 && forced.errors.isEmpty(), forced.errors.constData());
+    QVERIFY(bytes("foam/system/snappyHexMeshDict").contains("roe_jane { name roe_jane; }"));
+  }
+
   void smoothingKeepsThePatches() {
     writeSolids();
     const CliResult result =
@@ -212,7 +236,9 @@ class TestConvert : public QObject {
          {"convert ball.ply -o x.stl --normals", "convert ball.ply -o x.obj --quality",
           "convert ball.ply -o x.vtp --ascii", "convert ball.ply -o x.nrrd --unit m",
           "convert ball.ply -o x.nrrd --ascii", "convert ball.ply -o x.ply --from-frame up",
-          "convert ball.ply -o x.stl --solid-names", "convert ball.ply -o x.nrrd --patch-files"})
+          "convert ball.ply -o x.stl --solid-names", "convert ball.ply -o x.nrrd --patch-files",
+          "convert ball.ply -o x --openfoam", "convert ball.ply -o x --openfoam --ascii",
+          "convert ball.ply -o x.ply --force"})
       QTest::newRow(line) << line;
   }
   void whatTheOutputHasNotIsRefused() {

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/openfoam_case.h"
+
+#include <unistd.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cmath>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/surface/inside_point.h"
+#include "core/surface/mesh_edges.h"
+#include "core/surface/outward.h"
+#include "io/files.h"
+#include "io/mesh_io.h"
+#include "io/openfoam_text.h"
+#include "io/patch_files.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kSurface = "constant/triSurface/vessel.stl";
+const char* const kAdvice = "check that the folder may be written to and has free space";
+
+constexpr double kCellsAcross = 11.0;
+/// Enough for long vessels, and a second's work for blockMesh.
+constexpr double kMostBackgroundCells = 2e5;
+constexpr int kMostLevels = 12;
+/// Of the background mesh beyond the surface on each side, in cells; no round number, so that flat
+/// caps do not lie in the faces of cells.
+constexpr double kMargin = 1.37;
+
+/// Words that OpenFOAM's dictionaries take for a name: no number is one.
+std::vector<std::string> patchWords(const std::vector<Port>& ports) {
+  std::vector<std::string> names{kWallName};
+  for (const Port& port : ports) {
+    const bool letter =
+        !port.name.empty() && (std::isalpha(static_cast<unsigned char>(port.name[0])) != 0);
+    names.push_back(letter ? port.name : "port_" + port.name);
+  }
+  std::vector<std::string> words = fileWords(names);
+  for (std::string& word : words) std::replace(word.begin(), word.end(), '.', '_');
+  return fileWords(words);
+}
+
+void checkUsable(const TriMesh& mesh, const std::vector<Port>& ports, const fs::path& folder) {
+  const auto refuse = [&](const std::string& what, const std::string& advice) {
+    throw InputError(what, folder.string(), advice);
+  };
+  checkMesh(mesh);
+  if (ports.empty() || mesh.patch.empty())
+    refuse("the mesh has no ports, so that nothing could flow through it",
+           "cut the vessels, or give a mesh with the patches 'wall', inlets and outlets");
+  if (!isClosed(mesh))
+    refuse("the surface is not closed, so that it has no inside to be filled",
+           "cap its openings or mend it");
+  std::vector<std::size_t> counts(ports.size() + 1, 0);
+  for (const std::uint16_t patch : mesh.patch) {
+    if (patch >= counts.size())
+      refuse("a triangle is in patch " + std::to_string(patch) + ", and there are " +
+                 std::to_string(ports.size()) + " ports",
+             "give a port for each patch");
+    ++counts[patch];
+  }
+  const auto empty = std::find(counts.begin(), counts.end(), std::size_t{0});
+  if (empty == counts.end()) return;
+  const auto patch = static_cast<std::size_t>(empty - counts.begin());
+  refuse("the patch '" + (patch == 0 ? std::string(kWallName) : ports[patch - 1].name) +
+             "' has no triangles",
+         patch == 0 ? "call the wall's solid, group or face 'wall'" : "cut the surface again");
+}
+
+std::array<int, 3> cellsOf(const Eigen::Vector3d& size, double cell) {
+  std::array<int, 3> cells{};
+  for (int a = 0; a < 3; ++a)
+    cells[static_cast<std::size_t>(a)] =
+        static_cast<int>(std::ceil(size[a] / cell + 2.0 * kMargin));
+  return cells;
+}
+
+/// The background mesh gives the widest port its cells, unless that were too many; halves of them
+/// give the narrowest its own.
+void layOutCells(const TriMesh& mesh, OpenFoamMesh& plan) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : mesh.points) box.extend(1e-3 * p);
+  const auto [least, most] = std::minmax_element(plan.diameters.begin(), plan.diameters.end());
+  plan.finest = std::min(kMostLevels, static_cast<int>(std::log2(*most / *least) + 1e-6));
+  plan.cell = std::ldexp(*least / kCellsAcross, plan.finest);
+  for (; plan.finest < kMostLevels; ++plan.finest) {
+    const Eigen::Vector3d cells = (box.sizes() / plan.cell).array() + 2.0 * kMargin;
+    if (cells.prod() <= kMostBackgroundCells) break;
+    plan.cell *= 2.0;
+  }
+  plan.cells = cellsOf(box.sizes(), plan.cell);
+  plan.low = box.min().array() - kMargin * plan.cell;
+  for (int a = 0; a < 3; ++a)
+    plan.high[a] = plan.low[a] + plan.cell * plan.cells[static_cast<std::size_t>(a)];
+  const auto levelFor = [&](double diameter) {
+    const double halvings = std::log2(kCellsAcross * plan.cell / diameter);
+    return std::clamp(static_cast<int>(std::ceil(halvings - 1e-6)), 0, plan.finest);
+  };
+  plan.levels.push_back(levelFor(*most));
+  for (const double diameter : plan.diameters) plan.levels.push_back(levelFor(diameter));
+}
+
+/// In the middle of a finest cell: a point in the face of cells belongs to none.
+Eigen::Vector3d insideACell(const TriMesh& mesh, const OpenFoamMesh& plan) {
+  const InsidePoint inside = pointInside(mesh);
+  const Eigen::Vector3d point = 1e-3 * inside.pointLps;
+  const double cell = std::ldexp(plan.cell, -plan.finest);
+  const Eigen::Vector3d middle =
+      plan.low + cell * (((point - plan.low) / cell).array().floor() + 0.5).matrix();
+  return 1e-3 * inside.depthMm > cell ? middle : point;
+}
+
+fs::path withoutTrailingSlash(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+/// A folder beside the one to be written, which goes with the object.
+class Stage {
+ public:
+  Stage(const fs::path& folder, bool replace) : folder_(withoutTrailingSlash(folder)) {
+    std::error_code error;
+    const fs::file_status status = fs::status(folder_, error);
+    if (fs::exists(status) && !fs::is_directory(status))
+      throw IoError("the output place is not a folder", folder.string(), "choose another place");
+    existed_ = fs::exists(status) && !fs::is_empty(folder_, error);
+    if (existed_ && !replace)
+      throw InputError("the folder is not empty", folder.string(),
+                       "choose another folder, or replace the case in it with --force");
+    if (!fs::is_directory(folder_.parent_path(), error))
+      throw IoError("there is no such folder", folder_.parent_path().string(), "make it first");
+    static std::atomic<unsigned> counter{0};
+    place_ = folder_.parent_path() /
+             (".angiomesh-" + std::to_string(::getpid()) + "-case-" + std::to_string(counter++));
+    if (!fs::create_directory(place_, error))
+      throw IoError("cannot write the case", folder.string(), kAdvice);
+  }
+  ~Stage() {
+    std::error_code error;
+    fs::remove_all(place_, error);
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  [[nodiscard]] fs::path fileIn(const std::string& name) const {
+    fs::create_directories((place_ / name).parent_path());
+    return place_ / name;
+  }
+
+  /// @throws std::filesystem::filesystem_error, with a former case as it was
+  void moveIntoPlace(const std::vector<std::string>& names) {
+    if (!existed_) {
+      fs::rename(place_, folder_);
+      return;
+    }
+    std::vector<std::pair<fs::path, fs::path>> moves;
+    const auto move = [&](const fs::path& from, const fs::path& to) {
+      fs::create_directories(to.parent_path());
+      fs::rename(from, to);
+      moves.emplace_back(from, to);
+    };
+    try {
+      for (const std::string& name : names) {
+        if (fs::exists(folder_ / name)) move(folder_ / name, place_ / "former" / name);
+        move(place_ / name, folder_ / name);
+      }
+    } catch (const fs::filesystem_error&) {
+      std::error_code ignored;
+      for (auto undo = moves.rbegin(); undo != moves.rend(); ++undo)
+        fs::rename(undo->second, undo->first, ignored);
+      throw;
+    }
+  }
+
+ private:
+  fs::path folder_, place_;
+  bool existed_ = false;
+};
+
+}  // namespace
+
+OpenFoamCase writeOpenFoamCase(const TriMesh& mesh, const std::vector<Port>& ports,
+                               const fs::path& folder, bool replace) {
+  checkUsable(mesh, ports, folder);
+  TriMesh outward = mesh;
+  turnOutward(outward);
+  OpenFoamCase result;
+  OpenFoamMesh& plan = result.mesh;
+  plan.patches = patchWords(ports);
+  for (const Port& port : measurePatches(outward, ports.size()))
+    plan.diameters.push_back(1e-3 * port.equivalentDiameterMm());
+  if (!(*std::min_element(plan.diameters.begin(), plan.diameters.end()) > 0.0))
+    throw InputError("a port has no area", folder.string(), "cut the surface again");
+  layOutCells(outward, plan);
+  plan.inside = insideACell(outward, plan);
+  if (const std::size_t count = meshComponents(outward).count; count > 1)
+    result.warnings.push_back("the surface has " + std::to_string(count) +
+                              " components: snappyHexMesh fills the largest alone");
+
+  Stage stage(folder, replace);
+  try {
+    MeshWriteOptions write;
+    write.unit = LengthUnit::Metre;
+    write.encoding = MeshEncoding::Ascii;
+    write.patchNames = plan.patches;
+    writeMesh(outward, stage.fileIn(kSurface), write);
+    checkMeshFile(outward, stage.fileIn(kSurface), write);
+    std::vector<std::string> names{kSurface};
+    for (const auto& [name, text] : openFoamTexts(plan)) {
+      writeText(stage.fileIn(name), text);
+      names.push_back(name);
+    }
+    fs::permissions(stage.fileIn("Allrun"), fs::perms::owner_exec | fs::perms::group_exec,
+                    fs::perm_options::add);
+    stage.moveIntoPlace(names);
+  } catch (const fs::filesystem_error& error) {
+    throw IoError("cannot write the case (" + error.code().message() + ")", folder.string(),
+                  kAdvice);
+  } catch (const IoError&) {
+    // It names a place that is gone.
+    throw IoError("cannot write the case", folder.string(), kAdvice);
+  }
+  return result;
+}
+
+}  // namespace angiomesh
