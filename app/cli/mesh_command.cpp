@@ -10,12 +10,14 @@
 #include "app/cli/output_folder.h"
 #include "app/cli/summary.h"
 #include "core/base/error.h"
+#include "core/pipeline/cuts.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/surface_step.h"
 #include "core/surface/mesh_edges.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/tri_mesh.h"
 #include "io/mesh_io.h"
+#include "io/mesh_place.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -72,14 +74,14 @@ void printSource(const Json& source) {
   std::printf("\n");
 }
 
-int estimate(const SplineField& field, const MeshOptions& options, const SurfaceParams& params,
-             const Json& source, const Progress& progress) {
+int estimate(const SplineField& field, const CutAway& away, const MeshOptions& options,
+             const SurfaceParams& params, const Json& source, const Progress& progress) {
   if (params.method == SurfaceMethod::MarchingCubes)
     throw InputError("marching cubes follows no size that could be estimated", "--estimate",
                      "choose surface.method advancing-front or remesh");
   SurfaceOrigin origin;
   origin.method = params.method;
-  origin.estimatedTriangles = estimateTriangles(field, params, progress);
+  origin.estimatedTriangles = estimateTriangles(field, params, progress, away);
   if (options.json)
     printJson(origin, source);
   else
@@ -97,14 +99,25 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   const MeshInput input = readMeshInput(options.input, options.label, progress.sub(0.0, 0.3));
   const SplineField field(input.phi, params.spline);
   const Progress rest = progress.sub(0.3, 1.0);
-  if (options.estimate) return estimate(field, options, params, sourceBlock(input, nullptr), rest);
-  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.0, 0.9));
+  std::vector<std::string> remarks;
+  const CutAway away = makeCuts(field, input.phi, all.ports, remarks, rest);
+  for (const std::string& remark : remarks) printWarning(remark);
+  if (options.estimate)
+    return estimate(field, away, options, params, sourceBlock(input, nullptr), rest);
+  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.0, 0.9), away);
   if (made.mesh.triangles.empty())
     throw InputError("there is no surface in it", options.input,
                      "give a level set function that is negative inside, or a mask");
   // Flat triangles inscribed in a thin vessel lose more of the mask's volume than its wall does.
-  if (input.label) made.mesh = smoothSurface(made.mesh, all.smooth, &field, rest.sub(0.9, 1.0));
-  writeChecked(made.mesh, options.output, options.output);
+  if (input.label)
+    made.mesh = smoothSurface(made.mesh, all.smooth, &field, rest.sub(0.9, 1.0), made.ports);
+  MeshWriteOptions write;
+  write.patchNames = patchNamesOf(made.ports);
+  // A text STL file alone has names.
+  if (!away.empty() && meshExtension(options.output) == ".stl")
+    write.encoding = MeshEncoding::Ascii;
+  if (away.empty() && meshExtension(options.output) == ".stl") made.mesh.patch.clear();
+  writeChecked(made.mesh, options.output, options.output, write);
   for (const std::string& warning : made.origin.warnings()) printWarning(warning);
   const Json source = sourceBlock(input, &made.mesh);
   if (options.json) {
@@ -135,6 +148,7 @@ void addMesh(CLI::App& program, Session& session) {
   command->add_flag("--json", options->json,
                     "Print the block 'surface' of report.json, and 'source'");
   addSettings(*command, options->settings);
+  addCuts(*command, options->settings);
   command->callback([options, &session] {
     session.action = [options, &session] { return mesh(*options, session.progress); };
   });

@@ -14,7 +14,7 @@
 namespace angiomesh::cli {
 namespace {
 
-constexpr std::array<std::string_view, 6> kNumberOptions{"--seed",    "--roi",  "--size",
+constexpr std::array<std::string_view, 7> kNumberOptions{"--seed",    "--roi",  "--size",  "--cut",
                                                          "--spacing", "--axis", "--offset"};
 
 }  // namespace
@@ -57,6 +57,8 @@ Parameters ParameterOptions::parameters() const {
     params.preprocess.roi.emplace();
     std::copy(corners.begin(), corners.end(), params.preprocess.roi->begin());
   }
+  params.ports.cuts.insert(params.ports.cuts.end(), cuts.begin(), cuts.end());
+  if (!cutEnds.empty()) setFieldFromText(params, "ports.cutEndsRadii", cutEnds);
   validate(params);
   return params;
 }
@@ -77,6 +79,17 @@ void addPlaces(CLI::App& command, ParameterOptions& options) {
   command.add_option("--seed", options.seeds, "A seed x,y,z in mm LPS; may be repeated")
       ->allow_extra_args(false);
   command.add_option("--roi", options.roi, "Region of interest x0,y0,z0,x1,y1,z1 in mm LPS");
+}
+
+void addCuts(CLI::App& command, ParameterOptions& options) {
+  command
+      .add_option("--cut", options.cuts,
+                  "A plane that ends a vessel, and the name of the opening: x,y,z,NAME or "
+                  "x,y,z,nx,ny,nz,NAME in mm LPS, the normal pointing outwards; may be repeated")
+      ->allow_extra_args(false);
+  command.add_option(
+      "--cut-ends", options.cutEnds,
+      "Cut every vessel that ends in the volume so many of its radii before its tip");
 }
 
 std::vector<std::string> joinNumbers(int argc, char** argv) {

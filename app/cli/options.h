@@ -16,20 +16,26 @@ namespace angiomesh::cli {
 std::vector<double> parseNumbers(const std::string& text, std::size_t count,
                                  const std::string& option);
 
-/// --preset, --params, --set, --seed and --roi.
+/// --preset, --params, --set, --seed, --roi, --cut and --cut-ends.
 struct ParameterOptions {
   std::string presetName = "angiomesh";
   std::string paramsFile;
   std::vector<std::string> settings;
   std::vector<std::string> seeds;
   std::string roi;
+  std::vector<std::string> cuts;
+  std::string cutEnds;
 
-  /// Preset, then file, then --set, --seed and --roi, checked. @throws InputError, IoError
+  /// Preset, then file, then --set, --seed, --roi and the cuts, checked. @throws InputError,
+  /// IoError
   [[nodiscard]] Parameters parameters() const;
 };
 
 /// Adds --preset, --params and --set to a command.
 void addSettings(CLI::App& command, ParameterOptions& options);
+
+/// Adds --cut and --cut-ends to a command that makes a surface.
+void addCuts(CLI::App& command, ParameterOptions& options);
 
 /// Adds --seed and --roi to a command that starts from an image.
 void addPlaces(CLI::App& command, ParameterOptions& options);

@@ -27,6 +27,9 @@ std::string allowed(const Field& field) {
     case FieldKind::Real:
       text = number(field.minimum) + " to " + number(field.maximum);
       break;
+    case FieldKind::Texts:
+      text = field.form;
+      break;
     case FieldKind::Numbers:
       text = "groups of " + std::to_string(field.groupOf) + " numbers";
       break;

@@ -17,6 +17,7 @@
 #include "io/files.h"
 #include "io/image_io.h"
 #include "io/mesh_io.h"
+#include "io/ports_file.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -29,7 +30,7 @@ constexpr double kComputed = 0.95;
 const std::vector<std::string> kRunFiles{"preprocessed.nrrd", "vesselness.nrrd",    "phi.nrrd",
                                          "mask.nrrd",         "vessels.ply",        "vessels.stl",
                                          "params.json",       "marching-cubes.ply", "report.json",
-                                         "preview.png",       "surface.png"};
+                                         "preview.png",       "surface.png",        "ports.json"};
 
 struct RunCommandOptions {
   ParameterOptions settings;
@@ -117,8 +118,22 @@ void writeMeshes(const RunResult& result, const OutputFolder& folder) {
     folder.add(name,
                [&](const std::filesystem::path& place) { writeChecked(what, place, name, write); });
   };
+  write.patchNames = patchNamesOf(result.ports);
   add("vessels.ply", *mesh);
-  add("vessels.stl", *mesh);
+  folder.add("ports.json",
+             [&](const std::filesystem::path& place) { writePorts(result.ports, place); });
+  // Who cuts wants the names of the openings, which only the text form has.
+  if (!result.surface->sectionAreasMm2.empty()) {
+    write.encoding = MeshEncoding::Ascii;
+    add("vessels.stl", *mesh);
+  } else {
+    TriMesh plain = *mesh;
+    plain.patch.clear();
+    write.patchNames.clear();
+    add("vessels.stl", plain);
+  }
+  write = {};
+  write.key = result.key;
   add("marching-cubes.ply", *result.surface->marchingCubes);
 }
 
@@ -173,6 +188,7 @@ void addRun(CLI::App& program, Session& session) {
   addReading(*command, options->reading);
   addSettings(*command, options->settings);
   addPlaces(*command, options->settings);
+  addCuts(*command, options->settings);
   command->add_option("--until", options->until,
                       "Last step: preprocess, vesselness, seeds, evolve, surface, smooth, quality");
   command->add_option("--truth", options->truth, "Mask to compare the result with");

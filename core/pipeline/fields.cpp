@@ -87,6 +87,26 @@ class Table {
     return field;
   }
 
+  /// Each of the form that `check` takes; none is the empty list.
+  template <class M>
+  Field& texts(const char* key, M member, const char* form, const char* help,
+               std::function<void(const std::string&)> check) {
+    Field& field = add(key, FieldKind::Texts, 0.0, 0.0, "", help);
+    field.form = form;
+    field.check = std::move(check);
+    field.emptyWord = "none";
+    field.get = [member](const Parameters& p) -> FieldValue {
+      const std::vector<std::string>& all = member(const_cast<Parameters&>(p));
+      if (all.empty()) return std::monostate{};
+      return all;
+    };
+    field.put = [member](Parameters& p, const FieldValue& value) {
+      const auto* all = std::get_if<std::vector<std::string>>(&value);
+      member(p) = all != nullptr ? *all : std::vector<std::string>{};
+    };
+    return field;
+  }
+
   template <class M>
   Field& box(const char* key, M member, const char* help) {
     Field& field = add(key, FieldKind::Numbers, -1e5, 1e5, "mm", help);
@@ -484,6 +504,19 @@ void addSurface(Table& t) {
          "surface components that enclose less are left out");
 }
 
+void addPorts(Table& t) {
+  t.texts("ports.cuts", MEMBER(ports.cuts), "x,y,z,NAME or x,y,z,nx,ny,nz,NAME",
+          "planes that end vessels, in mm LPS, with the names of the openings; the part beyond, on "
+          "the side of the normal, goes; without a normal the vessel's axis, towards the smaller "
+          "part",
+          [](const std::string& text) { parseCut(text); });
+  Field& ends =
+      t.real("ports.cutEndsRadii", MEMBER(ports.cutEndsRadii), 0.0, 50.0, "radii",
+             "every vessel that ends in the volume is cut so far before its tip, as end_1 "
+             "and on; 0: none is");
+  ends.main = true;
+}
+
 void addSmooth(Table& t) {
   t.choice("smooth.method", MEMBER(smooth.method), {"keep-wall", "taubin", "none"},
            "keep-wall: smooths the triangulation, not the vessel; taubin: as in the thesis")
@@ -512,6 +545,7 @@ const std::vector<Field>& parameterFields() {
     addVesselness(table);
     addLevelSet(table);
     addComparison(table);
+    addPorts(table);
     addSurface(table);
     addSmooth(table);
     std::vector<Field> all = table.take();

@@ -65,6 +65,9 @@ std::string allowedText(const Field& field) {
     case FieldKind::Numbers:
       text = "numbers in groups of " + std::to_string(field.groupOf) + ", separated by commas";
       break;
+    case FieldKind::Texts:
+      text = field.form + ", separated by ';'";
+      break;
   }
   if (!field.emptyWord.empty()) text += ", or " + field.emptyWord;
   return text;
@@ -100,6 +103,13 @@ bool allowed(const Field& field, const FieldValue& value) {
       return numbers != nullptr && numbers->size() % field.groupOf == 0 &&
              (field.groupOf != 6 || numbers->size() == 6) &&
              std::all_of(numbers->begin(), numbers->end(), inRange);
+    }
+    case FieldKind::Texts: {
+      const auto* texts = std::get_if<std::vector<std::string>>(&value);
+      if (texts == nullptr) return false;
+      // It says itself what is wrong.
+      for (const std::string& text : *texts) field.check(text);
+      return true;
     }
   }
   return false;
@@ -146,6 +156,11 @@ FieldValue fromJson(const Json& json, const Field& field) {
       if (json.is_array() &&
           std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_number(); }))
         return json.get<std::vector<double>>();
+      break;
+    case FieldKind::Texts:
+      if (json.is_array() &&
+          std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_string(); }))
+        return json.get<std::vector<std::string>>();
       break;
   }
   refuse(field, json.dump());
@@ -224,6 +239,15 @@ void setFieldFromText(Parameters& params, std::string_view key, std::string_view
       if (good) return setField(params, key, numbers);
       break;
     }
+    case FieldKind::Texts: {
+      std::vector<std::string> texts;
+      for (std::size_t start = 0; start < given.size();) {
+        const std::size_t end = std::min(given.find(';', start), given.size());
+        texts.push_back(given.substr(start, end - start));
+        start = end + 1;
+      }
+      return setField(params, key, texts);
+    }
   }
   refuse(field, given);
 }
@@ -242,6 +266,10 @@ std::string fieldText(const FieldValue& value, const Field& field) {
           return numberText(v);
         } else if constexpr (std::is_same_v<T, std::string>) {
           return v;
+        } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+          std::string text;
+          for (const std::string& x : v) text += (text.empty() ? "" : ";") + x;
+          return text;
         } else {
           std::string text;
           for (const double x : v) text += (text.empty() ? "" : ",") + numberText(x);
@@ -264,6 +292,7 @@ void validate(const Parameters& params) {
                      "surface.edgeMinMm = " + numberText(*sizing.edgeMinMm) +
                          ", surface.edgeMaxMm = " + numberText(*sizing.edgeMaxMm),
                      "make edgeMaxMm at least edgeMinMm");
+  checkPorts(params.ports);
   if (params.levelset.bMax < params.levelset.bMin)
     throw InputError("the upper bound of b is below the lower", "levelset.bMin, levelset.bMax",
                      "make bMax at least bMin");

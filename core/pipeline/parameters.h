@@ -12,6 +12,7 @@
 #include "core/levelset/evolution.h"
 #include "core/levelset/lumen.h"
 #include "core/levelset/seeds.h"
+#include "core/pipeline/cuts.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/sizing.h"
 #include "core/surface/smoothing.h"
@@ -49,6 +50,7 @@ struct Parameters {
   LumenParams lumen;
   ComparisonParams comparison;
   SegmentationParams segmentation;
+  PortParams ports;
   SurfaceParams surface;
   SmoothParams smooth;
 };
@@ -61,9 +63,9 @@ bool evolves(const Parameters& params);
 bool isSegmented(const Parameters& params);
 
 /// A field's value: monostate stands for the field's empty word ("auto", "none").
-using FieldValue =
-    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
-enum class FieldKind { Boolean, Integer, Real, Choice, Numbers };
+using FieldValue = std::variant<std::monostate, bool, std::int64_t, double, std::string,
+                                std::vector<double>, std::vector<std::string>>;
+enum class FieldKind { Boolean, Integer, Real, Choice, Numbers, Texts };
 
 /// The one description of a parameter: JSON, --set, GUI form, validation and documentation come
 /// from it.
@@ -77,8 +79,11 @@ struct Field {
   std::string emptyWord;             ///< "auto" or "none" where the field may be empty, else ""
   bool zeroIsEmpty = false;          ///< 0 may be written for the empty word
   std::size_t groupOf = 0;           ///< Numbers come in whole groups of this many
-  bool main = false;                 ///< shown among the few main sliders of its step
-  bool logarithmic = false;          ///< a slider moves in equal ratios
+  std::string form;                  ///< Texts: how each is written
+  /// Texts: throws InputError for one that cannot be used.
+  std::function<void(const std::string&)> check;
+  bool main = false;         ///< shown among the few main sliders of its step
+  bool logarithmic = false;  ///< a slider moves in equal ratios
   /// Why the field has no effect with these parameters; "" when it has one, or when not set.
   std::function<std::string(const Parameters&)> idle;
   std::function<FieldValue(const Parameters&)> get;
@@ -97,7 +102,7 @@ const Field& findField(std::string_view key);
 void setField(Parameters& params, std::string_view key, const FieldValue& value);
 
 /// As --set: `text` is parsed by the field's kind ("auto", "true", "3", "0.5", "modified",
-/// "1,2,3").
+/// "1,2,3", texts separated by ';').
 void setFieldFromText(Parameters& params, std::string_view key, std::string_view text);
 
 std::string fieldText(const FieldValue& value, const Field& field);

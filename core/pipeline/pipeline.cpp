@@ -24,7 +24,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 2, 2, 5, 2, 2, 2};
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 2, 2, 5, 3, 3, 2};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -33,7 +33,7 @@ const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
      {"vesselness."},
      {"seeds."},
      {"segmentation.method", "levelset.", "comparison."},
-     {"segmentation.keep", "segmentation.minVolumeMm3", "segmentation.drop", "surface."},
+     {"segmentation.keep", "segmentation.minVolumeMm3", "segmentation.drop", "ports.", "surface."},
      {"smooth."},
      {}}};
 
@@ -86,17 +86,27 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   SurfaceResult result;
   Segments segments = selectSegments(*evolved.phi, params.segmentation, params.seeds.points,
                                      progress.sub(0.0, 0.1));
-  result.phi = withoutDropped(evolved.phi, segments, progress.sub(0.1, 0.2));
+  result.uncutPhi = withoutDropped(evolved.phi, segments, progress.sub(0.1, 0.2));
   result.components = std::move(segments.components);
   result.insideVoxels = segments.insideVoxels;
+  const SplineField field(*result.uncutPhi, p.spline);
+  const CutAway away = makeCuts(field, *result.uncutPhi, params.ports, warnings, progress);
+  result.phi = result.uncutPhi;
+  if (!away.empty()) {
+    result.phi =
+        std::make_shared<const Volume<float>>(phiWithout(*result.uncutPhi, away, progress));
+    result.insideVoxels =
+        static_cast<std::size_t>(std::count_if(result.phi->voxels.begin(), result.phi->voxels.end(),
+                                               [](float value) { return value < 0.0F; }));
+  }
   result.marchingCubes =
       std::make_shared<const TriMesh>(marchingCubes(*result.phi, p.border, progress.sub(0.2, 0.3)));
-  if (p.method == SurfaceMethod::MarchingCubes && p.cellVoxels == 1.0 && p.minComponentMm3 == 0.0) {
+  if (p.method == SurfaceMethod::MarchingCubes && p.cellVoxels == 1.0 && p.minComponentMm3 == 0.0 &&
+      away.empty()) {
     result.mesh = result.marchingCubes;
     return result;
   }
-  const SplineField field(*result.phi, p.spline);
-  MadeSurface made = makeSurface(*result.phi, field, p, progress.sub(0.3, 1.0));
+  MadeSurface made = makeSurface(*result.uncutPhi, field, p, progress.sub(0.3, 1.0), away);
   if (made.mesh.triangles.empty())
     throw NumericError("no surface component is left", "surface",
                        "lower surface.minComponentMm3 or surface.cellVoxels, or choose another "
@@ -104,13 +114,23 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   for (std::string& warning : made.origin.warnings()) warnings.push_back(std::move(warning));
   result.mesh = std::make_shared<const TriMesh>(std::move(made.mesh));
   result.origin = std::move(made.origin);
+  result.ports = std::move(made.ports);
+  for (const Section& section : away.sections) result.sectionAreasMm2.push_back(section.areaMm2);
+  if (const std::size_t parts = result.origin.components.size(); !away.empty() && parts > 1)
+    warnings.push_back("the surface has " + std::to_string(parts) +
+                       " parts that are not connected: a flow solver takes one (see "
+                       "segmentation.keep)");
   return result;
 }
 
 QualityResult measure(const RunResult& run, const SplineField& field, const Progress& progress) {
   QualityResult result;
-  result.marchingCubes =
-      measureQuality(*run.surface->marchingCubes, &field, progress.sub(0.0, 0.33));
+  // Marching cubes follows phi with the edges that cuts made in it.
+  std::optional<SplineField> ended;
+  if (run.surface->phi != run.surface->uncutPhi)
+    ended.emplace(*run.surface->phi, run.params.surface.spline);
+  result.marchingCubes = measureQuality(*run.surface->marchingCubes, ended ? &*ended : &field,
+                                        progress.sub(0.0, 0.33));
   result.unsmoothed = run.surface->mesh == run.surface->marchingCubes
                           ? result.marchingCubes
                           : measureQuality(*run.surface->mesh, &field, progress.sub(0.33, 0.66));
@@ -302,13 +322,18 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
     return std::make_shared<const SurfaceResult>(
         surface(*run.evolve, params, progress.sub(0.8, 0.88), warnings));
   });
+  run.ports = run.surface->ports;
   if (!wanted(Step::Smooth)) return finished();
-  const SplineField field(*run.surface->phi, params.surface.spline);
-  run.smoothed = state_->obtain<TriMesh>(Step::Smooth, run.key, run, [&](Warnings&) {
+  const SplineField field(*run.surface->uncutPhi, params.surface.spline);
+  run.smoothed = state_->obtain<TriMesh>(Step::Smooth, run.key, run, [&](Warnings& warnings) {
     if (params.smooth.method == SmoothMethod::None) return run.surface->mesh;
-    return std::make_shared<const TriMesh>(
-        smoothSurface(*run.surface->mesh, params.smooth, &field, progress.sub(0.88, 0.94)));
+    auto smoothed = std::make_shared<const TriMesh>(smoothSurface(
+        *run.surface->mesh, params.smooth, &field, progress.sub(0.88, 0.94), run.surface->ports));
+    for (std::string& fault : portFaults(run.surface->ports, *smoothed))
+      warnings.push_back(std::move(fault));
+    return smoothed;
   });
+  run.ports = measuredPorts(run.surface->ports, *run.smoothed);
   if (!wanted(Step::Quality)) return finished();
   run.quality = state_->obtain<QualityResult>(Step::Quality, run.key, run, [&](Warnings&) {
     return std::make_shared<const QualityResult>(measure(run, field, progress.sub(0.94, 1.0)));

@@ -72,11 +72,16 @@ struct EvolveResult {
 };
 
 struct SurfaceResult {
-  std::shared_ptr<const Volume<float>> phi;  ///< of the kept components only
+  std::shared_ptr<const Volume<float>> phi;  ///< of the kept components only, ended by the cuts
+  /// The same without cuts, which the mesher follows and meshes are measured against: phi ends at a
+  /// cut in an edge, which no interpolant can follow.
+  std::shared_ptr<const Volume<float>> uncutPhi;
   std::vector<SegmentComponent> components;
   std::size_t insideVoxels = 0;                  ///< of the kept components
   std::shared_ptr<const TriMesh> mesh;           ///< unsmoothed
   SurfaceOrigin origin;                          ///< of `mesh`
+  std::vector<Port> ports;                       ///< of `mesh`: its patches
+  std::vector<double> sectionAreasMm2;           ///< of phi, of the first ports: the cuts
   std::shared_ptr<const TriMesh> marchingCubes;  ///< VTK's on the same phi, for comparison
 };
 
@@ -104,6 +109,7 @@ struct RunResult {
   std::shared_ptr<const EvolveResult> evolve;
   std::shared_ptr<const SurfaceResult> surface;
   std::shared_ptr<const TriMesh> smoothed;
+  std::vector<Port> ports;  ///< of `smoothed`, or of the surface's mesh if that is the last
   std::shared_ptr<const QualityResult> quality;
   std::vector<StageReport> stages;
   double totalSeconds = 0.0, cpuSeconds = 0.0;

@@ -173,6 +173,22 @@ Json surfaceBlock(const SurfaceOrigin& origin) {
   return block;
 }
 
+/// The openings, as the last mesh of the run has them.
+Json portList(const std::vector<Port>& ports, const std::vector<double>& sectionAreasMm2) {
+  const auto numbers = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  Json list = Json::array();
+  for (std::size_t n = 0; n < ports.size(); ++n) {
+    const Port& port = ports[n];
+    list.push_back({{"name", port.name},
+                    {"centre_mm", numbers(port.centreLps)},
+                    {"normal", numbers(port.normalLps)},
+                    {"area_mm2", port.areaMm2},
+                    {"equivalent_diameter_mm", port.equivalentDiameterMm()}});
+    if (n < sectionAreasMm2.size()) list.back()["section_area_mm2"] = sectionAreasMm2[n];
+  }
+  return list;
+}
+
 /// What smoothing did to the size of the surface. The radius is the one of a tube of the same
 /// volume and area, 2 V / A; an open surface encloses no volume.
 Json smoothingBlock(const MeshQuality& before, const MeshQuality& after) {
@@ -218,7 +234,10 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
 
   if (result.evolve) report["segmentation"] = segmentationBlock(result);
   if (truth) report["truth"] = overlapBlock(*truth);
-  if (result.surface) report["surface"] = surfaceBlock(result.surface->origin);
+  if (result.surface) {
+    report["surface"] = surfaceBlock(result.surface->origin);
+    report["ports"] = portList(result.ports, result.surface->sectionAreasMm2);
+  }
   if (result.quality) {
     if (result.params.smooth.method != SmoothMethod::None &&
         result.quality->unsmoothed.areaMm2 > 0.0)

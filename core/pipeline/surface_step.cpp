@@ -4,8 +4,11 @@
 #include <algorithm>
 
 #include "core/pipeline/segments.h"
+#include "core/surface/clip_reference.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/marching_cubes.h"
+#include "core/surface/port_patches.h"
+#include "core/surface/reference_surface.h"
 
 namespace angiomesh {
 namespace {
@@ -13,9 +16,28 @@ namespace {
 /// More of one kind would hide what else there is to say.
 constexpr std::size_t kNamedWarnings = 20;
 
-MadeSurface byMarchingCubes(const Volume<float>& phi, const SplineField& field,
-                            const SurfaceParams& params, const Progress& progress) {
+/// In cells of cellVoxels, divided at the cuts, with caps of triangles of the wanted size.
+MadeSurface clippedMarchingCubes(const SplineField& field, const SurfaceParams& params,
+                                 const CutAway& away, const Progress& progress) {
+  std::vector<CutPlane> planes;
+  for (const Section& section : away.sections) planes.push_back(section.plane);
+  const EndPlanes ends(field.geometry(), planes);
+  const GuidanceField size(field, params.sizing, progress.sub(0.0, 0.3), &away);
+  const double cellMm = params.cellVoxels * field.geometry().voxelMm();
+  PatchMesh mesh = referenceSurface(resampleField(field, cellMm, progress), ends, params.border,
+                                    progress.sub(0.3, 0.6));
+  clipReference(mesh, away, field, size, ends, params.border, progress.sub(0.6, 1.0));
   MadeSurface made;
+  made.ports = numberPatches(mesh, ends, away);
+  made.mesh = std::move(mesh.mesh);
+  return made;
+}
+
+MadeSurface byMarchingCubes(const Volume<float>& phi, const SplineField& field,
+                            const SurfaceParams& params, const CutAway& away,
+                            const Progress& progress) {
+  MadeSurface made;
+  if (!away.empty()) return clippedMarchingCubes(field, params, away, progress);
   if (params.cellVoxels == 1.0) {
     made.mesh = marchingCubes(phi, params.border, progress);
   } else {
@@ -26,15 +48,16 @@ MadeSurface byMarchingCubes(const Volume<float>& phi, const SplineField& field,
   return made;
 }
 
-MadeSurface bySize(const SplineField& field, const SurfaceParams& params,
+MadeSurface bySize(const SplineField& field, const SurfaceParams& params, const CutAway& away,
                    const Progress& progress) {
   ZeroSetMesh zeroSet =
-      meshZeroSet(field, params.sizing, params.method, params.border, progress.sub(0.0, 1.0));
+      meshZeroSet(field, params.sizing, params.method, params.border, progress.sub(0.0, 1.0), away);
   MadeSurface made;
   made.mesh = std::move(zeroSet.mesh);
   made.origin.components = std::move(zeroSet.components);
   made.origin.estimatedTriangles = zeroSet.estimatedTriangles;
   made.origin.dropped = std::move(zeroSet.dropped);
+  made.ports = std::move(zeroSet.ports);
   return made;
 }
 
@@ -77,10 +100,11 @@ std::vector<std::string> SurfaceOrigin::warnings() const {
 }
 
 MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
-                        const SurfaceParams& params, const Progress& progress) {
+                        const SurfaceParams& params, const Progress& progress,
+                        const CutAway& away) {
   MadeSurface made = params.method == SurfaceMethod::MarchingCubes
-                         ? byMarchingCubes(phi, field, params, progress)
-                         : bySize(field, params, progress);
+                         ? byMarchingCubes(phi, field, params, away, progress)
+                         : bySize(field, params, away, progress);
   SurfaceOrigin& origin = made.origin;
   origin.method = params.method;
   if (const int count = dropSmallComponents(made.mesh, params.minComponentMm3); count > 0) {
@@ -95,8 +119,8 @@ MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
 }
 
 double estimateTriangles(const SplineField& field, const SurfaceParams& params,
-                         const Progress& progress) {
-  return GuidanceField(field, params.sizing, progress).estimatedTriangles();
+                         const Progress& progress, const CutAway& away) {
+  return GuidanceField(field, params.sizing, progress, &away).estimatedTriangles();
 }
 
 }  // namespace angiomesh

@@ -8,6 +8,8 @@
 #include "core/base/progress.h"
 #include "core/image/volume.h"
 #include "core/pipeline/parameters.h"
+#include "core/surface/cut_away.h"
+#include "core/surface/port.h"
 
 namespace angiomesh {
 
@@ -28,17 +30,21 @@ struct SurfaceOrigin {
 struct MadeSurface {
   TriMesh mesh;
   SurfaceOrigin origin;
+  /// As ZeroSetMesh::ports; of marching cubes without cuts none, and the mesh has no patches.
+  std::vector<Port> ports;
 };
 
-/// The surface of phi = 0 before smoothing; `field` interpolates `phi`. Components that enclose
-/// less than minComponentMm3 are left out; the mesh may be empty.
-/// @throws Cancelled
+/// The surface of phi = 0 before smoothing, without what `away` takes; `field` interpolates `phi`.
+/// Components that enclose less than minComponentMm3 are left out; the mesh may be empty. With cuts
+/// marching cubes has its caps at the volume's border in the outermost planes of voxel centres.
+/// @throws InputError, as clipReference(); Cancelled
 MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
-                        const SurfaceParams& params, const Progress& progress = {});
+                        const SurfaceParams& params, const Progress& progress = {},
+                        const CutAway& away = {});
 
 /// The number of triangles that the size field asks for, before meshing.
 /// @throws Cancelled
 double estimateTriangles(const SplineField& field, const SurfaceParams& params,
-                         const Progress& progress = {});
+                         const Progress& progress = {}, const CutAway& away = {});
 
 }  // namespace angiomesh

@@ -25,7 +25,8 @@ std::vector<char> wallTriangles(const TriMesh& mesh, const Geometry& grid) {
   std::vector<char> wall(mesh.triangles.size());
   for (std::size_t t = 0; t < wall.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
-    wall[t] = (planes[a] & planes[b] & planes[c]) == 0 ? 1 : 0;
+    const bool patch = !mesh.patch.empty() && mesh.patch[t] != 0;
+    wall[t] = !patch && (planes[a] & planes[b] & planes[c]) == 0 ? 1 : 0;
   }
   return wall;
 }

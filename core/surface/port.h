@@ -29,6 +29,11 @@ constexpr const char* kWallName = "wall";
 /// without triangles has area 0.
 std::vector<Port> measurePatches(const TriMesh& mesh, std::size_t count);
 
+/// The ports as a mesh has them: patches as measurePatches() measures them, and of those without
+/// triangles the flat area inside the open rim in their plane. Where there is neither the area is 0
+/// and the rest as it was.
+std::vector<Port> measuredPorts(const std::vector<Port>& ports, const TriMesh& mesh);
+
 /// What became of `expected`, a sentence for each port that is not the same patch of `mesh` any
 /// more: its area differs by more than a tenth (a rim is a polygon, divided anew by each mesher),
 /// its centre by more than a tenth of its diameter, its normal by more than two degrees, or it has

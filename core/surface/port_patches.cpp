@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/surface/flat_area.h"
 #include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
@@ -14,31 +15,7 @@ using Eigen::Vector3d;
 
 constexpr int kBorders = 6;
 
-/// The area inside edges that run around it counter-clockwise, seen against the normal.
-class FlatArea {
- public:
-  explicit FlatArea(const Vector3d& normal) : normal_(normal) {}
-
-  void add(const Vector3d& a, const Vector3d& b) {
-    // About a point of the rim: coordinates of patients may be large.
-    if (!started_) about_ = a;
-    started_ = true;
-    const double twice = normal_.dot((a - about_).cross(b - about_));
-    area_ += 0.5 * twice;
-    first_ += twice / 6.0 * (a + b - 2.0 * about_);
-  }
-
-  [[nodiscard]] double areaMm2() const { return area_; }
-  [[nodiscard]] Port port() const {
-    if (!(area_ > 0.0)) return {};
-    return {"", about_ + first_ / area_, normal_, area_};
-  }
-
- private:
-  Vector3d normal_, about_{0.0, 0.0, 0.0}, first_{0.0, 0.0, 0.0};
-  double area_ = 0.0;
-  bool started_ = false;
-};
+Port portOf(const FlatArea& area) { return {"", area.centre(), area.normal(), area.areaMm2()}; }
 
 /// Border caps and rims, the largest first, named.
 std::vector<Port> inOrder(std::vector<Port> ports, std::vector<std::size_t>& order) {
@@ -114,7 +91,7 @@ Rims measureRims(const PatchMesh& mesh, const EndPlanes& ends) {
     area.add(mesh.mesh.points[e.from], mesh.mesh.points[e.to]);
   }
   for (const auto& [where, area] : loops)
-    if (area.areaMm2() > 0.0) rims.borders.push_back(area.port());
+    if (area.areaMm2() > 0.0) rims.borders.push_back(portOf(area));
   return rims;
 }
 
@@ -130,7 +107,7 @@ std::vector<Port> numberPatches(PatchMesh& mesh, const EndPlanes& ends, const Cu
   std::vector<Port> borders = borderCaps(mesh, cuts);
   const Rims rims = measureRims(mesh, ends);
   for (const auto& [plane, area] : rims.cuts)
-    if (area.areaMm2() > 0.0) ports[static_cast<std::size_t>(plane - kBorders)] = area.port();
+    if (area.areaMm2() > 0.0) ports[static_cast<std::size_t>(plane - kBorders)] = portOf(area);
   for (std::size_t n = 0; n < cuts; ++n) {
     ports[n].name = n < away.names.size() && !away.names[n].empty()
                         ? away.names[n]

@@ -295,6 +295,8 @@ FieldValue CaseController::suggestedValue(const Field& field) const {
       return true;
     case FieldKind::Choice:
       return field.choices.empty() ? std::string() : field.choices.front();
+    case FieldKind::Texts:
+      return std::vector<std::string>();
     case FieldKind::Numbers:
       break;
   }

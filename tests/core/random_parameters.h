@@ -22,6 +22,17 @@ inline FieldValue randomValue(const Field& field, std::uint64_t seed) {
       return field.minimum + u * span;
     case FieldKind::Choice:
       return field.choices[static_cast<std::size_t>(u * static_cast<double>(field.choices.size()))];
+    case FieldKind::Texts: {
+      std::vector<std::string> cuts;
+      for (int n = 0; n < 2; ++n) {
+        GivenCut cut;
+        for (int a = 0; a < 3; ++a) cut.pointLps[a] = randomNormal(seed, 10 * n + a) * 100.0;
+        if (randomUniform(seed, 30 + n) < 0.5) cut.normalLps = Eigen::Vector3d(0.3, -u, 1.0);
+        cut.name = n == 0 ? "inlet" : "outlet-" + std::to_string(seed % 7);
+        cuts.push_back(cutText(cut));
+      }
+      return cuts;
+    }
     case FieldKind::Numbers: {
       std::vector<double> numbers;
       for (std::size_t i = 0; i < field.groupOf; ++i)

@@ -100,6 +100,8 @@ class TestPipeline : public QObject {
                                                                      : field.choices.back();
       else if (field.kind == FieldKind::Numbers)
         value = std::vector<double>(field.groupOf, 1.0);
+      else if (field.kind == FieldKind::Texts)
+        value = std::vector<std::string>{"1,2,3,inlet"};
       else if (field.kind == FieldKind::Integer)
         value = static_cast<std::int64_t>(field.maximum);
       else

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/cuts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/quality/end_cuts.h"
+#include "core/quality/port_advice.h"
+#include "core/quality/skeleton.h"
+#include "core/quality/vessel_at.h"
+#include "core/surface/port.h"
+
+namespace angiomesh {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr const char* kForm = "write x,y,z,NAME or x,y,z,nx,ny,nz,NAME, in mm LPS";
+constexpr const char* kBorderPrefix = "border_";
+
+std::vector<std::string> piecesOf(const std::string& text) {
+  std::vector<std::string> pieces;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    std::string piece = text.substr(start, end - start);
+    const std::size_t first = piece.find_first_not_of(' ');
+    pieces.push_back(first == std::string::npos
+                         ? ""
+                         : piece.substr(first, piece.find_last_not_of(' ') - first + 1));
+    start = end + 1;
+  }
+  return pieces;
+}
+
+double numberOf(const std::string& piece, const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(piece.data(), piece.data() + piece.size(), value);
+  if (error != std::errc() || end != piece.data() + piece.size() || !std::isfinite(value))
+    throw InputError("'" + piece + "' is no number in the cut '" + text + "'", "ports.cuts", kForm);
+  return value;
+}
+
+void checkName(const std::string& name) {
+  const bool word = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return (c < 128 && std::isalnum(c) != 0) || c == '_' || c == '-' || c == '.';
+  });
+  if (!word)
+    throw InputError("'" + name + "' is no name for a port", "ports.cuts",
+                     "use letters, digits, '_', '-' and '.'");
+  if (name == kWallName || name.starts_with(kBorderPrefix))
+    throw InputError("'" + name + "' is a name that the program gives itself", "ports.cuts",
+                     "choose another name");
+}
+
+std::string shortest(double value) {
+  std::array<char, 40> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::size_t takenBy(const SplineField& field, const Volume<float>& phi, const CutPlane& plane,
+                    const Progress& progress) {
+  return cutAway(field, phi, {plane}, {}, progress).taken[0];
+}
+
+/// Where the axis through a vessel's centre meets the plane.
+Vector3d onAxis(const LocalVessel& vessel, const CutPlane& plane) {
+  const double slope = vessel.axisLps.dot(plane.normalLps);
+  if (std::fabs(slope) < 0.2) return vessel.centreLps;
+  const double along = (plane.pointLps - vessel.centreLps).dot(plane.normalLps) / slope;
+  return vessel.centreLps + along * vessel.axisLps;
+}
+
+CutPlane planeOf(const SplineField& field, const Volume<float>& phi, const GivenCut& cut,
+                 const Progress& progress) {
+  const Vector3d& p = cut.pointLps;
+  const Vector3d index = field.geometry().toIndex(p);
+  bool inGrid = true;
+  for (int a = 0; a < 3; ++a)
+    inGrid = inGrid && index[a] >= 0.0 &&
+             index[a] <= field.geometry().size[static_cast<std::size_t>(a)] - 1.0;
+  if (cut.normalLps && inGrid && field.valueAt(p) < 0.0) return {p, cut.normalLps->normalized()};
+  const std::optional<LocalVessel> vessel = inGrid ? vesselAt(field, p) : std::nullopt;
+  if (!vessel) {
+    char place[100];
+    std::snprintf(place, sizeof place, "'%s' at L %.1f P %.1f S %.1f mm", cut.name.c_str(), p.x(),
+                  p.y(), p.z());
+    throw InputError("there is no vessel where the cut " + std::string(place) + " lies",
+                     "ports.cuts", "give a point inside the segmentation, in mm LPS");
+  }
+  if (cut.normalLps) {
+    CutPlane plane{p, cut.normalLps->normalized()};
+    plane.pointLps = onAxis(*vessel, plane);
+    return plane;
+  }
+  const CutPlane forward{vessel->centreLps, vessel->axisLps};
+  const CutPlane backward{vessel->centreLps, -vessel->axisLps};
+  try {
+    return takenBy(field, phi, forward, progress) <= takenBy(field, phi, backward, progress)
+               ? forward
+               : backward;
+  } catch (const InputError& error) {
+    throw InputError("the cut '" + cut.name + "' needs a normal: " + error.what(), "ports.cuts",
+                     "give the direction in which the vessel ends, or move the point");
+  }
+}
+
+/// Whether two cuts come so near to each other that one of them has to go.
+bool inTheWay(const Section& section, const ProposedCut& end) {
+  return (section.centreLps - end.pointLps).norm() < section.radiusMm + 2.0 * end.radiusMm;
+}
+
+}  // namespace
+
+GivenCut parseCut(const std::string& text) {
+  const std::vector<std::string> pieces = piecesOf(text);
+  if (pieces.size() != 4 && pieces.size() != 7)
+    throw InputError("'" + text + "' is no cut", "ports.cuts", kForm);
+  GivenCut cut;
+  for (int a = 0; a < 3; ++a) cut.pointLps[a] = numberOf(pieces[static_cast<std::size_t>(a)], text);
+  if (pieces.size() == 7) {
+    Vector3d normal;
+    for (int a = 0; a < 3; ++a) normal[a] = numberOf(pieces[static_cast<std::size_t>(a) + 3], text);
+    if (!(normal.norm() > 1e-9))
+      throw InputError("the normal of the cut '" + text + "' has no length", "ports.cuts", kForm);
+    cut.normalLps = normal;
+  }
+  cut.name = pieces.back();
+  checkName(cut.name);
+  return cut;
+}
+
+std::string cutText(const GivenCut& cut) {
+  std::string text;
+  for (int a = 0; a < 3; ++a) text += shortest(cut.pointLps[a]) + ",";
+  if (cut.normalLps)
+    for (int a = 0; a < 3; ++a) text += shortest((*cut.normalLps)[a]) + ",";
+  return text + cut.name;
+}
+
+void checkPorts(const PortParams& params) {
+  std::set<std::string> names;
+  for (const std::string& text : params.cuts) {
+    const GivenCut cut = parseCut(text);
+    if (!names.insert(cut.name).second)
+      throw InputError("two cuts are called '" + cut.name + "'", "ports.cuts",
+                       "give each a name of its own");
+  }
+}
+
+CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortParams& params,
+                 std::vector<std::string>& remarks, const Progress& progress) {
+  if (params.cuts.empty() && !(params.cutEndsRadii > 0.0)) return {};
+  std::vector<CutPlane> planes;
+  std::vector<std::string> names;
+  for (const std::string& text : params.cuts) {
+    const GivenCut cut = parseCut(text);
+    planes.push_back(planeOf(field, phi, cut, progress));
+    names.push_back(cut.name);
+  }
+  const Skeleton skeleton = skeletonOf(phi, progress);
+  if (params.cutEndsRadii > 0.0) {
+    const CutAway given = cutAway(field, phi, planes, names, progress);
+    const std::set<std::string> taken(names.begin(), names.end());
+    const EndCuts ends = proposeEndCuts(skeleton, field, params.cutEndsRadii);
+    int number = 0;
+    for (const ProposedCut& end : ends.cuts) {
+      std::string name = "end_" + std::to_string(++number);
+      while (taken.count(name) != 0) name = "end_" + std::to_string(++number);
+      if (given.takenAt(end.pointLps) ||
+          std::any_of(given.sections.begin(), given.sections.end(),
+                      [&](const Section& s) { return inTheWay(s, end); }))
+        continue;
+      planes.push_back({end.pointLps, end.outwardNormalLps});
+      names.push_back(name);
+    }
+    for (const UncutTip& tip : ends.uncut) {
+      if (given.takenAt(tip.pointLps)) continue;
+      char place[80];
+      std::snprintf(place, sizeof place,
+                    "the end at L %.1f P %.1f S %.1f mm was not cut: ", tip.pointLps.x(),
+                    tip.pointLps.y(), tip.pointLps.z());
+      remarks.push_back(place + tip.reason);
+    }
+  }
+  CutAway away = cutAway(field, phi, planes, names, progress);
+  for (std::string& remark : portAdvice(skeleton, away)) remarks.push_back(std::move(remark));
+  return away;
+}
+
+}  // namespace angiomesh
