@@ -15,6 +15,8 @@ constexpr std::size_t kSmoothPoints = 2;
 constexpr int kCentrePasses = 3;
 /// A vessel has left a junction where it is at most so much thicker than farther on.
 constexpr double kSettled = 1.06;
+/// A line that leaves a junction by more than 45 degrees from the way to its place is not bent.
+constexpr double kLeastCosine = 0.7;
 /// A section tells a radius where the volume cuts it in at most this share of the directions.
 constexpr double kMostCut = 0.3;
 
@@ -228,27 +230,39 @@ BranchLine::Entry BranchLine::entry(std::size_t end) const {
   return entry;
 }
 
-/// From the place of the junction up to the line: a curve that goes on as the line does.
+/// From the place of the junction up to the line: Hermite's cubic that goes on as the line does, or
+/// straight where the line comes from aside.
 Polyline BranchLine::throughJunction(std::size_t end, const Vector3d& place) const {
   const Entry out = entry(end);
   const Vector3d chord = out.point - place;
   const double length = chord.norm();
+  Vector3d slope = -length * out.direction;
+  if (slope.dot(chord) < kLeastCosine * length * length) slope = chord;
   const int steps = static_cast<int>(std::ceil(length / probe_.voxelMm()));
   Polyline line;
   for (int n = 0; n < steps; ++n) {
     const double t = static_cast<double>(n) / steps;
-    // Hermite's cubic without the term of the slope at the junction beyond the chord's.
-    const Vector3d slope = out.direction.norm() > 0.0 ? Vector3d(-length * out.direction) : chord;
-    const double h01 = t * t * (3.0 - 2.0 * t);
-    const double h10 = t * (1.0 - t) * (1.0 - t);
-    const double h11 = t * t * (t - 1.0);
-    line.push_back(place + h01 * chord + h10 * chord + h11 * slope);
+    line.push_back(place + t * chord + t * t * (t - 1.0) * (slope - chord));
   }
   return line;
 }
 
-SkeletonBranch BranchLine::finished(const std::array<Vector3d, 2>& junctions) const {
+/// Takes the points that lie beyond the place of the junction, seen from the branch.
+void BranchLine::cutAt(std::size_t end, const Vector3d& place) {
+  const Vector3d inward = entry(end).direction;
+  const double reach = 4.0 * entry(end).radiusMm;
+  const auto last = [&]() -> const Vector3d& { return end == 0 ? line_.front() : line_.back(); };
+  while (line_.size() > 1 && (last() - place).norm() < reach &&
+         (last() - place).dot(inward) > -0.5 * probe_.voxelMm()) {
+    line_.erase(end == 0 ? line_.begin() : line_.end() - 1);
+    radius_.erase(end == 0 ? radius_.begin() : radius_.end() - 1);
+  }
+}
+
+SkeletonBranch BranchLine::finished(const std::array<Vector3d, 2>& junctions) {
   Polyline front, back;
+  for (std::size_t end = 0; end < 2; ++end)
+    if (ends_[end].kind == NodeKind::Junction) cutAt(end, junctions[end]);
   if (ends_[0].kind == NodeKind::Junction) front = throughJunction(0, junctions[0]);
   if (ends_[1].kind == NodeKind::Junction) back = throughJunction(1, junctions[1]);
   Polyline whole = front;

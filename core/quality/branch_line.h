@@ -38,9 +38,11 @@ class BranchLine {
   [[nodiscard]] Entry entry(std::size_t end) const;
 
   /// The whole line, which begins and ends in the given places where its ends are junctions.
-  [[nodiscard]] SkeletonBranch finished(const std::array<Eigen::Vector3d, 2>& junctions) const;
+  /// Once.
+  [[nodiscard]] SkeletonBranch finished(const std::array<Eigen::Vector3d, 2>& junctions);
 
  private:
+  void cutAt(std::size_t end, const Eigen::Vector3d& place);
   void leaveJunction(std::size_t end);
   void extend(std::size_t end);
   void extendToBorder();

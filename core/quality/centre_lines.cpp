@@ -139,7 +139,7 @@ bool CentreLines::straightInside(std::uint32_t from, std::uint32_t to) const {
   const Eigen::Vector3d way = set_.position(to) - set_.position(from);
   const int steps = static_cast<int>(2.0 * way.norm() / voxelMm_) + 1;
   for (int n = 1; n < steps; ++n)
-    if (!inside(set_.position(from) + way * (1.0 * n / steps))) return false;
+    if (!set_.numberAt(set_.position(from) + way * (1.0 * n / steps))) return false;
   return true;
 }
 
@@ -187,19 +187,8 @@ std::optional<double> CentreLines::toBorder(const std::vector<std::uint32_t>& po
     face = std::min(face, (at - here[a]) / direction[a]);
   }
   for (double gone = 0.5 * voxelMm_; gone < face; gone += 0.5 * voxelMm_)
-    if (!inside(here + gone * direction)) return std::nullopt;
+    if (!set_.numberAt(here + gone * direction)) return std::nullopt;
   return face;
-}
-
-bool CentreLines::inside(const Eigen::Vector3d& position) const {
-  Index3 p;
-  for (std::size_t a = 0; a < 3; ++a)
-    p[a] = static_cast<int>(std::floor(position[static_cast<Eigen::Index>(a)] /
-                                           set_.geometry().spacing[static_cast<Eigen::Index>(a)] +
-                                       0.5));
-  bool found = false;
-  set_.forRow(p[0], p[0], p[1], p[2], [&](std::size_t, int) { found = true; });
-  return found;
 }
 
 CentreLines::LineEnd CentreLines::endOf(const std::vector<std::uint32_t>& points,

@@ -66,7 +66,6 @@ class CentreLines {
   [[nodiscard]] bool straightInside(std::uint32_t from, std::uint32_t to) const;
   [[nodiscard]] std::optional<double> toBorder(const std::vector<std::uint32_t>& points,
                                                std::size_t from) const;
-  [[nodiscard]] bool inside(const Eigen::Vector3d& position) const;
   [[nodiscard]] double reach(std::uint32_t n) const { return 1.3 * wall_[n] + 2.0 * voxelMm_; }
 
   const VoxelSet& set_;

@@ -27,6 +27,11 @@ class GraphBuilder {
   [[nodiscard]] ChainGraph take();
 
  private:
+  void moveJoint(Voxels& points);
+  void findJoints();
+  [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
+    return (set_.position(a) - set_.position(b)).norm();
+  }
   void split(const Voxels& points, NodeKind front, NodeKind back);
   int nodeAt(std::uint32_t voxel, NodeKind kind);
   void remove(std::size_t chain);
@@ -36,6 +41,12 @@ class GraphBuilder {
 
   const CentreLines& lines_;
   const VoxelSet& set_;
+  std::vector<CentreLines::Path> paths_;
+  struct Place {
+    std::size_t path, point;
+  };
+  std::map<std::uint32_t, Place> placeOf_;          ///< of the voxels of paths
+  std::map<std::uint32_t, std::uint32_t> movedTo_;  ///< points that went, to the path they were in
   std::set<std::uint32_t> joints_;
   std::map<std::uint32_t, int> nodeOf_;
   ChainGraph graph_;
@@ -71,31 +82,88 @@ void GraphBuilder::split(const Voxels& points, NodeKind front, NodeKind back) {
   }
 }
 
-void GraphBuilder::add(const std::vector<CentreLines::Path>& paths) {
-  for (const CentreLines::Path& path : paths) {
+/// Cheapest paths run side by side in a vessel before they join. Takes from the back of a path what
+/// lies in the balls along the path that it joins, and goes straight into the middle of that one.
+void GraphBuilder::moveJoint(Voxels& points) {
+  std::uint32_t joint = points.back();
+  for (auto at = movedTo_.find(joint); at != movedTo_.end(); at = movedTo_.find(joint))
+    joint = at->second;
+  const auto place = placeOf_.find(joint);
+  if (place == placeOf_.end()) return;
+  const Voxels& other = paths_[place->second.path].points;
+  std::size_t at = place->second.point;
+  points.pop_back();
+  while (!points.empty()) {
+    const std::uint32_t here = points.back();
+    for (bool isCloser = true; isCloser;) {
+      isCloser = false;
+      for (const std::size_t next :
+           {at - std::min<std::size_t>(at, 2), at - std::min<std::size_t>(at, 1),
+            std::min(at + 1, other.size() - 1), std::min(at + 2, other.size() - 1)}) {
+        if (distance(here, other[next]) >= distance(here, other[at])) continue;
+        at = next;
+        isCloser = true;
+      }
+    }
+    if (distance(here, other[at]) >= lines_.wallMm(other[at])) break;
+    movedTo_.emplace(here, other[at]);
+    points.pop_back();
+  }
+  if (!points.empty()) {
+    const Eigen::Vector3d from = set_.position(points.back());
+    const Eigen::Vector3d way = set_.position(other[at]) - from;
+    const int steps = static_cast<int>(way.norm() / set_.geometry().voxelMm());
+    for (int n = 1; n < steps; ++n) {
+      const auto voxel = set_.numberAt(from + way * n / steps);
+      if (voxel && *voxel != points.back() && placeOf_.count(*voxel) == 0) points.push_back(*voxel);
+    }
+  }
+  points.push_back(other[at]);
+}
+
+void GraphBuilder::findJoints() {
+  for (const CentreLines::Path& path : paths_) {
     if (path.back.joins) joints_.insert(path.points.back());
     if (path.front.joins) joints_.insert(path.points.front());
   }
-  for (const CentreLines::Path& path : paths) {
-    Voxels points = path.points;
+  for (CentreLines::Path& path : paths_) {
+    path.front.isAttached = path.back.isAttached = false;
+    for (std::size_t n = 0; n < path.points.size(); ++n) {
+      if (joints_.count(path.points[n]) == 0) continue;
+      if (!path.front.isAttached) path.front.attached = n;
+      path.back.attached = path.points.size() - 1 - n;
+      path.front.isAttached = path.back.isAttached = true;
+    }
+  }
+}
+
+void GraphBuilder::add(const std::vector<CentreLines::Path>& paths) {
+  for (CentreLines::Path path : paths) {
+    Voxels& points = path.points;
     if (path.front.joins) {
       // Two ways around a ring meet at the wall: the line goes straight there, not out and back.
       std::size_t skip = 1;
       const double reach = lines_.wallMm(points[0]);
-      const Eigen::Vector3d start = set_.position(points[0]);
-      while (skip + 1 < points.size() && (set_.position(points[skip]) - start).norm() < reach)
-        ++skip;
+      while (skip + 1 < points.size() && distance(points[skip], points[0]) < reach) ++skip;
       points.erase(points.begin() + 1, points.begin() + static_cast<std::ptrdiff_t>(skip));
+      std::reverse(points.begin(), points.end());
+      moveJoint(points);
+      std::reverse(points.begin(), points.end());
     }
+    if (path.back.joins) moveJoint(points);
+    for (std::size_t n = 0; n < points.size(); ++n)
+      placeOf_.try_emplace(points[n], Place{paths_.size(), n});
+    paths_.push_back(std::move(path));
+  }
+  findJoints();
+  for (const CentreLines::Path& path : paths_) {
+    Voxels points = path.points;
     NodeKind kinds[2] = {NodeKind::Junction, NodeKind::Junction};
     const CentreLines::PathEnd* ends[2] = {&path.front, &path.back};
     for (int e = 0; e < 2; ++e) {
       const LineEnd line = lines_.endOf(points, *ends[e]);
-      const auto last = points.begin() + static_cast<std::ptrdiff_t>(line.at);
-      const auto joint =
-          std::find_if(points.begin(), last, [&](std::uint32_t n) { return joints_.count(n) > 0; });
-      kinds[e] = joint == last ? kindOf(line.kind) : NodeKind::Junction;
-      points.erase(points.begin(), joint);
+      kinds[e] = kindOf(line.kind);
+      points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(line.at));
       std::reverse(points.begin(), points.end());
     }
     split(points, kinds[0], kinds[1]);
@@ -108,8 +176,8 @@ void GraphBuilder::remove(std::size_t chain) {
   graph_.chains.erase(graph_.chains.begin() + static_cast<std::ptrdiff_t>(chain));
 }
 
-/// Of the chains from a junction to a tip inside its ball; the number of chains where there is
-/// none.
+/// Of the chains from a junction to a tip that hardly stick out of its ball; the number of chains
+/// where there is none.
 std::size_t GraphBuilder::shortestStub() const {
   std::size_t found = graph_.chains.size();
   double least = std::numeric_limits<double>::max();
@@ -120,7 +188,11 @@ std::size_t GraphBuilder::shortestStub() const {
     if (joint->kind == NodeKind::Tip) std::swap(joint, tip);
     if (tip->kind != NodeKind::Tip || joint->kind != NodeKind::Junction) continue;
     const double length = lengthOf(chain.voxels);
-    if (length >= lines_.wallMm(joint->voxel) || length >= least) continue;
+    const double ball = lines_.wallMm(joint->voxel);
+    const double sticksOut = length - ball;
+    const double wanted =
+        std::max(std::min(lines_.wallMm(tip->voxel), 0.5 * ball), 2.0 * set_.geometry().voxelMm());
+    if (sticksOut >= wanted || length >= least) continue;
     least = length;
     found = n;
   }

@@ -26,8 +26,9 @@ struct ChainGraph {
   std::vector<Chain> chains;
 };
 
-/// Without branches that end inside the ball that the junction holds, and without nodes between two
-/// chains.
+/// Joints are moved to where the vessels part, branches whose tips' balls have their centres
+/// less than 2 working voxels outside the junction's ball, or less than the tip's radius and half
+/// of the junction's, left out, chains that meet two by two made one.
 ChainGraph chainsOf(const CentreLines& lines, const VoxelSet& set,
                     const std::vector<CentreLines::Path>& paths);
 

@@ -22,4 +22,16 @@ VoxelSet::VoxelSet(const Volume<std::int32_t>& labels, std::int32_t lastLabel)
   }
 }
 
+std::optional<std::uint32_t> VoxelSet::numberAt(const Eigen::Vector3d& position) const {
+  Index3 p;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    p[a] = static_cast<int>(std::floor(position[axis] / geometry_.spacing[axis] + 0.5));
+  }
+  std::optional<std::uint32_t> found;
+  forRow(p[0], p[0], p[1], p[2],
+         [&](std::size_t n, int) { found = static_cast<std::uint32_t>(n); });
+  return found;
+}
+
 }  // namespace angiomesh

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/image/volume.h"
@@ -27,6 +28,9 @@ class VoxelSet {
     const Index3 p = indexOf(n);
     return geometry_.spacing.cwiseProduct(Eigen::Vector3d(p[0], p[1], p[2]));
   }
+
+  /// The voxel around a position in mm along the axes of the grid, if the set holds it.
+  [[nodiscard]] std::optional<std::uint32_t> numberAt(const Eigen::Vector3d& position) const;
 
   /// Calls visit(number, index) for the voxels of the set in row (j, k) from i0 to i1.
   template <class F>

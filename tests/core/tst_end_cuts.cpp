@@ -90,7 +90,7 @@ class TestEndCuts : public QObject {
         QVERIFY(std::fabs(cut.radiusMm - 2.0) < 0.05);
       }
       for (const UncutTip& tip : ends.uncut)
-        QVERIFY(tip.reason.find("junction") != std::string::npos);
+        QVERIFY2(tip.reason.find("junction") != std::string::npos, tip.reason.c_str());
     }
   }
 
