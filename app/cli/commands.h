@@ -22,6 +22,7 @@ void addSmooth(CLI::App& program, Session& session);
 
 void addQuality(CLI::App& program, Session& session);
 void addEvaluate(CLI::App& program, Session& session);
+void addSkeleton(CLI::App& program, Session& session);
 
 void addParameters(CLI::App& program, Session& session);
 void addSnapshot(CLI::App& program, Session& session);

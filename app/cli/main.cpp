@@ -51,6 +51,7 @@ int parseAndRun(int argc, char** argv) {
   addSmooth(program, session);
   addQuality(program, session);
   addEvaluate(program, session);
+  addSkeleton(program, session);
   addConvert(program, session);
 #ifdef ANGIOMESH_WITH_RENDER
   addSnapshot(program, session);

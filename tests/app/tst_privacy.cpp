@@ -172,6 +172,7 @@ class TestPrivacy : public QObject {
     done({"quality", ball, "--against", text(meshes_[1]), "--json"});
     done({"quality", "mask.vtp", "--phi", mask, "--json"});
     done({"evaluate", mask, text(masks_[2]), "--json"});
+    done({"skeleton", mask, "-o", "lines.csv", "-o", "lines.vtp", "--json"});
     done({"phantom", "tube", "-o", "tube", "--size", "16"});
     verifyNothingTold();
   }
