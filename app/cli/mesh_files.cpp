@@ -13,10 +13,10 @@ namespace {
 /// Whether a name holds nothing but words that models for flow solvers use, and numbers.
 bool isPlainName(const std::string& name) {
   static const std::set<std::string> words{
-      "aneurysm", "aorta",   "artery", "boundary", "branch",  "cap",   "end",
-      "face",     "in",      "inflow", "inlet",    "left",    "lumen", "mesh",
-      "out",      "outflow", "outlet", "part",     "patch",   "right", "solid",
-      "stl",      "surface", "vein",   "vessel",   "vessels", "wall",  "walls"};
+      "aneurysm", "aorta",  "artery", "boundary", "branch", "cap",   "default", "end",
+      "face",     "in",     "inflow", "inlet",    "left",   "lumen", "mesh",    "out",
+      "outflow",  "outlet", "part",   "patch",    "port",   "right", "solid",   "stl",
+      "surface",  "vein",   "vessel", "vessels",  "wall",   "walls"};
   std::string word;
   for (const char c : name + ' ') {
     if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
