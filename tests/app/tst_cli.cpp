@@ -19,8 +19,9 @@ namespace {
 /// A few iterations are enough where not the result but the files matter.
 const QStringList kQuick{"--set", "levelset.maxIterations=150", "--set", "levelset.checkEvery=50"};
 
-const QStringList kRunFiles{"marching-cubes.ply", "mask.nrrd",   "params.json", "phi.nrrd",
-                            "preview.png",        "report.json", "vessels.ply", "vessels.stl"};
+const QStringList kRunFiles{"marching-cubes.ply", "mask.nrrd",   "params.json",
+                            "phi.nrrd",           "ports.json",  "preview.png",
+                            "report.json",        "vessels.ply", "vessels.stl"};
 
 QJsonObject readJson(const QString& path) {
   QFile file(path);

@@ -137,7 +137,7 @@ class TestPrivacy : public QObject {
   void aRunOfADicomFolder() {
     const QString series = text(series_);
     done({"run", series, "-o", "whole", "--truth", text(masks_.front())});
-    QCOMPARE(filesIn(out_ + "/whole").size(), 8);
+    QCOMPARE(filesIn(out_ + "/whole").size(), 9);
     const QString settings = root_.filePath(QString(kPerson) + ".json");
     fs::copy_file(home_ / "out/whole/params.json", settings.toStdString());
     done({"run", series, "-o", "whole", "--force", "--until", "vesselness", "--params", settings});

@@ -128,7 +128,7 @@ class TestMainWindow : public QObject {
     WindowCase c;
     for (const Field& field : parameterFields()) {
       const QString name = "field:" + QString::fromStdString(field.key);
-      const char* kinds[] = {"check", "spin", "spin", "combo", "clear"};
+      const char* kinds[] = {"check", "spin", "spin", "combo", "clear", "clear"};
       QVERIFY2(c.find<QWidget>(kinds[static_cast<int>(field.kind)], name), qPrintable(name));
       const bool hidden = c.find<QWidget>(name)->parentWidget()->objectName() == "rest";
       QCOMPARE(hidden, !field.main);
