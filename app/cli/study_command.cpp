@@ -206,6 +206,7 @@ void addStudy(CLI::App& program, Session& session) {
   study->require_subcommand(1);
   addTableA(*study, session);
   addStudyPanel(*study, session);
+  addStudyPorts(*study, session);
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command =
       study->add_subcommand("figures",

@@ -10,4 +10,7 @@ namespace angiomesh::cli {
 /// Adds `panel` and `ablation` to the command `study`.
 void addStudyPanel(CLI::App& study, Session& session);
 
+/// Adds `ports` to the command `study`.
+void addStudyPorts(CLI::App& study, Session& session);
+
 }  // namespace angiomesh::cli

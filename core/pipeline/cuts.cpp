@@ -116,6 +116,59 @@ bool inTheWay(const Section& section, const ProposedCut& end) {
   return (section.centreLps - end.pointLps).norm() < section.radiusMm + 2.0 * end.radiusMm;
 }
 
+/// Without the place and the advice.
+std::string whatAlone(const InputError& error) {
+  const std::string text = error.what();
+  const std::size_t end = std::min(text.find(", surface cuts"), text.find(", at L"));
+  return text.substr(0, end);
+}
+
+std::string endText(const Vector3d& tip, const std::string& why) {
+  char place[80];
+  std::snprintf(place, sizeof place, "the end at L %.1f P %.1f S %.1f mm was not cut: ", tip.x(),
+                tip.y(), tip.z());
+  return place + why;
+}
+
+/// Cuts ends as far as they can be cut, beside the cuts there are.
+void addEnds(const SplineField& field, const Volume<float>& phi, const EndCuts& ends, CutAway& away,
+             std::vector<std::string>& remarks, const Progress& progress) {
+  std::vector<CutPlane> planes;
+  std::vector<std::string> names;
+  const auto addTo = [&](const CutPlane& plane, const std::string& name) {
+    std::vector<CutPlane> all;
+    for (const Section& section : away.sections) all.push_back(section.plane);
+    std::vector<std::string> allNames = away.names;
+    all.insert(all.end(), planes.begin(), planes.end());
+    allNames.insert(allNames.end(), names.begin(), names.end());
+    all.push_back(plane);
+    allNames.push_back(name);
+    return cutAway(field, phi, all, allNames, progress);
+  };
+  const std::set<std::string> taken(away.names.begin(), away.names.end());
+  const auto nameOf = [&](int number) { return "end_" + std::to_string(number); };
+  int number = 1;
+  CutAway withEnds;
+  for (const ProposedCut& end : ends.cuts) {
+    while (taken.count(nameOf(number)) != 0) ++number;
+    if (away.takenAt(end.pointLps) ||
+        std::any_of(away.sections.begin(), away.sections.end(),
+                    [&](const Section& s) { return inTheWay(s, end); }))
+      continue;
+    const CutPlane plane{end.pointLps, end.outwardNormalLps};
+    try {
+      withEnds = addTo(plane, nameOf(number));
+      planes.push_back(plane);
+      names.push_back(nameOf(number++));
+    } catch (const InputError& error) {
+      remarks.push_back(endText(end.pointLps, whatAlone(error)));
+    }
+  }
+  for (const UncutTip& tip : ends.uncut)
+    if (!away.takenAt(tip.pointLps)) remarks.push_back(endText(tip.pointLps, tip.reason));
+  if (!planes.empty()) away = std::move(withEnds);
+}
+
 }  // namespace
 
 GivenCut parseCut(const std::string& text) {
@@ -165,31 +218,10 @@ CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortP
     names.push_back(cut.name);
   }
   const Skeleton skeleton = skeletonOf(phi, progress);
-  if (params.cutEndsRadii > 0.0) {
-    const CutAway given = cutAway(field, phi, planes, names, progress);
-    const std::set<std::string> taken(names.begin(), names.end());
-    const EndCuts ends = proposeEndCuts(skeleton, field, params.cutEndsRadii);
-    int number = 0;
-    for (const ProposedCut& end : ends.cuts) {
-      std::string name = "end_" + std::to_string(++number);
-      while (taken.count(name) != 0) name = "end_" + std::to_string(++number);
-      if (given.takenAt(end.pointLps) ||
-          std::any_of(given.sections.begin(), given.sections.end(),
-                      [&](const Section& s) { return inTheWay(s, end); }))
-        continue;
-      planes.push_back({end.pointLps, end.outwardNormalLps});
-      names.push_back(name);
-    }
-    for (const UncutTip& tip : ends.uncut) {
-      if (given.takenAt(tip.pointLps)) continue;
-      char place[80];
-      std::snprintf(place, sizeof place,
-                    "the end at L %.1f P %.1f S %.1f mm was not cut: ", tip.pointLps.x(),
-                    tip.pointLps.y(), tip.pointLps.z());
-      remarks.push_back(place + tip.reason);
-    }
-  }
   CutAway away = cutAway(field, phi, planes, names, progress);
+  if (params.cutEndsRadii > 0.0)
+    addEnds(field, phi, proposeEndCuts(skeleton, field, params.cutEndsRadii), away, remarks,
+            progress);
   for (std::string& remark : portAdvice(skeleton, away)) remarks.push_back(std::move(remark));
   return away;
 }

@@ -106,7 +106,9 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
     result.mesh = result.marchingCubes;
     return result;
   }
-  MadeSurface made = makeSurface(*result.uncutPhi, field, p, progress.sub(0.3, 1.0), away);
+  const bool largestAlone = params.segmentation.keep == KeepComponents::Largest;
+  MadeSurface made =
+      makeSurface(*result.uncutPhi, field, p, progress.sub(0.3, 1.0), away, largestAlone);
   if (made.mesh.triangles.empty())
     throw NumericError("no surface component is left", "surface",
                        "lower surface.minComponentMm3 or surface.cellVoxels, or choose another "

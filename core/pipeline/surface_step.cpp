@@ -100,8 +100,8 @@ std::vector<std::string> SurfaceOrigin::warnings() const {
 }
 
 MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
-                        const SurfaceParams& params, const Progress& progress,
-                        const CutAway& away) {
+                        const SurfaceParams& params, const Progress& progress, const CutAway& away,
+                        bool largestAlone) {
   MadeSurface made = params.method == SurfaceMethod::MarchingCubes
                          ? byMarchingCubes(phi, field, params, away, progress)
                          : bySize(field, params, away, progress);
@@ -113,6 +113,12 @@ MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
       return part.volumeMm3 < params.minComponentMm3;
     });
   }
+  // Parts that voxels connect but the surface does not, and bubbles inside.
+  if (const int count = largestAlone ? keepLargestComponent(made.mesh) : 0; count > 0) {
+    origin.dropped.push_back(std::to_string(count) + " components beside the largest");
+    if (origin.components.size() > 1) origin.components.resize(1);
+  }
+  if (!origin.dropped.empty()) dropLostPorts(made.mesh, made.ports, away.sections.size());
   if (params.method == SurfaceMethod::AdvancingFront)
     origin.fromFrontPercent = fromFront(origin.components);
   return made;

@@ -35,12 +35,13 @@ struct MadeSurface {
 };
 
 /// The surface of phi = 0 before smoothing, without what `away` takes; `field` interpolates `phi`.
-/// Components that enclose less than minComponentMm3 are left out; the mesh may be empty. With cuts
+/// Components that enclose less than minComponentMm3 are left out, with `largestAlone` all but the
+/// one of most triangles; the mesh may be empty. With cuts
 /// marching cubes has its caps at the volume's border in the outermost planes of voxel centres.
 /// @throws InputError, as clipReference(); Cancelled
 MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
                         const SurfaceParams& params, const Progress& progress = {},
-                        const CutAway& away = {});
+                        const CutAway& away = {}, bool largestAlone = false);
 
 /// The number of triangles that the size field asks for, before meshing.
 /// @throws Cancelled

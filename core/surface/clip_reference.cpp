@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/surface/grow_front.h"
 #include "core/surface/mesh_edges.h"
+#include "core/surface/reference_surface.h"
 
 namespace angiomesh {
 namespace {
@@ -36,13 +37,15 @@ class Clipper {
   void cut(std::size_t number) {
     number_ = number;
     section_ = &away_.sections[number];
-    measureHeights();
-    const std::vector<std::uint32_t> passing = passingTriangles();
-    std::vector<std::uint32_t> group = groupOf(passing);
-    if (group.empty())
-      throw InputError(away_.nameOf(number) + " lies where the vessel is thinner than a voxel",
-                       "surface cuts", "move the cut to a place where the vessel is thicker");
+    const std::vector<std::uint32_t> group = groupOf(passingTriangles());
+    if (group.empty()) throw noSection(away_.nameOf(number));
     divide(group);
+  }
+
+  // Whether the mesh has the section, as cut() needs it.
+  bool finds(const Section& section) {
+    section_ = &section;
+    return !groupOf(passingTriangles()).empty();
   }
 
   // Drops the parts beyond the sections. Rims, from the left of which the wall went, are chained.
@@ -98,7 +101,8 @@ class Clipper {
     return height_[v] > kSnapVoxels * voxel_ ? 1 : height_[v] < -kSnapVoxels * voxel_ ? -1 : 0;
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> passingTriangles() const {
+  std::vector<std::uint32_t> passingTriangles() {
+    measureHeights();
     std::vector<std::uint32_t> passing;
     for (std::uint32_t t = 0; t < mesh_.mesh.triangles.size(); ++t) {
       const Corners& c = mesh_.mesh.triangles[t];
@@ -288,6 +292,27 @@ class Clipper {
 };
 
 }  // namespace
+
+InputError noSection(const std::string& cut) {
+  return {cut + " lies where the vessel is thinner than a voxel, or all but touches another",
+          "surface cuts", "move the cut along the vessel"};
+}
+
+bool hasSection(const SplineField& field, const Section& section) {
+  const Geometry& g = field.geometry();
+  const Vector3d centre = g.toIndex(section.centreLps);
+  const Eigen::Matrix3d toIndex = g.physicalToIndexMatrix();
+  GridPart part;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    const double reach = (section.radiusMm + 5.0 * g.voxelMm()) * toIndex.row(axis).norm();
+    part.first[a] = std::max(0, static_cast<int>(std::floor(centre[axis] - reach)));
+    part.last[a] = std::min(g.size[a] - 1, static_cast<int>(std::ceil(centre[axis] + reach)));
+  }
+  PatchMesh local = referenceSurface(sampleField(field, part), EndPlanes(g), SurfaceBorder::Open);
+  const CutAway none;
+  return Clipper(local, none, g.voxelMm()).finds(section);
+}
 
 void clipReference(PatchMesh& reference, const CutAway& away, const SplineField& field,
                    const GuidanceField& size, const EndPlanes& ends, SurfaceBorder border,

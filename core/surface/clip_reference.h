@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
+#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/patch_mesh.h"
+#include "core/surface/section.h"
 
 namespace angiomesh {
 
@@ -13,10 +17,17 @@ namespace angiomesh {
 /// divided where they pass a section's outline, within the section's vessel alone, and the parts
 /// beyond go, with all that lies on voxels that are taken. With `Cap` the sections become flat caps
 /// of triangles of the wanted size.
-/// @throws InputError naming the cut where the reference has no such section (a vessel thinner than
-/// a voxel, or a section that only the interpolant joins), or both of its sides are one piece
+/// @throws InputError naming the cut where the reference has no such section (see hasSection()), or
+/// both of its sides are one piece
 void clipReference(PatchMesh& reference, const CutAway& away, const SplineField& field,
                    const GuidanceField& size, const EndPlanes& ends, SurfaceBorder border,
                    const Progress& progress = {});
+
+/// What cutAway() and clipReference() say where hasSection() does not hold.
+InputError noSection(const std::string& cut);
+
+/// Whether a reference surface of the field would have this section: not where the vessel is
+/// thinner than a voxel, or so near another in the section's plane that marching cubes joins them.
+bool hasSection(const SplineField& field, const Section& section);
 
 }  // namespace angiomesh

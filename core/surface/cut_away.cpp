@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/levelset/redistance.h"
+#include "core/surface/clip_reference.h"
 
 namespace angiomesh {
 namespace {
@@ -65,12 +66,8 @@ class Cutter {
   CutAway run(const std::vector<CutPlane>& cuts) {
     for (const CutPlane& cut : cuts) {
       const std::string name = away_.nameOf(away_.sections.size());
-      try {
-        away_.sections.push_back(sectionOf(field_, cut));
-      } catch (const InputError& error) {
-        throw InputError(name + ": " + error.what(), "surface cuts",
-                         "move the cut or leave it out");
-      }
+      away_.sections.push_back(sectionOf(field_, cut, name));
+      if (!hasSection(field_, away_.sections.back())) throw noSection(name);
     }
     if (away_.sections.empty()) return std::move(away_);
     checkApart();

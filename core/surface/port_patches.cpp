@@ -15,6 +15,8 @@ using Eigen::Vector3d;
 
 constexpr int kBorders = 6;
 
+std::string borderName(std::size_t number) { return "border_" + std::to_string(number); }
+
 Port portOf(const FlatArea& area) { return {"", area.centre(), area.normal(), area.areaMm2()}; }
 
 /// Border caps and rims, the largest first, named.
@@ -27,7 +29,7 @@ std::vector<Port> inOrder(std::vector<Port> ports, std::vector<std::size_t>& ord
   std::vector<Port> sorted;
   for (const std::size_t i : order) {
     sorted.push_back(ports[i]);
-    sorted.back().name = "border_" + std::to_string(sorted.size());
+    sorted.back().name = borderName(sorted.size());
   }
   return sorted;
 }
@@ -122,6 +124,20 @@ std::vector<Port> numberPatches(PatchMesh& mesh, const EndPlanes& ends, const Cu
   }
   ports.insert(ports.end(), borders.begin(), borders.end());
   return ports;
+}
+
+void dropLostPorts(TriMesh& mesh, std::vector<Port>& ports, std::size_t cuts) {
+  const std::vector<Port> measured = measuredPorts(ports, mesh);
+  std::vector<Port> left;
+  std::vector<std::uint16_t> number(ports.size() + 1, 0);
+  for (std::size_t n = 0; n < ports.size(); ++n) {
+    if (n >= cuts && !(measured[n].areaMm2 > 0.0)) continue;
+    left.push_back(measured[n]);
+    if (n >= cuts) left.back().name = borderName(left.size() - cuts);
+    number[n + 1] = static_cast<std::uint16_t>(left.size());
+  }
+  for (std::uint16_t& patch : mesh.patch) patch = number[patch];
+  ports = std::move(left);
 }
 
 }  // namespace angiomesh

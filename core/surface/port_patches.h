@@ -15,4 +15,9 @@ namespace angiomesh {
 /// bounds.
 std::vector<Port> numberPatches(PatchMesh& mesh, const EndPlanes& ends, const CutAway& away);
 
+/// After components were taken out of a surface: ports at the volume's border (all but the first
+/// `cuts`) that went with them go too, and those left are numbered and named anew; the rest are
+/// measured again.
+void dropLostPorts(TriMesh& mesh, std::vector<Port>& ports, std::size_t cuts);
+
 }  // namespace angiomesh

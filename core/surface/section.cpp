@@ -20,14 +20,17 @@ using Eigen::Vector3d;
 
 std::string placeText(const Vector3d& p) {
   char text[80];
-  std::snprintf(text, sizeof text, "the cut at L %.1f P %.1f S %.1f mm", p.x(), p.y(), p.z());
+  std::snprintf(text, sizeof text, "at L %.1f P %.1f S %.1f mm", p.x(), p.y(), p.z());
   return text;
 }
 
 class SectionTracer {
  public:
-  SectionTracer(const SplineField& field, const CutPlane& plane, int finer)
-      : field_(field), grid_(field.geometry()), step_(grid_.voxelMm() / finer) {
+  SectionTracer(const SplineField& field, const CutPlane& plane, const std::string& name, int finer)
+      : field_(field),
+        grid_(field.geometry()),
+        name_(name.empty() ? "the cut" : name),
+        step_(grid_.voxelMm() / finer) {
     section_.plane = {plane.pointLps, plane.normalLps.normalized()};
     // Any two directions in the plane will do, as long as u x v points outwards.
     const Vector3d& n = section_.plane.normalLps;
@@ -38,8 +41,8 @@ class SectionTracer {
   Section run() {
     if (!section_.plane.normalLps.allFinite() || !section_.plane.pointLps.allFinite() ||
         !(std::fabs(section_.plane.normalLps.norm() - 1.0) < 1e-6))
-      throw InputError("the normal of a cut has no direction", placeText(section_.plane.pointLps),
-                       "give a normal that is not 0, or none");
+      throw InputError("the normal of " + name_ + " has no direction",
+                       placeText(section_.plane.pointLps), "give a normal that is not 0, or none");
     flood();
     outline();
     measure();
@@ -77,7 +80,7 @@ class SectionTracer {
   void flood() {
     const Node start{0, 0};
     if (!insideGrid(at(start)) || !(valueAt(start) < 0.0))
-      throw InputError("the cut does not lie in a vessel", placeText(section_.plane.pointLps),
+      throw InputError(name_ + " does not lie in a vessel", placeText(section_.plane.pointLps),
                        "give a point inside the segmentation, in mm LPS");
     std::deque<Node> open{start};
     region_[keyOf(start)] = start;
@@ -91,7 +94,7 @@ class SectionTracer {
           if (!(valueAt(next) < 0.0)) continue;
           if (di != 0 && dj != 0 && !joinedAcross(n, next)) continue;
           if (!insideGrid(at(next)))
-            throw InputError("the cut reaches the border of the volume",
+            throw InputError(name_ + " reaches the border of the volume",
                              placeText(section_.plane.pointLps),
                              "move it inwards, or take the opening at the border as the port");
           region_[keyOf(next)] = next;
@@ -258,6 +261,7 @@ class SectionTracer {
 
   const SplineField& field_;
   const Geometry& grid_;
+  std::string name_;
   double step_;
   Section section_;
   std::unordered_map<std::uint64_t, double> values_;
@@ -287,8 +291,9 @@ double Section::equivalentDiameterMm() const {
   return 2.0 * std::sqrt(areaMm2 / 3.14159265358979323846);
 }
 
-Section sectionOf(const SplineField& field, const CutPlane& plane, int finer) {
-  return SectionTracer(field, plane, finer).run();
+Section sectionOf(const SplineField& field, const CutPlane& plane, const std::string& name,
+                  int finer) {
+  return SectionTracer(field, plane, name, finer).run();
 }
 
 }  // namespace angiomesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "core/surface/end_planes.h"
@@ -37,9 +38,10 @@ struct Section {
 };
 
 /// By marching squares on a lattice of `finer` steps per working voxel; area and centre to fourth
-/// order of the step.
+/// order of the step. `name` is for messages: "the cut" unless given.
 /// @throws InputError when the point is not inside phi < 0, or the section reaches the outermost
 /// voxel centres
-Section sectionOf(const SplineField& field, const CutPlane& plane, int finer = 4);
+Section sectionOf(const SplineField& field, const CutPlane& plane, const std::string& name = {},
+                  int finer = 4);
 
 }  // namespace angiomesh

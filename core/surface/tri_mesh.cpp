@@ -2,6 +2,7 @@
 #include "core/surface/tri_mesh.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <string>
 
 #include "core/base/error.h"
@@ -18,6 +19,32 @@ double sixfoldVolume(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t,
   const Eigen::Vector3d b = mesh.points[t[1]] - about;
   const Eigen::Vector3d c = mesh.points[t[2]] - about;
   return a.dot(b.cross(c));
+}
+
+/// Returns the number of components dropped.
+int keepComponents(TriMesh& mesh, const MeshComponents& components, const std::vector<bool>& keep) {
+  const auto dropped = std::count(keep.begin(), keep.end(), false);
+  TriMesh kept;
+  constexpr std::uint32_t unused = 0xffffffffU;
+  std::vector<std::uint32_t> renumbered(mesh.points.size(), unused);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!keep[components.label[i]]) continue;
+    kept.triangles.push_back(mesh.triangles[i]);
+    if (!mesh.patch.empty()) kept.patch.push_back(mesh.patch[i]);
+  }
+  for (const auto& t : kept.triangles) {
+    for (const std::uint32_t v : t) renumbered[v] = 0;
+  }
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (renumbered[v] == unused) continue;
+    renumbered[v] = static_cast<std::uint32_t>(kept.points.size());
+    kept.points.push_back(mesh.points[v]);
+  }
+  for (auto& t : kept.triangles) {
+    for (std::uint32_t& v : t) v = renumbered[v];
+  }
+  mesh = std::move(kept);
+  return static_cast<int>(dropped);
 }
 
 }  // namespace
@@ -71,34 +98,20 @@ int dropSmallComponents(TriMesh& mesh, double minimumMm3) {
     met[c] = true;
     sixfold[c] += sixfoldVolume(mesh, mesh.triangles[i], about[c]);
   }
-  int dropped = 0;
   std::vector<bool> keep(components.count);
-  for (std::size_t c = 0; c < components.count; ++c) {
-    keep[c] = !(sixfold[c] / 6.0 < minimumMm3);
-    if (!keep[c]) ++dropped;
-  }
+  for (std::size_t c = 0; c < components.count; ++c) keep[c] = !(sixfold[c] / 6.0 < minimumMm3);
+  return keepComponents(mesh, components, keep);
+}
 
-  TriMesh kept;
-  constexpr std::uint32_t unused = 0xffffffffU;
-  std::vector<std::uint32_t> renumbered(mesh.points.size(), unused);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (!keep[components.label[i]]) continue;
-    kept.triangles.push_back(mesh.triangles[i]);
-    if (!mesh.patch.empty()) kept.patch.push_back(mesh.patch[i]);
-  }
-  for (const auto& t : kept.triangles) {
-    for (const std::uint32_t v : t) renumbered[v] = 0;
-  }
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (renumbered[v] == unused) continue;
-    renumbered[v] = static_cast<std::uint32_t>(kept.points.size());
-    kept.points.push_back(mesh.points[v]);
-  }
-  for (auto& t : kept.triangles) {
-    for (std::uint32_t& v : t) v = renumbered[v];
-  }
-  mesh = std::move(kept);
-  return dropped;
+int keepLargestComponent(TriMesh& mesh) {
+  const MeshComponents components = meshComponents(mesh);
+  if (components.count < 2) return 0;
+  std::vector<std::size_t> triangles(components.count, 0);
+  for (const std::uint32_t label : components.label) ++triangles[label];
+  std::vector<bool> keep(components.count, false);
+  keep[static_cast<std::size_t>(std::max_element(triangles.begin(), triangles.end()) -
+                                triangles.begin())] = true;
+  return keepComponents(mesh, components, keep);
 }
 
 }  // namespace angiomesh
