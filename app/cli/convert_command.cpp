@@ -64,8 +64,7 @@ int convertMesh(const ConvertOptions& options) {
   write.quality = options.quality;
   write.key = loaded.key;
   bool numbered = false;
-  write.patchNames =
-      options.solidNames ? loaded.patchNames : plainPatchNames(loaded.patchNames, numbered);
+  write.patchNames = options.solidNames ? loaded.patchNames : plainPatchNames(loaded, numbered);
   if (numbered && loaded.patchNames.size() > 1 && (hasNames || options.patchFiles))
     sayNumbered(options);
   writeChecked(loaded.mesh, options.output, options.output, write);
@@ -77,7 +76,7 @@ int convertToOpenFoam(const ConvertOptions& options) {
   const LoadedMesh loaded = loadSpoken(options);
   bool numbered = false;
   const std::vector<std::string> names =
-      options.solidNames ? loaded.patchNames : plainPatchNames(loaded.patchNames, numbered);
+      options.solidNames ? loaded.patchNames : plainPatchNames(loaded, numbered);
   if (numbered && names.size() > 1) sayNumbered(options);
   std::vector<Port> ports;
   if (!loaded.mesh.patch.empty()) ports = measurePatches(loaded.mesh, names.size() - 1);

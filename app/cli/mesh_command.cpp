@@ -11,6 +11,7 @@
 #include "app/cli/summary.h"
 #include "core/base/error.h"
 #include "core/pipeline/cuts.h"
+#include "core/pipeline/pipeline.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/surface_step.h"
 #include "core/surface/mesh_edges.h"
@@ -112,6 +113,8 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   if (input.label)
     made.mesh = smoothSurface(made.mesh, all.smooth, &field, rest.sub(0.9, 1.0), made.ports);
   MeshWriteOptions write;
+  // Of what it was made of; it also says that the names are ours.
+  write.key = contentHash(input.phi);
   write.patchNames = patchNamesOf(made.ports);
   // A text STL file alone has names.
   if (!away.empty() && meshExtension(options.output) == ".stl")

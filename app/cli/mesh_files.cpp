@@ -45,7 +45,9 @@ MeshReadOptions meshReadOptions(const std::string& frame, const std::string& uni
   return options;
 }
 
-std::vector<std::string> plainPatchNames(std::vector<std::string> names, bool& any) {
+std::vector<std::string> plainPatchNames(const LoadedMesh& loaded, bool& any) {
+  std::vector<std::string> names = loaded.patchNames;
+  if (!loaded.key.empty()) return names;
   for (std::size_t patch = 0; patch < names.size(); ++patch) {
     if (isPlainName(names[patch])) continue;
     any = true;

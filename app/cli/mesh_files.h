@@ -17,9 +17,10 @@ LengthUnit unitFromOption(const std::string& word);
 /// Of the two words; empty: by the file's header.
 MeshReadOptions meshReadOptions(const std::string& frame, const std::string& unit);
 
-/// Names of patches of a file of anybody: those that may be of files and patients become numbers;
-/// `any`: there were some.
-std::vector<std::string> plainPatchNames(std::vector<std::string> names, bool& any);
+/// Names of a file's patches. Those of files that this program wrote (they state a key) are words
+/// of its user, and kept. In files of anybody those that may be of files and patients become
+/// numbers; `any`: there were some.
+std::vector<std::string> plainPatchNames(const LoadedMesh& loaded, bool& any);
 
 /// "wall", then the ports' names: of their patches.
 std::vector<std::string> patchNamesOf(const std::vector<Port>& ports);

@@ -64,8 +64,9 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
   const TriMesh smooth =
       smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr, progress.sub(0.3, 1.0));
   MeshWriteOptions write;
+  write.key = loaded.key;
   bool numbered = false;
-  write.patchNames = plainPatchNames(loaded.patchNames, numbered);
+  write.patchNames = plainPatchNames(loaded, numbered);
   writeChecked(smooth, options.output, options.output, write);
   return Done;
 }

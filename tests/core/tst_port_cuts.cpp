@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/phantom/phantom.h"
+#include "core/pipeline/cuts.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+const Vector3d kFrom{10.2, 20.3, 19.4}, kTo{52.1, 21.2, 20.8};
+
+double capsule(const Vector3d& p, const Vector3d& from, const Vector3d& to, double radius) {
+  const Vector3d axis = (to - from).normalized();
+  const double t = std::clamp((p - from).dot(axis), 0.0, (to - from).norm());
+  return (p - from - t * axis).norm() - radius;
+}
+
+Geometry grid() {
+  Geometry g;
+  g.size = {64, 42, 40};
+  return g;
+}
+
+// A straight vessel with two ends inside the volume.
+Volume<float> oneVessel() {
+  return shapes::sampled(grid(), [](const Vector3d& p) { return capsule(p, kFrom, kTo, 3.4); });
+}
+
+// A trunk along x that divides at x = 30 into two branches.
+Volume<float> forked() {
+  return shapes::sampled(grid(), [](const Vector3d& p) {
+    const Vector3d joint{30.0, 20.0, 20.0};
+    return std::min({capsule(p, {-9.0, 20.0, 20.0}, joint, 4.0),
+                     capsule(p, joint, {54.0, 33.0, 20.0}, 3.0),
+                     capsule(p, joint, {54.0, 7.0, 20.0}, 3.0)});
+  });
+}
+
+CutAway made(const Volume<float>& phi, const PortParams& params,
+             std::vector<std::string>& remarks) {
+  const SplineField field(phi, SplineKind::InterpolatingBspline);
+  return makeCuts(field, phi, params, remarks);
+}
+
+CutAway made(const Volume<float>& phi, const std::vector<std::string>& cuts) {
+  std::vector<std::string> remarks;
+  return made(phi, {cuts, 0.0}, remarks);
+}
+
+template <class F>
+std::string messageOf(F function) {
+  try {
+    function();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool anyHas(const std::vector<std::string>& texts, const char* what) {
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const std::string& text) { return text.find(what) != std::string::npos; });
+}
+
+}  // namespace
+
+class TestPortCuts : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void textsAreReadAndWritten() {
+    const GivenCut plain = parseCut(" 1.5, -2,3e1 ,inlet");
+    QCOMPARE(plain.name, std::string("inlet"));
+    QVERIFY(plain.pointLps == Vector3d(1.5, -2.0, 30.0) && !plain.normalLps);
+    QCOMPARE(cutText(plain), std::string("1.5,-2,30,inlet"));
+    const GivenCut full = parseCut("0.1,0.2,0.3,0,0,-2,left-renal.1");
+    QVERIFY(full.normalLps && *full.normalLps == Vector3d(0.0, 0.0, -2.0));
+    QCOMPARE(cutText(full), std::string("0.1,0.2,0.3,0,0,-2,left-renal.1"));
+    QVERIFY(parseCut(cutText(full)).pointLps == full.pointLps);
+  }
+
+  void whatIsNoCutIsRefusedInWords_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("why");
+    QTest::newRow("empty") << ""
+                           << "is no cut";
+    QTest::newRow("three") << "1,2,3"
+                           << "is no cut";
+    QTest::newRow("five") << "1,2,3,4,name"
+                          << "is no cut";
+    QTest::newRow("word") << "1,two,3,name"
+                          << "'two' is no number";
+    QTest::newRow("infinite") << "1,inf,3,name"
+                              << "is no number";
+    QTest::newRow("no direction") << "1,2,3,0,0,0,name"
+                                  << "has no length";
+    QTest::newRow("no name") << "1,2,3,"
+                             << "'' is no name";
+    QTest::newRow("blank in name") << "1,2,3,left renal"
+                                   << "is no name";
+    QTest::newRow("separator in name") << "1,2,3,a;b"
+                                       << "is no name";
+    QTest::newRow("wall") << "1,2,3,wall"
+                          << "gives itself";
+    QTest::newRow("border") << "1,2,3,border_1"
+                            << "gives itself";
+  }
+  void whatIsNoCutIsRefusedInWords() {
+    QFETCH(QString, text);
+    QFETCH(QString, why);
+    const QString message =
+        QString::fromStdString(messageOf([&] { parseCut(text.toStdString()); }));
+    QVERIFY2(message.contains(why), qPrintable(message));
+    Parameters params;
+    QVERIFY_EXCEPTION_THROWN(setField(params, "ports.cuts", std::vector{text.toStdString()}),
+                             InputError);
+  }
+
+  void namesAreDifferent() {
+    Parameters params;
+    setFieldFromText(params, "ports.cuts", "1,2,3,a;4,5,6,a");
+    QVERIFY(messageOf([&] { validate(params); }).find("two cuts are called 'a'") !=
+            std::string::npos);
+    setFieldFromText(params, "ports.cuts", "1,2,3,a;4,5,6,b");
+    validate(params);
+    QCOMPARE(params.ports.cuts.size(), std::size_t{2});
+    setFieldFromText(params, "ports.cuts", "none");
+    QVERIFY(params.ports.cuts.empty());
+  }
+
+  // Across the vessel, and the smaller part goes.
+  void aCutWithoutNormalGoesAcross() {
+    const Volume<float> phi = oneVessel();
+    const Vector3d axis = (kTo - kFrom).normalized();
+    for (const double share : {0.25, 0.8}) {
+      // Beside the axis, and on the wall.
+      for (const double off : {1.5, 3.4, 4.6}) {
+        const Vector3d at = kFrom + share * (kTo - kFrom) + off * axis.unitOrthogonal();
+        GivenCut cut;
+        cut.pointLps = at;
+        cut.name = "x";
+        const CutAway away = made(phi, {cutText(cut)});
+        const Section& section = away.sections[0];
+        const double towards = section.plane.normalLps.dot(axis) * (share > 0.5 ? 1.0 : -1.0);
+        QVERIFY2(towards > std::cos(0.03), qPrintable(QString::number(towards)));
+        QVERIFY(std::abs(section.areaMm2 / (shapes::pi * 3.4 * 3.4) - 1.0) < 0.01);
+        QVERIFY(std::abs((section.centreLps - at).dot(axis)) < 0.6);
+      }
+    }
+  }
+
+  // A plane through a point beside the vessel meets it where its axis does.
+  void aPlaneThroughAPointOnTheWallIsTheGivenOne() {
+    const Vector3d axis = (kTo - kFrom).normalized();
+    const Vector3d normal = (axis + 0.4 * axis.unitOrthogonal()).normalized();
+    GivenCut cut;
+    cut.pointLps = 0.5 * (kFrom + kTo) + 4.4 * axis.unitOrthogonal();
+    cut.normalLps = 3.0 * normal;
+    cut.name = "x";
+    const CutAway away = made(oneVessel(), {cutText(cut)});
+    QVERIFY((away.sections[0].plane.normalLps - normal).norm() < 1e-12);
+    QVERIFY(std::abs((away.sections[0].centreLps - cut.pointLps).dot(normal)) < 1e-9);
+  }
+
+  void endsAreCutByThemselves() {
+    std::vector<std::string> remarks;
+    const CutAway away = made(oneVessel(), {{}, 2.0}, remarks);
+    QCOMPARE(away.names, (std::vector<std::string>{"end_1", "end_2"}));
+    QVERIFY(remarks.empty());
+    const Vector3d axis = (kTo - kFrom).normalized();
+    for (const Section& section : away.sections) {
+      const double along = (section.centreLps - kFrom).dot(axis);
+      const double fromTip = std::min(along, (kTo - kFrom).norm() - along);
+      QVERIFY2(std::abs(fromTip - 2.0 * 3.4) < 1.5, qPrintable(QString::number(fromTip)));
+      QVERIFY(section.plane.normalLps.dot(axis) * (along > 20.0 ? 1.0 : -1.0) > 0.99);
+    }
+    // A given cut stands in for its end; names do not clash.
+    const CutAway one = made(oneVessel(), {{"45,21,20.6,end_1"}, 2.0}, remarks);
+    QCOMPARE(one.names, (std::vector<std::string>{"end_1", "end_2"}));
+    QVERIFY((one.sections[1].centreLps - kFrom).norm() < 10.0);
+  }
+
+  void remarksSayWhatASolverWouldNot() {
+    std::vector<std::string> remarks;
+    made(forked(), {{"12,20,20,-1,0,0,far", "40,25.4,20,near"}, 0.0}, remarks);
+    QCOMPARE(remarks.size(), std::size_t{2});
+    QVERIFY(anyHas(remarks, "'near' lies"));
+    QVERIFY(anyHas(remarks, "of its diameters from the next branching"));
+    remarks.clear();
+    made(forked(), {{"33,20,20,1,0,0,both"}, 0.0}, remarks);
+    QVERIFY(anyHas(remarks, "passes 2 vessels at once"));
+    remarks.clear();
+    made(oneVessel(), {{"30,20.8,20,1,0,0,single"}, 0.0}, remarks);
+    QVERIFY(remarks.empty());
+  }
+
+  void aPlaceWithoutAVesselIsNamed() {
+    const std::string message = messageOf([] { made(oneVessel(), {"5,5,5,nowhere"}); });
+    QVERIFY(message.find("'nowhere' at L 5.0 P 5.0 S 5.0") != std::string::npos);
+  }
+
+  // Through the pipeline: names, mask and reports; other values of rho do not move a port.
+  void aRunEndsAtItsCuts() {
+    PhantomParams phantom;
+    phantom.kind = PhantomKind::Bifurcation;
+    phantom.size = {56, 56, 56};
+    phantom.radius = 3.5;
+    Pipeline pipeline(makeSource(makePhantom(phantom).image, "fork"));
+    Parameters params;
+    params.ports.cuts = {"27.5,27.5,8,0,0,-1,inlet", "38,27.5,42.5,left"};
+    std::vector<double> areas;
+    for (const double rho : {0.3, 0.4, 0.5}) {
+      params.surface.sizing.rho = rho;
+      const RunResult run = pipeline.run(params);
+      QCOMPARE(run.ports.size(), std::size_t{3});
+      QCOMPARE(run.ports[0].name, std::string("inlet"));
+      QCOMPARE(run.ports[1].name, std::string("left"));
+      QCOMPARE(run.ports[2].name, std::string("border_1"));
+      QVERIFY(portFaults(run.ports, *run.smoothed).empty());
+      for (const std::size_t n : {0, 1})
+        QVERIFY(std::abs(run.ports[n].areaMm2 / run.surface->sectionAreasMm2[n] - 1.0) < 5e-3);
+      areas.push_back(run.ports[1].areaMm2);
+      // The mask ends at the cuts; what is left of it is inside as before.
+      const Geometry& g = run.surface->phi->geometry;
+      for (std::size_t i = 0; i < run.surface->phi->voxels.size(); ++i) {
+        const Index3 p = g.indexOf(i);
+        const bool inside = run.surface->phi->voxels[i] < 0.0F;
+        QVERIFY(!inside || run.surface->uncutPhi->voxels[i] < 0.0F);
+        if (p[2] < 8) QVERIFY(!inside);
+      }
+    }
+    QVERIFY(std::abs(areas[0] / areas[2] - 1.0) < 5e-3);
+    // Nothing before the surface is computed again for another cut, and undo finds the old one.
+    params.ports.cuts.pop_back();
+    for (const StageReport& stage : pipeline.run(params).stages)
+      QCOMPARE(stage.reused, stage.step < Step::Surface);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestPortCuts)
+#include "tst_port_cuts.moc"
