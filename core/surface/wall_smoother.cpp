@@ -12,7 +12,26 @@
 namespace angiomesh {
 namespace {
 constexpr std::size_t blockSize = 2048;
+
+// Per patch: whether phi ends there, as that of a run with cuts does, and its wall goes on over the
+// cap.
+std::vector<char> closedPatches(const TriMesh& mesh, const SplineField* phi) {
+  const std::size_t count = *std::max_element(mesh.patch.begin(), mesh.patch.end());
+  std::vector<char> closed(count + 1, 0);
+  if (phi == nullptr) return closed;
+  const Geometry& g = phi->geometry();
+  const std::vector<Port> patches = measurePatches(mesh, count);
+  for (std::size_t n = 0; n < count; ++n) {
+    const Eigen::Vector3d beyond = patches[n].centreLps + g.voxelMm() * patches[n].normalLps;
+    const Eigen::Vector3d index = g.toIndex(beyond);
+    bool inside = true;
+    for (int a = 0; a < 3; ++a)
+      inside = inside && index[a] >= 0.0 && index[a] <= g.size[static_cast<std::size_t>(a)] - 1.0;
+    closed[n + 1] = static_cast<char>(inside && phi->valueAt(beyond) >= 0.0);
+  }
+  return closed;
 }
+}  // namespace
 
 double largestCosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a, bc = c - b, ca = a - c;
@@ -43,7 +62,7 @@ WallSmoother::WallSmoother(const TriMesh& mesh, const SmoothParams& params, cons
     freedom_[v].fixed = frozen[v] != 0 || edges_.irregular(v) || edges_.valence(v) >= ringLimit;
   }
   if (phi != nullptr) findPlanes(phi->geometry());
-  if (!mesh.patch.empty()) holdPatches(mesh, ports, phi != nullptr);
+  if (!mesh.patch.empty()) holdPatches(mesh, ports, phi);
   fixTips();
   refreshNormals();
 }
@@ -94,7 +113,7 @@ void WallSmoother::findPlanes(const Geometry& g) {
 }
 
 void WallSmoother::holdPatches(const TriMesh& mesh, const std::vector<Port>& ports,
-                               bool rimsFollowWall) {
+                               const SplineField* phi) {
   const HeldPlanes held(mesh, nullptr, ports);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::uint32_t v : mesh.triangles[t])
@@ -106,10 +125,13 @@ void WallSmoother::holdPatches(const TriMesh& mesh, const std::vector<Port>& por
     f.held = true;
     f.planeNormal = held.normal(v);
   }
-  if (rimsFollowWall) return;
-  // A wall that is a mesh goes on over the caps: nothing there tells where a rim is.
-  for (const RimEdge& edge : rimEdges(mesh))
+  // Where the wall goes on over the cap nothing tells where the rim is.
+  const std::vector<char> closed = closedPatches(mesh, phi);
+  for (const RimEdge& edge : rimEdges(mesh)) {
+    const std::size_t patch = edge.second ? mesh.patch[edge.second->triangle] : 0U;
+    if (phi != nullptr && closed[patch] == 0) continue;
     for (const std::uint32_t v : {edge.low, edge.high}) freedom_[v].held = false;
+  }
 }
 
 bool WallSmoother::inOneCap(const Corners& t) const {

@@ -60,7 +60,7 @@ class WallSmoother {
   };
 
   void findPlanes(const Geometry& g);
-  void holdPatches(const TriMesh& mesh, const std::vector<Port>& ports, bool rimsFollowWall);
+  void holdPatches(const TriMesh& mesh, const std::vector<Port>& ports, const SplineField* phi);
   void fixTips();
   [[nodiscard]] bool inOneCap(const Corners& t) const;
   std::size_t ringOf(std::uint32_t v, Ring& ring) const;

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "core/surface/port.h"
+#include "io/mesh_io.h"
+#include "io/ports_file.h"
+#include "tests/app/cli_process.h"
+#include "tests/io/external_mesher.h"
+
+using namespace angiomesh;
+
+namespace {
+
+const std::vector<std::string> kNames{"wall", "renal_left", "outlet-1", "outlet-2"};
+const QStringList kCuts{"--cut", "27.5,27.5,10,0,0,-1,renal_left", "--cut", "18,27.5,41.5,outlet-1",
+                        "--cut", "37,27.5,41.5,0.8,0,0.7,outlet-2"};
+
+QByteArray solidsOf(const QString& path) {
+  QFile file(path);
+  QByteArray names;
+  if (!file.open(QIODevice::ReadOnly)) return names;
+  for (const QByteArray& line : file.readAll().split('\n'))
+    if (line.startsWith("solid ")) names += line.mid(6).trimmed() + ' ';
+  return names;
+}
+
+}  // namespace
+
+// Inlets and outlets from the command line to the files that a solver takes.
+class TestPorts : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir dir_;
+  std::vector<Port> ports_;
+
+  QString at(const QString& name) const { return dir_.filePath(name); }
+  std::filesystem::path place(const QString& name) const { return at(name).toStdString(); }
+  CliResult cli(const QStringList& arguments) const { return runCli(dir_.path(), arguments); }
+
+  // The file holds the ports that the run wrote.
+  void holdsThePorts(const QString& file) const {
+    const LoadedMesh back = loadMesh(place(file));
+    QCOMPARE(back.patchNames, kNames);
+    QVERIFY2(portFaults(ports_, back.mesh).empty(), qPrintable(file));
+    const std::vector<Port> there = measurePatches(back.mesh, 3);
+    for (std::size_t n = 0; n < 3; ++n)
+      QVERIFY(std::abs(there[n].areaMm2 / ports_[n].areaMm2 - 1.0) < 1e-6);
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QVERIFY(cli({"phantom", "bifurcation", "-o", "p", "--size", "56", "--radius", "3.5"}).code ==
+            0);
+    const CliResult run = cli(QStringList{"run", "p/image.mha", "-o", "out"} + kCuts);
+    QVERIFY2(run.code == 0, run.errors.constData());
+    ports_ = readPorts(place("out/ports.json"));
+    QCOMPARE(ports_.size(), std::size_t{3});
+    for (std::size_t n = 0; n < 3; ++n) QCOMPARE(ports_[n].name, kNames[n + 1]);
+  }
+
+  void aRunNamesItsOpenings() {
+    holdsThePorts("out/vessels.ply");
+    holdsThePorts("out/vessels.stl");
+    QCOMPARE(solidsOf(at("out/vessels.stl")), QByteArray("wall renal_left outlet-1 outlet-2 "));
+    QFile file(at("out/report.json"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonArray ports =
+        QJsonDocument::fromJson(file.readAll()).object().value("ports").toArray();
+    QCOMPARE(ports.size(), 3);
+    for (qsizetype n = 0; n < 3; ++n) {
+      const QJsonObject port = ports[n].toObject();
+      QCOMPARE(port.value("name").toString().toStdString(),
+               kNames[static_cast<std::size_t>(n) + 1]);
+      const double section = port.value("section_area_mm2").toDouble();
+      QVERIFY(std::abs(port.value("area_mm2").toDouble() / section - 1.0) < 5e-3);
+    }
+  }
+
+  void namesSurviveEveryFormatAndSmoothing() {
+    for (const char* file : {"a.vtp", "a.obj", "a.ply", "a.stl"}) {
+      QStringList arguments{"convert", "out/vessels.ply", "-o", file};
+      if (QString(file).endsWith(".stl")) arguments << "--ascii";
+      QVERIFY(cli(arguments).code == 0);
+      holdsThePorts(file);
+    }
+    QVERIFY(cli({"smooth", "a.vtp", "-o", "s.ply", "--phi", "out/phi.nrrd"}).code == 0);
+    QCOMPARE(loadMesh(place("s.ply")).patchNames, kNames);
+    QVERIFY(portFaults(ports_, loadMesh(place("s.ply")).mesh).empty());
+  }
+
+  void parametersBringTheCutsBack() {
+    QVERIFY(cli({"run", "p/image.mha", "-o", "again", "--params", "out/params.json"}).code == 0);
+    const std::vector<Port> again = readPorts(place("again/ports.json"));
+    QCOMPARE(again.size(), std::size_t{3});
+    for (std::size_t n = 0; n < 3; ++n) {
+      QCOMPARE(again[n].name, ports_[n].name);
+      QCOMPARE(again[n].areaMm2, ports_[n].areaMm2);
+    }
+  }
+
+  void everyMethodEndsAtTheCuts_data() {
+    QTest::addColumn<QString>("method");
+    for (const char* method : {"advancing-front", "remesh", "marching-cubes"})
+      QTest::newRow(method) << method;
+  }
+  void everyMethodEndsAtTheCuts() {
+    QFETCH(QString, method);
+    const QString file = method + ".stl";
+    const CliResult mesh =
+        cli(QStringList{"mesh", "p/truth.mha", "-o", file, "--set", "surface.method=" + method} +
+            kCuts);
+    QVERIFY2(mesh.code == 0, mesh.errors.constData());
+    QCOMPARE(solidsOf(at(file)), QByteArray("wall renal_left outlet-1 outlet-2 "));
+    if (!test::isInstalled("gmsh")) QSKIP("gmsh is not installed");
+    QString log;
+    QVERIFY2(test::fillsWithTetrahedra(place(file), log), qPrintable(log));
+  }
+
+  void whatASmoothedRunWritesIsFilled() {
+    if (!test::isInstalled("gmsh")) QSKIP("gmsh is not installed");
+    QString log;
+    QVERIFY2(test::fillsWithTetrahedra(place("out/vessels.stl"), log), qPrintable(log));
+  }
+
+  void openRimsAreNamedToo() {
+    const CliResult run = cli(
+        QStringList{"run", "p/image.mha", "-o", "open", "--set", "surface.border=open"} + kCuts);
+    QVERIFY2(run.code == 0, run.errors.constData());
+    const std::vector<Port> open = readPorts(place("open/ports.json"));
+    QCOMPARE(open.size(), std::size_t{3});
+    for (std::size_t n = 0; n < 3; ++n) {
+      QCOMPARE(open[n].name, ports_[n].name);
+      QVERIFY(std::abs(open[n].areaMm2 / ports_[n].areaMm2 - 1.0) < 1e-3);
+    }
+  }
+
+  void endsAreCutOnDemand() {
+    QVERIFY(cli({"phantom", "capsule-tree", "-o", "tree", "--size", "72"}).code == 0);
+    const CliResult run = cli({"run", "tree/image.mha", "-o", "ends", "--cut-ends", "1.5", "--set",
+                               "segmentation.keep=largest"});
+    QVERIFY2(run.code == 0, run.errors.constData());
+    const std::vector<Port> ends = readPorts(place("ends/ports.json"));
+    QVERIFY2(ends.size() >= 2, run.errors.constData());
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+      QCOMPARE(ends[n].name, "end_" + std::to_string(n + 1));
+      QVERIFY(ends[n].areaMm2 > 0.5);
+    }
+    QCOMPARE(loadMesh(place("ends/vessels.ply")).patchNames.size(), ends.size() + 1);
+  }
+
+  void badCutsAreRefusedAndLeaveNothing_data() {
+    QTest::addColumn<QString>("cut");
+    QTest::addColumn<QByteArray>("why");
+    QTest::newRow("no name") << "27.5,27.5,10" << QByteArray("is no cut");
+    QTest::newRow("outside") << "2,2,2,in" << QByteArray("there is no vessel");
+    QTest::newRow("along the vessel")
+        << "27.5,27.5,10,1,0,0,in" << QByteArray("reaches the border of the volume");
+    QTest::newRow("twice") << "27.5,27.5,10,0,0,-1,renal_left"
+                           << QByteArray("two cuts are called 'renal_left'");
+  }
+  void badCutsAreRefusedAndLeaveNothing() {
+    QFETCH(QString, cut);
+    QFETCH(QByteArray, why);
+    QStringList arguments{"run", "p/image.mha", "-o", "bad", "--cut", cut};
+    if (why.startsWith("two")) arguments << kCuts;
+    const CliResult run = cli(arguments);
+    QCOMPARE(run.code, 2);
+    QCOMPARE(run.errorLines().size(), 1);
+    QVERIFY2(run.errors.contains(why), run.errors.constData());
+    QVERIFY(!QDir(at("bad")).exists());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestPorts)
+#include "tst_ports.moc"
