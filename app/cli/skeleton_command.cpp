@@ -79,6 +79,7 @@ int skeleton(const SkeletonOptions& options, const Progress& progress) {
     checkOutputFile(output);
   }
   const MeshInput input = readMeshInput(options.input, options.label, progress.sub(0.0, 0.5));
+  progress.phase("centre lines");
   const Skeleton found = skeletonOf(input.phi, progress.sub(0.5, 1.0));
   if (found.branches.empty())
     throw InputError("there is no vessel in it, nothing that is longer than thick", options.input,

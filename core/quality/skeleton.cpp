@@ -183,7 +183,6 @@ void addPart(Skeleton& skeleton, const Part& part, const CentreLines& lines, con
 }  // namespace
 
 Skeleton skeletonOf(const Volume<float>& phi, const Progress& progress) {
-  progress.phase("centre lines");
   Skeleton skeleton;
   const Components found = connectedComponents(insideMask(phi));
   const std::size_t count = found.sizes.size();
