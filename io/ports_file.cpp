@@ -99,6 +99,12 @@ std::string nameFault(const std::string& name, std::set<std::string>& taken) {
 
 }  // namespace
 
+std::vector<std::string> patchNamesOf(const std::vector<Port>& ports) {
+  std::vector<std::string> names{kWallName};
+  for (const Port& port : ports) names.push_back(port.name);
+  return names;
+}
+
 void writePorts(const std::vector<Port>& ports, const fs::path& path) {
   const auto toJson = [](const Eigen::Vector3d& v) { return Json::array({v[0], v[1], v[2]}); };
   Json list = Json::array();

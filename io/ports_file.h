@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/surface/port.h"
 
 namespace angiomesh {
+
+/// MeshWriteOptions::patchNames of a mesh with these ports.
+std::vector<std::string> patchNamesOf(const std::vector<Port>& ports);
 
 /// Writes the ports in their order as JSON (schema 1, LPS, mm), to a temporary name, then renames.
 /// @throws InputError: a port without a name, with another's or the wall's, or with a measure that

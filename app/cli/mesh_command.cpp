@@ -19,6 +19,7 @@
 #include "core/surface/tri_mesh.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
+#include "io/ports_file.h"
 
 namespace angiomesh::cli {
 namespace {

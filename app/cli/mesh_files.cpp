@@ -56,12 +56,6 @@ std::vector<std::string> plainPatchNames(const LoadedMesh& loaded, bool& any) {
   return names;
 }
 
-std::vector<std::string> patchNamesOf(const std::vector<Port>& ports) {
-  std::vector<std::string> names{kWallName};
-  for (const Port& port : ports) names.push_back(port.name);
-  return names;
-}
-
 void writeChecked(const TriMesh& mesh, const std::filesystem::path& place, const std::string& name,
                   const MeshWriteOptions& options) {
   for (const std::string& warning : writeMesh(mesh, place, options))

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/surface/port.h"
+#include "core/surface/tri_mesh.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh::cli {
@@ -21,9 +21,6 @@ MeshReadOptions meshReadOptions(const std::string& frame, const std::string& uni
 /// of its user, and kept. In files of anybody those that may be of files and patients become
 /// numbers; `any`: there were some.
 std::vector<std::string> plainPatchNames(const LoadedMesh& loaded, bool& any);
-
-/// "wall", then the ports' names: of their patches.
-std::vector<std::string> patchNamesOf(const std::vector<Port>& ports);
 
 /// Writes a mesh, says its warnings with `name`, and reads it back to see that the file holds it.
 /// @throws as writeMesh() and checkMeshFile()

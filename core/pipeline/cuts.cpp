@@ -13,7 +13,6 @@
 #include "core/base/error.h"
 #include "core/quality/end_cuts.h"
 #include "core/quality/port_advice.h"
-#include "core/quality/skeleton.h"
 #include "core/quality/vessel_at.h"
 #include "core/surface/port.h"
 
@@ -47,18 +46,6 @@ double numberOf(const std::string& piece, const std::string& text) {
   return value;
 }
 
-void checkName(const std::string& name) {
-  const bool word = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return (c < 128 && std::isalnum(c) != 0) || c == '_' || c == '-' || c == '.';
-  });
-  if (!word)
-    throw InputError("'" + name + "' is no name for a port", "ports.cuts",
-                     "use letters, digits, '_', '-' and '.'");
-  if (name == kWallName || name.starts_with(kBorderPrefix))
-    throw InputError("'" + name + "' is a name that the program gives itself", "ports.cuts",
-                     "choose another name");
-}
-
 std::string shortest(double value) {
   std::array<char, 40> buffer{};
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
@@ -77,8 +64,78 @@ Vector3d onAxis(const LocalVessel& vessel, const CutPlane& plane) {
   return vessel.centreLps + along * vessel.axisLps;
 }
 
-CutPlane planeOf(const SplineField& field, const Volume<float>& phi, const GivenCut& cut,
-                 const Progress& progress) {
+/// Whether two cuts come so near to each other that one of them has to go.
+bool inTheWay(const Section& section, const ProposedCut& end) {
+  return (section.centreLps - end.pointLps).norm() < section.radiusMm + 2.0 * end.radiusMm;
+}
+
+std::string endName(int number) { return "end_" + std::to_string(number); }
+
+/// Without the place and the advice.
+std::string whatAlone(const InputError& error) {
+  const std::string text = error.what();
+  return text.substr(0, std::min(text.find(", surface cuts"), text.find(", at L")));
+}
+
+std::string uncutText(const Vector3d& tip, const std::string& why) {
+  char place[80];
+  std::snprintf(place, sizeof place, "the end at L %.1f P %.1f S %.1f mm was not cut: ", tip.x(),
+                tip.y(), tip.z());
+  return place + why;
+}
+
+}  // namespace
+
+void checkPortName(const std::string& name) {
+  const bool word = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return (c < 128 && std::isalnum(c) != 0) || c == '_' || c == '-' || c == '.';
+  });
+  if (!word)
+    throw InputError("'" + name + "' is no name for a port", "ports.cuts",
+                     "use letters, digits, '_', '-' and '.'");
+  if (name == kWallName || name.starts_with(kBorderPrefix))
+    throw InputError("'" + name + "' is a name that the program gives itself", "ports.cuts",
+                     "choose another name");
+}
+
+GivenCut parseCut(const std::string& text) {
+  const std::vector<std::string> pieces = piecesOf(text);
+  if (pieces.size() != 4 && pieces.size() != 7)
+    throw InputError("'" + text + "' is no cut", "ports.cuts", kForm);
+  GivenCut cut;
+  for (int a = 0; a < 3; ++a) cut.pointLps[a] = numberOf(pieces[static_cast<std::size_t>(a)], text);
+  if (pieces.size() == 7) {
+    Vector3d normal;
+    for (int a = 0; a < 3; ++a) normal[a] = numberOf(pieces[static_cast<std::size_t>(a) + 3], text);
+    if (!(normal.norm() > 1e-9))
+      throw InputError("the normal of the cut '" + text + "' has no length", "ports.cuts", kForm);
+    cut.normalLps = normal;
+  }
+  cut.name = pieces.back();
+  checkPortName(cut.name);
+  return cut;
+}
+
+std::string cutText(const GivenCut& cut) {
+  std::string text;
+  for (int a = 0; a < 3; ++a) text += shortest(cut.pointLps[a]) + ",";
+  if (cut.normalLps)
+    for (int a = 0; a < 3; ++a) text += shortest((*cut.normalLps)[a]) + ",";
+  return text + cut.name;
+}
+
+void checkPorts(const PortParams& params) {
+  std::set<std::string> names;
+  for (const std::string& text : params.cuts) {
+    const GivenCut cut = parseCut(text);
+    if (!names.insert(cut.name).second)
+      throw InputError("two cuts are called '" + cut.name + "'", "ports.cuts",
+                       "give each a name of its own");
+  }
+}
+
+CutPlane placeCut(const SplineField& field, const Volume<float>& phi, const GivenCut& cut,
+                  const Progress& progress) {
   const Vector3d& p = cut.pointLps;
   const Vector3d index = field.geometry().toIndex(p);
   bool inGrid = true;
@@ -111,100 +168,36 @@ CutPlane planeOf(const SplineField& field, const Volume<float>& phi, const Given
   }
 }
 
-/// Whether two cuts come so near to each other that one of them has to go.
-bool inTheWay(const Section& section, const ProposedCut& end) {
-  return (section.centreLps - end.pointLps).norm() < section.radiusMm + 2.0 * end.radiusMm;
-}
-
-/// Without the place and the advice.
-std::string whatAlone(const InputError& error) {
-  const std::string text = error.what();
-  const std::size_t end = std::min(text.find(", surface cuts"), text.find(", at L"));
-  return text.substr(0, end);
-}
-
-std::string endText(const Vector3d& tip, const std::string& why) {
-  char place[80];
-  std::snprintf(place, sizeof place, "the end at L %.1f P %.1f S %.1f mm was not cut: ", tip.x(),
-                tip.y(), tip.z());
-  return place + why;
-}
-
-/// Cuts ends as far as they can be cut, beside the cuts there are.
-void addEnds(const SplineField& field, const Volume<float>& phi, const EndCuts& ends, CutAway& away,
-             std::vector<std::string>& remarks, const Progress& progress) {
+EndPlan planEndCuts(const SplineField& field, const Volume<float>& phi, const Skeleton& skeleton,
+                    const CutAway& given, double radiiFromTip, const Progress& progress) {
+  EndPlan plan;
   std::vector<CutPlane> planes;
-  std::vector<std::string> names;
-  const auto addTo = [&](const CutPlane& plane, const std::string& name) {
-    std::vector<CutPlane> all;
-    for (const Section& section : away.sections) all.push_back(section.plane);
-    std::vector<std::string> allNames = away.names;
-    all.insert(all.end(), planes.begin(), planes.end());
-    allNames.insert(allNames.end(), names.begin(), names.end());
-    all.push_back(plane);
-    allNames.push_back(name);
-    return cutAway(field, phi, all, allNames, progress);
-  };
-  const std::set<std::string> taken(away.names.begin(), away.names.end());
-  const auto nameOf = [&](int number) { return "end_" + std::to_string(number); };
+  for (const Section& section : given.sections) planes.push_back(section.plane);
+  std::vector<std::string> names = given.names;
+  const std::set<std::string> taken(names.begin(), names.end());
+  const EndCuts ends = proposeEndCuts(skeleton, field, radiiFromTip);
   int number = 1;
-  CutAway withEnds;
   for (const ProposedCut& end : ends.cuts) {
-    while (taken.count(nameOf(number)) != 0) ++number;
-    if (away.takenAt(end.pointLps) ||
-        std::any_of(away.sections.begin(), away.sections.end(),
+    while (taken.count(endName(number)) != 0) ++number;
+    if (given.takenAt(end.pointLps) ||
+        std::any_of(given.sections.begin(), given.sections.end(),
                     [&](const Section& s) { return inTheWay(s, end); }))
       continue;
-    const CutPlane plane{end.pointLps, end.outwardNormalLps};
+    planes.push_back({end.pointLps, end.outwardNormalLps});
+    names.push_back(endName(number));
     try {
-      withEnds = addTo(plane, nameOf(number));
-      planes.push_back(plane);
-      names.push_back(nameOf(number++));
+      cutAway(field, phi, planes, names, progress);
+      plan.planes.push_back(planes.back());
+      plan.names.push_back(endName(number++));
     } catch (const InputError& error) {
-      remarks.push_back(endText(end.pointLps, whatAlone(error)));
+      planes.pop_back();
+      names.pop_back();
+      plan.remarks.push_back(uncutText(end.pointLps, whatAlone(error)));
     }
   }
   for (const UncutTip& tip : ends.uncut)
-    if (!away.takenAt(tip.pointLps)) remarks.push_back(endText(tip.pointLps, tip.reason));
-  if (!planes.empty()) away = std::move(withEnds);
-}
-
-}  // namespace
-
-GivenCut parseCut(const std::string& text) {
-  const std::vector<std::string> pieces = piecesOf(text);
-  if (pieces.size() != 4 && pieces.size() != 7)
-    throw InputError("'" + text + "' is no cut", "ports.cuts", kForm);
-  GivenCut cut;
-  for (int a = 0; a < 3; ++a) cut.pointLps[a] = numberOf(pieces[static_cast<std::size_t>(a)], text);
-  if (pieces.size() == 7) {
-    Vector3d normal;
-    for (int a = 0; a < 3; ++a) normal[a] = numberOf(pieces[static_cast<std::size_t>(a) + 3], text);
-    if (!(normal.norm() > 1e-9))
-      throw InputError("the normal of the cut '" + text + "' has no length", "ports.cuts", kForm);
-    cut.normalLps = normal;
-  }
-  cut.name = pieces.back();
-  checkName(cut.name);
-  return cut;
-}
-
-std::string cutText(const GivenCut& cut) {
-  std::string text;
-  for (int a = 0; a < 3; ++a) text += shortest(cut.pointLps[a]) + ",";
-  if (cut.normalLps)
-    for (int a = 0; a < 3; ++a) text += shortest((*cut.normalLps)[a]) + ",";
-  return text + cut.name;
-}
-
-void checkPorts(const PortParams& params) {
-  std::set<std::string> names;
-  for (const std::string& text : params.cuts) {
-    const GivenCut cut = parseCut(text);
-    if (!names.insert(cut.name).second)
-      throw InputError("two cuts are called '" + cut.name + "'", "ports.cuts",
-                       "give each a name of its own");
-  }
+    if (!given.takenAt(tip.pointLps)) plan.remarks.push_back(uncutText(tip.pointLps, tip.reason));
+  return plan;
 }
 
 CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortParams& params,
@@ -214,14 +207,18 @@ CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortP
   std::vector<std::string> names;
   for (const std::string& text : params.cuts) {
     const GivenCut cut = parseCut(text);
-    planes.push_back(planeOf(field, phi, cut, progress));
+    planes.push_back(placeCut(field, phi, cut, progress));
     names.push_back(cut.name);
   }
   const Skeleton skeleton = skeletonOf(phi, progress);
+  if (params.cutEndsRadii > 0.0) {
+    const CutAway given = cutAway(field, phi, planes, names, progress);
+    EndPlan ends = planEndCuts(field, phi, skeleton, given, params.cutEndsRadii, progress);
+    planes.insert(planes.end(), ends.planes.begin(), ends.planes.end());
+    names.insert(names.end(), ends.names.begin(), ends.names.end());
+    remarks.insert(remarks.end(), ends.remarks.begin(), ends.remarks.end());
+  }
   CutAway away = cutAway(field, phi, planes, names, progress);
-  if (params.cutEndsRadii > 0.0)
-    addEnds(field, phi, proposeEndCuts(skeleton, field, params.cutEndsRadii), away, remarks,
-            progress);
   for (std::string& remark : portAdvice(skeleton, away)) remarks.push_back(std::move(remark));
   return away;
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/quality/skeleton.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/spline_field.h"
 
@@ -27,6 +28,9 @@ struct GivenCut {
 GivenCut parseCut(const std::string& text);
 std::string cutText(const GivenCut& cut);
 
+/// @throws InputError unless parseCut() takes the name
+void checkPortName(const std::string& name);
+
 /// The parameters of ports.
 struct PortParams {
   std::vector<std::string> cuts;  ///< as parseCut() takes them
@@ -35,6 +39,24 @@ struct PortParams {
 
 /// @throws InputError: two cuts of one name, or as parseCut()
 void checkPorts(const PortParams& params);
+
+/// Where a cut lies: at its point, or, of one that is not inside phi < 0, where the axis of the
+/// vessel beside it meets its plane; without a normal across the vessel at its centre.
+/// @throws InputError: no vessel there; without a normal as cutAway()   @throws Cancelled
+CutPlane placeCut(const SplineField& field, const Volume<float>& phi, const GivenCut& cut,
+                  const Progress& progress = {});
+
+/// Cuts near the tips of vessels, with names.
+struct EndPlan {
+  std::vector<CutPlane> planes;
+  std::vector<std::string> names;    ///< end_1 and on, without those of the given cuts
+  std::vector<std::string> remarks;  ///< ends that are not cut, and why
+};
+
+/// proposeEndCuts() where no given cut lies in the way, as far as they can be cut.
+/// @throws InputError as proposeEndCuts(), Cancelled
+EndPlan planEndCuts(const SplineField& field, const Volume<float>& phi, const Skeleton& skeleton,
+                    const CutAway& given, double radiiFromTip, const Progress& progress = {});
 
 /// What the cuts take of phi, and remarks: ends that were not cut, cuts that end no single vessel
 /// or lie too near to a branching. Ends are named end_1 and on, and left alone where a given cut
