@@ -20,6 +20,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "gui/model/case_ports.h"
 #include "gui/model/known_sources.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
@@ -27,6 +28,7 @@
 #include "gui/panel/log_panel.h"
 #include "gui/panel/pipeline_panel.h"
 #include "gui/panel/plot_widget.h"
+#include "gui/panel/port_panel.h"
 #include "gui/panel/view_grid.h"
 
 namespace angiomesh {
@@ -59,7 +61,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       options_(std::move(options)),
       controller_(new CaseController(options_.makeRunner, this, options_.recovery)),
       state_(new ViewState(*controller_, this)),
-      views_(new ViewGrid(*controller_, *state_, this)) {
+      ports_(new CasePorts(*controller_, options_.makeRunner, this)),
+      views_(new ViewGrid(*controller_, *state_, *ports_, this)) {
   setObjectName("mainWindow");
   keepSettingsPrivate();
   setAcceptDrops(true);
@@ -89,12 +92,17 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   connect(views_, &ViewGrid::hovered, hover_, &QLabel::setText);
   refreshTitle();
   refreshActions();
+  refreshPortActions();
   refreshViewActions();
   refreshRecent();
 }
 
 MainWindow::~MainWindow() {
-  // The panels listen to the controller: it goes first, with its workers, and says nothing more.
+  // The panels listen to the ports and to the controller: these go first, with their workers, and
+  // say nothing more.
+  ports_->disconnect();
+  delete ports_;
+  ports_ = nullptr;
   controller_->disconnect();
   controller_->undoStack()->disconnect(this);
   delete controller_;
@@ -116,11 +124,15 @@ void MainWindow::buildDocks() {
                                new PipelinePanel(*controller_, this));
   QDockWidget* inspector = dock("inspectorDock", tr("Mesh inspector"), Qt::RightDockWidgetArea,
                                 new InspectorPanel(*controller_, *state_, this));
+  portPanel_ = new PortPanel(*ports_, this);
+  QDockWidget* ports = dock("portsDock", tr("Ports"), Qt::RightDockWidgetArea, portPanel_);
+  splitDockWidget(inspector, ports, Qt::Vertical);
   QDockWidget* log =
       dock("logDock", tr("Log"), Qt::BottomDockWidgetArea, new LogPanel(*controller_, this));
   QDockWidget* plot = dock("convergenceDock", tr("Convergence"), Qt::BottomDockWidgetArea,
                            new ConvergencePlot(*controller_, this));
   splitDockWidget(log, plot, Qt::Horizontal);
+  resizeDocks({inspector, ports}, {3, 2}, Qt::Vertical);
   resizeDocks({log, plot}, {150, 150}, Qt::Vertical);
   const int side = width() < kWidth ? kNarrowPanelWidth : kPanelWidth;
   resizeDocks({pipeline, inspector}, {side, side}, Qt::Horizontal);
@@ -139,7 +151,7 @@ void MainWindow::buildToolBar() {
   add({"open", "saveCase", "export"});
   add({"undo", "redo"});
   add({"runAll", "cancelRun"});
-  add({"toolNavigate", "toolSeed", "toolRoi"});
+  add({"toolNavigate", "toolSeed", "toolRoi", "toolCut"});
   bar->addWidget(new QLabel(tr(" Layer "), bar));
   layer_ = new QComboBox(bar);
   layer_->setObjectName("layer");
@@ -307,6 +319,7 @@ void MainWindow::refreshViewActions() {
   check(this, "toolNavigate", state_->tool() == Tool::Navigate);
   check(this, "toolSeed", state_->tool() == Tool::PickSeed);
   check(this, "toolRoi", state_->tool() == Tool::DrawRoi);
+  check(this, "toolCut", state_->tool() == Tool::CutVessel);
   check(this, "engineering", state_->scheme() == MouseScheme::Engineering);
 }
 

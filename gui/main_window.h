@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <QMainWindow>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "gui/model/job_runner.h"
 #include "gui/panel/case_questions.h"
@@ -21,6 +23,8 @@ class QToolBar;
 namespace angiomesh {
 
 class CaseController;
+class CasePorts;
+class PortPanel;
 class ViewGrid;
 class ViewState;
 
@@ -45,6 +49,7 @@ class MainWindow : public QMainWindow {
 
   [[nodiscard]] CaseController& controller() { return *controller_; }
   [[nodiscard]] ViewState& viewState() { return *state_; }
+  [[nodiscard]] CasePorts& ports() { return *ports_; }
   [[nodiscard]] ViewGrid& views() { return *views_; }
 
   /// Opens a file, a folder or a case and, with `thenRun`, runs the pipeline once it is loaded.
@@ -70,6 +75,7 @@ class MainWindow : public QMainWindow {
   void buildRunMenu();
   void buildViewMenu();
   void buildToolMenu();
+  void buildPortMenu();
   void buildToolBar();
   void buildStatusBar();
   void runOnceLoaded();
@@ -92,6 +98,11 @@ class MainWindow : public QMainWindow {
   void chooseSeries(const QString& path, const std::vector<ImageSummary>& entries);
   void chooseLabel(const QString& path, const std::vector<Label>& labels, double voxelMm3);
   void askToResample(const QString& path, const ImageSummary& entry, const QString& reason);
+  void refreshPortActions();
+  void showPortMenu(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
+                    const QString& port);
+  void askForEnds();
+  void exportPorts();
   void showProgress();
   void showExport();
   void showShortcuts();
@@ -102,7 +113,9 @@ class MainWindow : public QMainWindow {
   bool thenRun_ = false;  ///< what is being opened is to be run
   CaseController* controller_;
   ViewState* state_;
+  CasePorts* ports_;
   ViewGrid* views_;
+  PortPanel* portPanel_ = nullptr;
   std::function<void()> afterSave_;
   QString unfinished_;  ///< the case that the settings name as such for this window
   QMenu* recent_ = nullptr;

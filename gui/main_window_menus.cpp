@@ -33,6 +33,8 @@ const std::vector<std::pair<const char*, const char*>>& paneShortcuts() {
       {"Ctrl+wheel", "Zoom"},
       {"Alt+wheel", "Slab thickness"},
       {"Shift+move", "Crosshair in all panes"},
+      {"Right click", "Menu: cut the vessel there; on a port in 3D: flip, rename, delete"},
+      {"Left drag on a port in 3D", "Along the vessel (Shift: anywhere); by the arrow: tilt"},
       {"Double click", "One pane at full size, and back"},
       {"Arrow keys on a slice", "Next or previous slice (Shift: by 10)"},
       {"R", "Reset this pane"},
@@ -85,6 +87,7 @@ void MainWindow::buildMenus() {
             [this] { controller_->setRoi(std::nullopt); });
   buildRunMenu();
   buildToolMenu();
+  buildPortMenu();
   buildViewMenu();
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   addAction(help, "shortcuts", tr("Shortcuts"), QKeySequence(Qt::Key_F1),
@@ -141,6 +144,7 @@ void MainWindow::buildToolMenu() {
   tool("toolNavigate", tr("Navigate"), Qt::Key_F2, Tool::Navigate);
   tool("toolSeed", tr("Pick seed"), Qt::Key_F3, Tool::PickSeed);
   tool("toolRoi", tr("Draw ROI"), Qt::Key_F4, Tool::DrawRoi);
+  tool("toolCut", tr("Cut vessel"), Qt::Key_F9, Tool::CutVessel);
   menu->addSeparator();
   addToggle(menu, "engineering", tr("Left button moves the crosshair (Engineering)"),
             QKeySequence(tr("Ctrl+M")), [this](bool on) {

@@ -14,6 +14,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace angiomesh {
 
@@ -26,6 +28,28 @@ class KeepAlive : public vtkCommand {
   void Execute(vtkObject*, unsigned long, void*) override {}
   std::shared_ptr<const void> kept;
 };
+
+/// The mesh with a point of its own for each patch that meets at one: shading is smooth within
+/// patches alone.
+TriMesh partedAtPatches(const TriMesh& mesh) {
+  TriMesh parted;
+  std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> others;
+  std::vector<int> first(mesh.points.size(), -1);
+  parted.points = mesh.points;
+  parted.triangles = mesh.triangles;
+  for (std::size_t i = 0; i < parted.triangles.size(); ++i) {
+    const std::uint16_t patch = mesh.patch[i];
+    for (std::uint32_t& vertex : parted.triangles[i]) {
+      if (first[vertex] < 0) first[vertex] = patch;
+      if (first[vertex] == patch) continue;
+      const auto [found, made] =
+          others.try_emplace({vertex, patch}, static_cast<std::uint32_t>(parted.points.size()));
+      if (made) parted.points.push_back(mesh.points[vertex]);
+      vertex = found->second;
+    }
+  }
+  return parted;
+}
 
 }  // namespace
 
@@ -57,6 +81,7 @@ vtkSmartPointer<vtkMatrix4x4> patientMatrix(const Geometry& geometry) {
 }
 
 vtkSmartPointer<vtkPolyData> toPolyData(const TriMesh& mesh) {
+  if (!mesh.patch.empty()) return toPolyData(partedAtPatches(mesh));
   const auto pointCount = static_cast<vtkIdType>(mesh.points.size());
   const auto faceCount = static_cast<vtkIdType>(mesh.triangles.size());
   vtkNew<vtkFloatArray> coordinates;

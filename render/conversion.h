@@ -22,7 +22,8 @@ vtkSmartPointer<vtkImageData> toImageData(const std::shared_ptr<const Volume<flo
 /// From mm along the grid axes (0 at the first voxel's centre) to LPS mm.
 vtkSmartPointer<vtkMatrix4x4> patientMatrix(const Geometry& geometry);
 
-/// The mesh in LPS mm with area-weighted normals at its points.
+/// The mesh in LPS mm with area-weighted normals at its points, which are doubled where patches
+/// meet: rims are sharp. Triangles keep their order.
 vtkSmartPointer<vtkPolyData> toPolyData(const TriMesh& mesh);
 
 }  // namespace angiomesh

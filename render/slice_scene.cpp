@@ -24,6 +24,7 @@
 #include <cstdio>
 #include <string>
 
+#include "render/slice_marks.h"
 #include "render/slice_overlay.h"
 
 namespace angiomesh {
@@ -31,7 +32,8 @@ namespace angiomesh {
 namespace {
 
 /// Depths of the flat scene's layers, towards the viewer.
-constexpr double roiDepth = 1.0, contourDepth = 2.0, crosshairDepth = 3.0, seedDepth = 4.0;
+constexpr double roiDepth = 1.0, contourDepth = 2.0, portDepth = 2.5, crosshairDepth = 3.0,
+                 seedDepth = 4.0;
 
 /// Lines or dots in the plane with their own mapper and actor.
 struct Layer {
@@ -70,6 +72,7 @@ struct SliceScene::Parts {
   vtkNew<vtkImageSlice> imageProp;
   std::vector<std::unique_ptr<Layer>> contourLayers;
   Layer crosshair, roiLine, seedDots;
+  SliceMarks ports{renderer};
   std::unique_ptr<SliceOverlay> overlay;
   vtkNew<vtkCallbackCommand> beforeFrame;
 
@@ -102,6 +105,7 @@ struct SliceScene::Parts {
   void showSlice();
   void showContours();
   void showCrosshair();
+  void showPorts() { ports.show(plane, image != nullptr, portDepth, pixelRatio); }
   void showSeeds();
   void showRoi();
   void showTexts();
@@ -200,6 +204,7 @@ void SliceScene::Parts::showSlice() {
   pixels->GetPointData()->SetScalars(array);
   pixels->Modified();
   showContours();
+  showPorts();
   showSeeds();
   showRoi();
   showTexts();
@@ -319,6 +324,7 @@ void SliceScene::setImage(std::shared_ptr<const Volume<float>> image) {
   p.imageProp->SetVisibility(p.image != nullptr);
   if (!p.image) {
     p.showContours();
+    p.showPorts();
     p.showSeeds();
     p.showRoi();
     p.showTexts();
@@ -400,6 +406,11 @@ void SliceScene::setContours(std::vector<ContourLayer> contours) {
 void SliceScene::setSeeds(std::vector<Eigen::Vector3d> lps) {
   parts_->seeds = std::move(lps);
   parts_->showSeeds();
+}
+
+void SliceScene::setPorts(std::vector<PortMark> marks) {
+  parts_->ports.set(std::move(marks));
+  parts_->showPorts();
 }
 
 void SliceScene::setRoi(const std::optional<RoiBox>& roi) {

@@ -9,6 +9,7 @@
 
 #include "core/image/volume.h"
 #include "render/pane_axes.h"
+#include "render/port_mark.h"
 #include "render/slice_raster.h"
 
 class vtkRenderer;
@@ -58,6 +59,7 @@ class SliceScene {
   void setCrosshairVisible(bool visible);
   void setContours(std::vector<ContourLayer> contours);
   void setSeeds(std::vector<Eigen::Vector3d> lps);
+  void setPorts(std::vector<PortMark> marks);
   void setRoi(const std::optional<RoiBox>& roi);
   [[nodiscard]] const std::optional<RoiBox>& roi() const;
 

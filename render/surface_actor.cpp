@@ -9,8 +9,11 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include "render/conversion.h"
 
@@ -20,19 +23,39 @@ struct SurfaceActor::Parts {
   vtkNew<vtkActor> actor;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkSmartPointer<vtkPolyData> data;
+  std::vector<std::uint32_t> patch;  // of the triangles; empty: none has one
+  std::vector<std::array<double, 3>> patchColours;
+  std::array<double, 3> colour;
   std::vector<float> values;
   vtkSmartPointer<vtkLookupTable> table;
   bool visible = true;
 
   void update();
+  void colourPatches();
 };
+
+void SurfaceActor::Parts::colourPatches() {
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(patch.size()));
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    const std::size_t n = patch[i];
+    const auto& c = n == 0 || n > patchColours.size() ? colour : patchColours[n - 1];
+    array->SetTuple3(static_cast<vtkIdType>(i), 255.0 * c[0], 255.0 * c[1], 255.0 * c[2]);
+  }
+  data->GetCellData()->SetScalars(array);
+  mapper->SetScalarModeToUseCellData();
+  mapper->ScalarVisibilityOn();
+}
 
 void SurfaceActor::Parts::update() {
   const vtkIdType triangles = data ? data->GetNumberOfPolys() : 0;
   actor->SetVisibility(visible && triangles > 0);
   if (triangles == 0) return;
   if (static_cast<vtkIdType>(values.size()) != triangles) values.clear();
-  if (values.empty()) {
+  if (values.empty() && !patch.empty() && !patchColours.empty()) {
+    colourPatches();
+  } else if (values.empty()) {
     data->GetCellData()->SetScalars(nullptr);
     mapper->ScalarVisibilityOff();
   } else {
@@ -50,6 +73,7 @@ void SurfaceActor::Parts::update() {
 
 SurfaceActor::SurfaceActor(const std::array<double, 3>& colour)
     : parts_(std::make_unique<Parts>()) {
+  parts_->colour = colour;
   parts_->actor->SetMapper(parts_->mapper);
   parts_->actor->VisibilityOff();
   vtkProperty* property = parts_->actor->GetProperty();
@@ -75,6 +99,15 @@ vtkActor* SurfaceActor::actor() const { return parts_->actor; }
 void SurfaceActor::setMesh(const std::shared_ptr<const TriMesh>& mesh) {
   parts_->data = mesh && !mesh->triangles.empty() ? toPolyData(*mesh) : nullptr;
   if (!parts_->data) parts_->values.clear();
+  parts_->patch.clear();
+  if (mesh && std::any_of(mesh->patch.begin(), mesh->patch.end(), [](auto n) { return n != 0; }))
+    parts_->patch.assign(mesh->patch.begin(), mesh->patch.end());
+  parts_->update();
+}
+
+void SurfaceActor::setPatchColours(std::vector<std::array<double, 3>> colours) {
+  if (colours == parts_->patchColours) return;
+  parts_->patchColours = std::move(colours);
   parts_->update();
 }
 

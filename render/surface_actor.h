@@ -27,7 +27,10 @@ class SurfaceActor {
   [[nodiscard]] bool empty() const;
   void setVisible(bool visible);
   void setEdgesVisible(bool visible);
-  /// Empty: one colour again.
+  /// Of the patches 1.. of the mesh, RGB, 0..1; the rest, and all patches beyond the last, keep the
+  /// actor's colour. Values of triangles hide them.
+  void setPatchColours(std::vector<std::array<double, 3>> colours);
+  /// Empty: without values again.
   void setTriangleValues(std::vector<float> values, vtkLookupTable* table);
   [[nodiscard]] bool coloured() const;
 

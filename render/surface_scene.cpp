@@ -29,6 +29,7 @@
 #include "render/projection_volume.h"
 #include "render/stage.h"
 #include "render/surface_actor.h"
+#include "render/surface_pick.h"
 
 namespace angiomesh {
 
@@ -75,6 +76,9 @@ struct SurfaceScene::Parts {
   DirectionCube cube;
   ProjectionVolume projection;
   SurfaceActor surface{{0.84, 0.27, 0.21}};
+  PortMarks ports{renderer};
+  std::shared_ptr<const TriMesh> mesh;
+  bool meshVisible = true;
   SurfaceActor comparison{{0.45, 0.62, 0.80}};
   vtkNew<vtkLookupTable> table;
   vtkNew<vtkScalarBarActor> colourBar;
@@ -195,6 +199,7 @@ void SurfaceScene::Parts::prepareFrame() {
   std::array<double, 6> bounds{};
   if (visibleBounds(bounds)) renderer->ResetCameraClippingRange(bounds.data());
   const int* size = window != nullptr ? window->GetSize() : renderer->GetSize();
+  ports.follow(pixelRatio);
   cube.follow(renderer->GetActiveCamera(), size[0], size[1], pixelRatio);
 }
 
@@ -325,6 +330,7 @@ void SurfaceScene::setInteractive(bool interactive) {
 bool SurfaceScene::softwareOpenGl() const { return parts_->software; }
 
 void SurfaceScene::setSurface(std::shared_ptr<const TriMesh> mesh) {
+  parts_->mesh = mesh;
   parts_->surface.setMesh(mesh);
   parts_->showColourBar();
   parts_->fitOnce();
@@ -336,6 +342,7 @@ void SurfaceScene::setComparison(std::shared_ptr<const TriMesh> mesh) {
 }
 
 void SurfaceScene::setSurfaceVisible(bool visible) {
+  parts_->meshVisible = visible;
   parts_->surface.setVisible(visible);
   parts_->showColourBar();
 }
@@ -367,6 +374,53 @@ void SurfaceScene::clearSurfaceColours() {
   parts_->surface.setTriangleValues({}, nullptr);
   parts_->comparison.setTriangleValues({}, nullptr);
   parts_->showColourBar();
+}
+
+void SurfaceScene::setPatchColours(std::vector<std::array<double, 3>> colours) {
+  parts_->surface.setPatchColours(std::move(colours));
+}
+
+void SurfaceScene::setPorts(std::vector<PortMark> marks) { parts_->ports.set(std::move(marks)); }
+
+const std::vector<PortMark>& SurfaceScene::ports() const { return parts_->ports.marks(); }
+
+ViewRay SurfaceScene::rayAt(double displayX, double displayY) const {
+  return viewRay(parts_->renderer, displayX, displayY);
+}
+
+std::optional<Eigen::Vector3d> SurfaceScene::surfaceAt(double displayX, double displayY) const {
+  if (!parts_->mesh || !parts_->meshVisible) return std::nullopt;
+  return firstHit(*parts_->mesh, rayAt(displayX, displayY));
+}
+
+std::optional<PortMarks::Hit> SurfaceScene::portAt(double displayX, double displayY) const {
+  const auto hit = gripAt(displayX, displayY);
+  if (!hit) return std::nullopt;
+  const auto surface = surfaceAt(displayX, displayY);
+  if (!surface) return hit;
+  const PortMark& mark = ports()[hit->mark];
+  const ViewRay ray = rayAt(displayX, displayY);
+  const double behind = (mark.plane.pointLps - *surface).dot(ray.direction);
+  // The vessel itself lies around its disc.
+  if (behind > 2.0 * mark.discRadiusMm()) return std::nullopt;
+  return hit;
+}
+
+std::optional<PortMarks::Hit> SurfaceScene::gripAt(double displayX, double displayY) const {
+  return parts_->ports.at(displayX, displayY);
+}
+
+PortDrag SurfaceScene::grabPort(const PortMarks::Hit& hit, double displayX, double displayY) const {
+  return {ports()[hit.mark], hit.grip, parts_->ports.arrowMm(hit.mark), rayAt(displayX, displayY)};
+}
+
+Eigen::Vector2d SurfaceScene::displayAt(const Eigen::Vector3d& lps) const {
+  return displayOf(parts_->renderer, lps);
+}
+
+Eigen::Vector3d SurfaceScene::arrowTip(std::size_t port) const {
+  const CutPlane& plane = ports()[port].plane;
+  return plane.pointLps + parts_->ports.arrowMm(port) * plane.normalLps;
 }
 
 void SurfaceScene::setSeeds(std::vector<Eigen::Vector3d> lps) {

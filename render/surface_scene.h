@@ -10,6 +10,7 @@
 
 #include "core/image/volume.h"
 #include "core/surface/tri_mesh.h"
+#include "render/port_marks.h"
 #include "render/slice_scene.h"
 
 class vtkRenderer;
@@ -57,6 +58,26 @@ class SurfaceScene {
   /// The same for the comparison surface; title and range are those of setSurfaceColours().
   void setComparisonColours(std::vector<float> perTriangle);
   void clearSurfaceColours();
+
+  /// Of the patches 1.. of the surface, shown where it has no other colours.
+  void setPatchColours(std::vector<std::array<double, 3>> colours);
+  void setPorts(std::vector<PortMark> marks);
+  [[nodiscard]] const std::vector<PortMark>& ports() const;
+
+  /// Display positions are pixels of the window from the lower left corner.
+  [[nodiscard]] ViewRay rayAt(double displayX, double displayY) const;
+  /// Where the visible surface lies under a display position.
+  [[nodiscard]] std::optional<Eigen::Vector3d> surfaceAt(double displayX, double displayY) const;
+  /// The movable port under a display position, unless the surface hides it.
+  [[nodiscard]] std::optional<PortMarks::Hit> portAt(double displayX, double displayY) const;
+  /// The same whatever hides it, and fast.
+  [[nodiscard]] std::optional<PortMarks::Hit> gripAt(double displayX, double displayY) const;
+  [[nodiscard]] PortDrag grabPort(const PortMarks::Hit& hit, double displayX,
+                                  double displayY) const;
+  /// Display position of a point.
+  [[nodiscard]] Eigen::Vector2d displayAt(const Eigen::Vector3d& lps) const;
+  /// Of the arrow's tip of a port, mm LPS.
+  [[nodiscard]] Eigen::Vector3d arrowTip(std::size_t port) const;
 
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setRoi(const std::optional<RoiBox>& roi);

@@ -55,6 +55,7 @@ void copyPlaces(const Parameters& from, Parameters& to) {
   to.preprocess.roi = from.preprocess.roi;
   to.seeds.points = from.seeds.points;
   to.segmentation.drop = from.segmentation.drop;
+  to.ports.cuts = from.ports.cuts;
   if (isSegmented(from)) {
     to.segmentation.method = from.segmentation.method;
     to.segmentation.label = from.segmentation.label;
@@ -360,6 +361,18 @@ void CaseController::setRoi(const std::optional<std::array<double, 6>>& roi) {
   Parameters after = params_;
   after.preprocess.roi = roi;
   change(after, roi ? tr("draw the region of interest") : tr("clear the region of interest"));
+}
+
+QString CaseController::setCuts(const std::vector<std::string>& cuts, const QString& what) {
+  Parameters after = params_;
+  after.ports.cuts = cuts;
+  try {
+    checkPorts(after.ports);
+  } catch (const Error& failure) {
+    return QString::fromStdString(failure.what()).simplified();
+  }
+  change(after, what);
+  return {};
 }
 
 void CaseController::change(const Parameters& after, const QString& text, const QString& mergeKey,

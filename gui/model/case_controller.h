@@ -104,6 +104,8 @@ class CaseController : public QObject {
   void addSeed(const Eigen::Vector3d& lps);
   void removeSeed(int index);
   void setRoi(const std::optional<std::array<double, 6>>& roi);
+  /// ports.cuts; `what` names the edit. @returns why not, in a line; empty: done
+  QString setCuts(const std::vector<std::string>& cuts, const QString& what);
   [[nodiscard]] std::vector<ComponentRow> components() const;
   void setComponentTicked(int index, bool ticked);
 
@@ -143,6 +145,10 @@ class CaseController : public QObject {
   [[nodiscard]] std::shared_ptr<const SeedsResult> seedsResult() const { return shown_.seeds; }
   /// phi to outline: the evolving one, else that of the kept components, else the evolution's.
   [[nodiscard]] std::shared_ptr<const Volume<float>> phi() const;
+  /// What cuts are made in: phi of the kept components, else the evolution's; null before.
+  [[nodiscard]] std::shared_ptr<const Volume<float>> uncutPhi() const;
+  /// The openings of a mesh, in the order of its patches; none where it has no patches.
+  [[nodiscard]] std::vector<Port> ports(MeshKind kind) const;
   /// The evolving surface; null when no evolution runs.
   [[nodiscard]] std::shared_ptr<const TriMesh> liveSurface() const { return liveSurface_; }
   [[nodiscard]] std::shared_ptr<const TriMesh> mesh(MeshKind kind) const;
@@ -150,6 +156,10 @@ class CaseController : public QObject {
   [[nodiscard]] std::shared_ptr<const MeshFacts> facts() const { return facts_; }
   /// Whether the mesh at hand belongs to the present parameters.
   [[nodiscard]] bool meshFresh() const;
+  /// That the mesh at hand was made with; null without one.
+  [[nodiscard]] const Parameters* meshParameters() const {
+    return meshRun_ ? &meshRun_->params : nullptr;
+  }
   /// How the mesh at hand came to be; null without one.
   [[nodiscard]] const SurfaceOrigin* surfaceOrigin() const;
   /// The number of triangles that the parameters ask for, before meshing; made on demand,
@@ -157,9 +167,14 @@ class CaseController : public QObject {
   [[nodiscard]] std::optional<double> estimatedTriangles();
   [[nodiscard]] const RunResult& results() const { return shown_; }
 
-  /// Writes a mesh, reads it back and says what the file holds; `report` adds NAME.report.json.
-  /// The pipeline's key is filled in.
-  void exportMesh(MeshKind kind, const QString& path, const MeshWriteOptions& options, bool report);
+  /// Writes a mesh, reads it back and says what the file holds. The pipeline's key and the names of
+  /// the patches are filled in.
+  void exportMesh(MeshKind kind, const QString& path, const MeshWriteOptions& options,
+                  const ExportExtras& extras);
+  /// A folder that OpenFOAM fills; `replace`: it holds a case already.
+  void exportOpenFoam(MeshKind kind, const QString& folder, bool replace);
+  /// The openings of the exported mesh alone.
+  void exportPorts(const QString& path);
 
  Q_SIGNALS:
   void caseChanged();
@@ -214,7 +229,10 @@ class CaseController : public QObject {
   void interruptRun();
   void refreshFromCache();
   void finishRun();
+  [[nodiscard]] ExportRequest exportRequest(MeshKind kind, const QString& path) const;
+  void startExport(ExportRequest request);
   void finishExport();
+  void sayExported(const ExportJob& job);
   void accept(const StepResult& result);
   void poll();
   void pollRun();

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/pipeline/cuts.h"
 #include "core/pipeline/surface_step.h"
 #include "gui/model/case_controller.h"
 
@@ -11,6 +12,7 @@ namespace angiomesh {
 struct CaseController::EstimateJob {
   std::shared_ptr<const Volume<float>> phi;
   SurfaceParams params;
+  PortParams ports;
   std::string key;
   Progress progress;
   std::optional<double> triangles;
@@ -18,7 +20,9 @@ struct CaseController::EstimateJob {
   void execute() noexcept {
     try {
       const SplineField field(*phi, params.spline);
-      triangles = estimateTriangles(field, params, progress);
+      std::vector<std::string> remarks;
+      const CutAway away = makeCuts(field, *phi, ports, remarks, progress);
+      triangles = estimateTriangles(field, params, progress, away);
     } catch (const std::exception&) {
       // Without an estimate nothing is lost: meshing says what is wrong.
     }
@@ -30,12 +34,10 @@ CaseController::Estimate CaseController::estimateWanted() const {
   if (params_.surface.method == SurfaceMethod::MarchingCubes || !shown_.evolve) {
     return wanted;
   }
-  wanted.phi = meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve
-                   ? meshRun_->surface->phi
-                   : shown_.evolve->phi;
+  wanted.phi = uncutPhi();
   wanted.key = keys_[static_cast<std::size_t>(Step::Evolve)];
   for (const Field& field : parameterFields()) {
-    if (field.key.starts_with("surface.")) {
+    if (field.key.starts_with("surface.") || field.key.starts_with("ports.")) {
       wanted.key += '/' + fieldText(field.get(params_), field);
     }
   }
@@ -70,6 +72,7 @@ void CaseController::requestEstimate(const Estimate& wanted) {
   estimateRun_ = std::make_shared<EstimateJob>();
   estimateRun_->phi = wanted.phi;
   estimateRun_->params = params_.surface;
+  estimateRun_->ports = params_.ports;
   estimateRun_->key = wanted.key;
   estimateRunner_->start([job = estimateRun_] { job->execute(); });
   if (estimateRunner_->running()) {

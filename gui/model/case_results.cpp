@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "gui/model/case_controller.h"
-#include "gui/model/step_text.h"
 
 namespace angiomesh {
 
@@ -158,6 +157,21 @@ std::shared_ptr<const Volume<float>> CaseController::phi() const {
   return shown_.evolve ? shown_.evolve->phi : nullptr;
 }
 
+std::shared_ptr<const Volume<float>> CaseController::uncutPhi() const {
+  if (meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve) {
+    return meshRun_->surface->uncutPhi;
+  }
+  return shown_.evolve ? shown_.evolve->phi : nullptr;
+}
+
+std::vector<Port> CaseController::ports(MeshKind kind) const {
+  const std::shared_ptr<const TriMesh> shown = mesh(kind);
+  if (!shown || shown->patch.empty()) {
+    return {};
+  }
+  return kind == MeshKind::Exported ? meshRun_->ports : meshRun_->surface->ports;
+}
+
 std::shared_ptr<const TriMesh> CaseController::mesh(MeshKind kind) const {
   if (!meshRun_) {
     return nullptr;
@@ -194,55 +208,5 @@ const SurfaceOrigin* CaseController::surfaceOrigin() const {
 }
 
 bool CaseController::meshFresh() const { return state(Step::Smooth) == StepState::Fresh; }
-
-void CaseController::exportMesh(MeshKind kind, const QString& path, const MeshWriteOptions& options,
-                                bool report) {
-  if (export_) {
-    say(Severity::Warning, tr("An export is being written: try again when it is done."));
-    return;
-  }
-  ExportRequest request;
-  request.mesh = mesh(kind);
-  if (!request.mesh) {
-    say(Severity::Error, tr("There is no mesh to export: run the pipeline first."));
-    return;
-  }
-  request.path = path.toStdString();
-  request.options = options;
-  const Step step = kind == MeshKind::Exported ? Step::Smooth : Step::Surface;
-  for (const StageReport& stage : meshRun_->stages) {
-    if (stage.step == step) {
-      request.options.key = stage.key;
-    }
-  }
-  if (report) {
-    request.report = meshRun_;
-  }
-  export_ = std::make_shared<ExportJob>(std::move(request));
-  exportRunner_->start([job = export_] { job->execute(); });
-  timer_.start();
-  poll();
-}
-
-void CaseController::finishExport() {
-  const std::shared_ptr<ExportJob> job = std::exchange(export_, nullptr);
-  if (!job->error().empty()) {
-    say(Severity::Error, tr("Cannot export: %1").arg(QString::fromStdString(job->error())));
-    return;
-  }
-  for (const std::string& warning : job->warnings()) {
-    say(Severity::Warning, QString::fromStdString(job->fileName() + ": " + warning));
-  }
-  const MeshFileFacts& facts = job->facts();
-  say(Severity::Info,
-      tr("Wrote %1%2. Read back: %3 vertices, %4 triangles, %5, %6 in %7.")
-          .arg(QString::fromStdString(job->fileName()),
-               job->request().report ? tr(" and its report") : QString())
-          .arg(facts.vertices)
-          .arg(facts.triangles)
-          .arg(facts.closed ? tr("closed") : tr("not closed"), boxSizeText(facts.size, facts.unit),
-               QString::fromStdString(frameWord(facts.frame))));
-  Q_EMIT exported(QString::fromStdString(job->request().path.string()));
-}
 
 }  // namespace angiomesh

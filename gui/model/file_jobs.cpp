@@ -9,6 +9,9 @@
 #include "core/phantom/phantom.h"
 #include "core/pipeline/report.h"
 #include "io/files.h"
+#include "io/openfoam_case.h"
+#include "io/patch_files.h"
+#include "io/ports_file.h"
 
 namespace angiomesh {
 
@@ -151,14 +154,40 @@ void LoadJob::load() {
 
 void ExportJob::execute() noexcept {
   try {
-    warnings_ = writeMesh(*request_.mesh, request_.path, request_.options);
-    facts_ = checkMeshFile(*request_.mesh, request_.path, request_.options);
-    if (request_.report) {
-      std::filesystem::path path = request_.path;
-      writeText(path.replace_extension(".report.json"), runReportJson(*request_.report));
-    }
+    write();
   } catch (const std::exception& failure) {
     error_ = withoutPath(failure.what(), request_.path, fileName());
+  }
+}
+
+void ExportJob::write() {
+  switch (request_.kind) {
+    case ExportKind::Mesh:
+      writeMeshFiles();
+      break;
+    case ExportKind::OpenFoam:
+      warnings_ = writeOpenFoamCase(*request_.mesh, request_.ports, request_.path, request_.replace)
+                      .warnings;
+      break;
+    case ExportKind::Ports:
+      writePorts(request_.ports, request_.path);
+      break;
+  }
+}
+
+void ExportJob::writeMeshFiles() {
+  warnings_ = writeMesh(*request_.mesh, request_.path, request_.options);
+  facts_ = checkMeshFile(*request_.mesh, request_.path, request_.options);
+  std::filesystem::path beside = request_.path;
+  if (request_.report) {
+    writeText(beside.replace_extension(".report.json"), runReportJson(*request_.report));
+  }
+  if (request_.extras.ports) {
+    beside = request_.path;
+    writePorts(request_.ports, beside.replace_extension(".ports.json"));
+  }
+  if (request_.extras.patches && !request_.mesh->patch.empty()) {
+    patchFiles_ = writePatchFiles(*request_.mesh, request_.path, request_.options).size();
   }
 }
 

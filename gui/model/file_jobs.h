@@ -94,12 +94,25 @@ class LoadJob {
   double window_ = 1.0, level_ = 0.5;
 };
 
+enum class ExportKind { Mesh, OpenFoam, Ports };
+
+/// Files beside an exported mesh.
+struct ExportExtras {
+  bool report = false;   ///< NAME.report.json
+  bool ports = false;    ///< NAME.ports.json
+  bool patches = false;  ///< a file of each patch, see writePatchFiles()
+};
+
 /// What an export writes.
 struct ExportRequest {
+  ExportKind kind = ExportKind::Mesh;
   std::shared_ptr<const TriMesh> mesh;
-  std::filesystem::path path;  ///< .ply, .stl, .obj or .vtp
+  std::vector<Port> ports;     ///< of the mesh
+  std::filesystem::path path;  ///< .ply, .stl, .obj or .vtp; of OpenFOAM a folder; of ports .json
   MeshWriteOptions options;
-  std::shared_ptr<const RunResult> report;  ///< empty: no NAME.report.json beside the mesh
+  ExportExtras extras;
+  std::shared_ptr<const RunResult> report;  ///< for ExportExtras::report
+  bool replace = false;                     ///< a case in the folder for OpenFOAM
 };
 
 /// Writes a mesh, and reads it back to see that the file holds it.
@@ -114,14 +127,19 @@ class ExportJob {
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// What was read back.
   [[nodiscard]] const MeshFileFacts& facts() const { return facts_; }
+  [[nodiscard]] std::size_t patchFiles() const { return patchFiles_; }
   /// The file's name without its folder.
   [[nodiscard]] std::string fileName() const { return request_.path.filename().string(); }
 
  private:
+  void write();
+  void writeMeshFiles();
+
   ExportRequest request_;
   std::string error_;
   std::vector<std::string> warnings_;
   MeshFileFacts facts_;
+  std::size_t patchFiles_ = 0;
 };
 
 /// `message` with the name in place of the path and of its folder: a path may hold a patient's

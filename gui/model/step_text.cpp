@@ -87,6 +87,8 @@ const std::map<std::string, QString>& labels() {
       {"comparison.threshold.fromSeeds", QStringLiteral("Threshold: from the seeds")},
       {"segmentation.drop", QStringLiteral("Parts ticked off")},
       {"segmentation.keep", QStringLiteral("Parts kept")},
+      {"ports.cuts", QStringLiteral("Cuts")},
+      {"ports.cutEndsRadii", QStringLiteral("Ends cut at")},
       {"surface.cellVoxels", QStringLiteral("Cell size")},
       {"surface.border", QStringLiteral("At the border")},
       {"surface.spline", QStringLiteral("Interpolant")},
@@ -180,7 +182,7 @@ Step stepOfField(const Field& field) {
       field.key == "segmentation.label") {
     return Step::Evolve;
   }
-  if (group == "segmentation") {
+  if (group == "segmentation" || group == "ports") {
     return Step::Surface;
   }
   return stepFromId(group).value_or(Step::Preprocess);

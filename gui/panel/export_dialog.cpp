@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <utility>
 
 #include "gui/model/case_controller.h"
@@ -28,6 +29,7 @@ struct Format {
   const char* extension;
   MeshEncoding encoding;
   bool holdsExtras;  ///< normals and quality
+  bool holdsNames;   ///< of patches
   const char* hint;
 };
 
@@ -36,18 +38,27 @@ constexpr const char* kNoTopology = QT_TRANSLATE_NOOP(
     "STL keeps no topology: each triangle stands alone, and its points have to be "
     "merged again on import.");
 
-constexpr std::array<Format, 6> kFormats{
+constexpr std::array<Format, 7> kFormats{
     {{QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "PLY, binary"), ".ply", MeshEncoding::Binary,
-      true, ""},
+      true, true, ""},
      {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "PLY, ASCII"), ".ply", MeshEncoding::Ascii, true,
-      ""},
+      true, ""},
      {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "STL, binary"), ".stl", MeshEncoding::Binary,
-      false, kNoTopology},
+      false, false, kNoTopology},
      {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "STL, ASCII"), ".stl", MeshEncoding::Ascii,
-      false, kNoTopology},
-     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "OBJ"), ".obj", MeshEncoding::Ascii, false, ""},
+      false, true, kNoTopology},
+     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "OBJ"), ".obj", MeshEncoding::Ascii, false, true,
+      ""},
      {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "VTP (VTK)"), ".vtp", MeshEncoding::Binary, true,
-      ""}}};
+      true, ""},
+     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "OpenFOAM case"), "", MeshEncoding::Ascii, false,
+      true,
+      QT_TRANSLATE_NOOP("angiomesh::ExportDialog",
+                        "A folder with the surface in metres, a patch for each port, and what "
+                        "OpenFOAM needs to fill it.")}}};
+
+/// Not a file but a folder.
+bool isFolder(const Format& format) { return format.extension[0] == '\0'; }
 
 const Format& chosenFormat(const QComboBox& combo) {
   return kFormats[static_cast<std::size_t>(std::max(combo.currentIndex(), 0))];
@@ -137,6 +148,9 @@ void ExportDialog::addNotes(QFormLayout* form) {
   normals_ = check("exportNormals", tr("Normals of the vertices"), false);
   quality_ = check("exportQuality", tr("Quality of the triangles (radius ratio)"), false);
   report_ = check("exportReport", tr("Write NAME.report.json beside it"), true);
+  ports_ = check("exportPortsFile", tr("Write NAME.ports.json beside it: where the ports lie"),
+                 !controller_.parameters().ports.cuts.empty());
+  patches_ = check("exportPatches", tr("Write each patch to a file of its own, too"), false);
   hint_ = new QLabel(this);
   hint_->setObjectName("exportHint");
   note_ = new QLabel(tr("The mesh belongs to earlier parameters: run again for the present ones."),
@@ -151,10 +165,15 @@ MeshKind ExportDialog::kind() const { return static_cast<MeshKind>(mesh_->curren
 
 void ExportDialog::refresh() {
   const Format& format = chosenFormat(*format_);
+  const bool patches = !controller_.ports(kind()).empty();
   normals_->setEnabled(format.holdsExtras);
   quality_->setEnabled(format.holdsExtras);
-  hint_->setText(tr(format.hint));
-  hint_->setVisible(!hint_->text().isEmpty());
+  for (QWidget* widget : std::initializer_list<QWidget*>{unit_, frame_, report_}) {
+    widget->setEnabled(!isFolder(format));
+  }
+  ports_->setEnabled(patches && !isFolder(format));
+  patches_->setEnabled(patches && !isFolder(format));
+  refreshHint();
   note_->setVisible(!controller_.meshFresh());
   const auto mesh = controller_.mesh(kind());
   if (!mesh || mesh->points.empty()) {
@@ -170,10 +189,39 @@ void ExportDialog::refresh() {
   size_->setText(boxSizeText(box.sizes() / millimetres, unit));
 }
 
+void ExportDialog::refreshHint() {
+  const Format& format = chosenFormat(*format_);
+  QStringList hints;
+  if (*format.hint != '\0') {
+    hints << tr(format.hint);
+  }
+  const std::vector<Port> ports = controller_.ports(kind());
+  if (!ports.empty() && !format.holdsNames) {
+    hints << tr("⚠ It loses the names of the %1 ports: STL, ASCII has them.").arg(ports.size());
+  }
+  if (isFolder(format)) {
+    const MeshQuality* quality = controller_.quality(kind());
+    if (ports.empty()) {
+      hints << tr("⚠ This mesh has no ports: nothing could flow in or out.");
+    }
+    if (quality && !quality->closed) {
+      hints << tr("⚠ The mesh is not closed: choose surface.border = cap.");
+    }
+    if (quality && quality->components > 1) {
+      hints << tr("⚠ The surface has %1 parts that are not connected, and OpenFOAM fills one: "
+                  "tick the others off, or set segmentation.keep.")
+                   .arg(quality->components);
+    }
+  }
+  hint_->setText(hints.join('\n'));
+  hint_->setVisible(!hints.isEmpty());
+}
+
 MeshWriteOptions ExportDialog::options() const {
   const Format& format = chosenFormat(*format_);
   MeshWriteOptions options;
-  options.unit = unit_->currentIndex() == 1 ? LengthUnit::Metre : LengthUnit::Millimetre;
+  const bool metres = unit_->currentIndex() == 1 || isFolder(format);
+  options.unit = metres ? LengthUnit::Metre : LengthUnit::Millimetre;
   options.frame = frame_->currentIndex() == 1 ? Frame::Ras : Frame::Lps;
   options.encoding = format.encoding;
   options.normals = format.holdsExtras && normals_->isChecked();
@@ -181,7 +229,21 @@ MeshWriteOptions ExportDialog::options() const {
   return options;
 }
 
+void ExportDialog::exportOpenFoam() {
+  const QString folder = chooser_.save(this, QStringLiteral("case"), tr("Folders (*)"));
+  if (folder.isEmpty()) {
+    return;
+  }
+  // The chooser has asked whether what is there may be replaced.
+  controller_.exportOpenFoam(kind(), folder, true);
+  accept();
+}
+
 void ExportDialog::exportNow() {
+  if (isFolder(chosenFormat(*format_))) {
+    exportOpenFoam();
+    return;
+  }
   const QString extension = QLatin1String(chosenFormat(*format_).extension);
   QString path = chooser_.save(this, "vessels" + extension,
                                tr("%1 (*%2)").arg(format_->currentText(), extension));
@@ -191,7 +253,11 @@ void ExportDialog::exportNow() {
   if (!path.endsWith(extension, Qt::CaseInsensitive)) {
     path += extension;
   }
-  controller_.exportMesh(kind(), path, options(), report_->isChecked());
+  ExportExtras extras;
+  extras.report = report_->isChecked();
+  extras.ports = ports_->isEnabled() && ports_->isChecked();
+  extras.patches = patches_->isEnabled() && patches_->isChecked();
+  controller_.exportMesh(kind(), path, options(), extras);
   accept();
 }
 

@@ -26,7 +26,7 @@ struct PathChooser {
 PathChooser dialogPathChooser();
 
 /// What to export and how: mesh, format with what it can hold, unit and frame, with the size that
-/// the result will have.
+/// the result will have, and what goes beside it.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -37,7 +37,9 @@ class ExportDialog : public QDialog {
   void addChoices(QFormLayout* form);
   void addNotes(QFormLayout* form);
   void refresh();
+  void refreshHint();
   void exportNow();
+  void exportOpenFoam();
   [[nodiscard]] MeshKind kind() const;
   [[nodiscard]] MeshWriteOptions options() const;
 
@@ -50,6 +52,8 @@ class ExportDialog : public QDialog {
   QCheckBox* normals_;
   QCheckBox* quality_;
   QCheckBox* report_;
+  QCheckBox* ports_;
+  QCheckBox* patches_;
   QLabel* size_;
   QLabel* hint_;
   QLabel* note_;

@@ -245,10 +245,12 @@ void FieldEditor::display(const FieldValue& value, const FieldValue& suggested,
     showNumber(asNumber(empty ? suggested : value));
   } else {
     const auto* numbers = std::get_if<std::vector<double>>(&value);
-    const std::size_t count = numbers ? numbers->size() : 0;
+    const auto* texts = std::get_if<std::vector<std::string>>(&value);
+    const std::size_t count = numbers ? numbers->size() : texts ? texts->size() : 0;
     const std::size_t group = std::max<std::size_t>(field_.groupOf, 1);
     clear_->setEnabled(count > 0);
     summary_->setText(count == 0   ? tr("none")
+                      : texts      ? tr("%1: %2").arg(presentation_.label.toLower()).arg(count)
                       : group == 3 ? tr("points: %1").arg(count / group)
                                    : tr("set"));
   }

@@ -4,13 +4,21 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 
+#include "gui/model/case_ports.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 
 namespace angiomesh {
 
-ViewGrid::ViewGrid(CaseController& controller, ViewState& state, QWidget* parent)
-    : QWidget(parent), controller_(controller), state_(state) {
+namespace {
+
+/// Of a port's vessel, to be seen around it.
+constexpr double kRadiiAround = 8.0;
+
+}  // namespace
+
+ViewGrid::ViewGrid(CaseController& controller, ViewState& state, CasePorts& ports, QWidget* parent)
+    : QWidget(parent), controller_(controller), state_(state), ports_(ports) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(2);
@@ -55,7 +63,34 @@ ViewGrid::ViewGrid(CaseController& controller, ViewState& state, QWidget* parent
   connect(&controller_, &CaseController::snapshotArrived, this, &ViewGrid::refreshSegmentation);
   connect(&controller_, &CaseController::parametersChanged, this, &ViewGrid::refreshEdits);
   connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
+  connectPorts();
   refreshAll();
+}
+
+void ViewGrid::connectPorts() {
+  connect(&ports_, &CasePorts::changed, this, &ViewGrid::refreshPorts);
+  connect(&ports_, &CasePorts::dragged, this, &ViewGrid::showPorts);
+  connect(&ports_, &CasePorts::goTo, this, [this](double x, double y, double z, double radiusMm) {
+    setCrosshair({x, y, z});
+    surface_->lookAt({x, y, z}, kRadiiAround * radiusMm);
+  });
+  connect(surface_, &SurfaceView::portPressed, &ports_, &CasePorts::select);
+  connect(surface_, &SurfaceView::portDragged, &ports_, &CasePorts::drag);
+  connect(surface_, &SurfaceView::portDropped, &ports_, &CasePorts::drop);
+  connect(surface_, &SurfaceView::menuRequested, this, &ViewGrid::menuRequested);
+  const auto cut = [this](double x, double y, double z) {
+    ports_.cutHere({x, y, z});
+    state_.setTool(Tool::Navigate);
+  };
+  connect(surface_, &SurfaceView::cutPicked, this, cut);
+  for (SliceView* view : slices_) {
+    connect(view, &SliceView::cutPicked, this, cut);
+    connect(view, &SliceView::menuRequested, this,
+            [this](const QPoint& global, double x, double y, double z) {
+              Q_EMIT menuRequested(global, Eigen::Vector3d(x, y, z), QString());
+            });
+  }
+  refreshPorts();
 }
 
 void ViewGrid::connectSlice(SliceView* view) {
@@ -147,6 +182,7 @@ void ViewGrid::refreshImage() {
     view->setTool(state_.tool());
     view->setScheme(state_.scheme());
   }
+  surface_->setTool(state_.tool());
   surface_->setMipVisible(state_.mip());
   surface_->setSurfaceVisible(state_.surface());
   surface_->setEdgesVisible(state_.edges());
@@ -179,6 +215,7 @@ void ViewGrid::refreshSurface() {
   if (mesh != shownMesh_) {
     surface_->clearSurfaceColours();
     surface_->setSurface(mesh);
+    surface_->setPatchColours(patchColours(mesh));
   }
   shownMesh_ = mesh;
   shownColour_ = colour;
@@ -218,6 +255,37 @@ void ViewGrid::refreshComparison() {
     paintQuality(*comparison_, MeshKind::MarchingCubes, colour);
   }
   if (appears) comparison_->takeCameraOf(*surface_);
+}
+
+std::vector<std::array<double, 3>> ViewGrid::patchColours(
+    const std::shared_ptr<const TriMesh>& mesh) const {
+  for (const MeshKind kind : {MeshKind::Exported, MeshKind::Unsmoothed}) {
+    if (mesh && mesh == controller_.mesh(kind)) {
+      return ports_.colours(controller_.ports(kind));
+    }
+  }
+  return {};
+}
+
+void ViewGrid::refreshPorts() {
+  surface_->setPatchColours(patchColours(shownMesh_));
+  showPorts();
+}
+
+void ViewGrid::showPorts() {
+  std::vector<PortMark> marks;
+  const PortRow* selected = ports_.selected();
+  for (const PortRow& row : ports_.rows()) {
+    // Openings that nobody cut are seen as they are.
+    if (row.cut || &row == selected) {
+      marks.push_back({row.name.toStdString(), row.plane, row.radiusMm, row.colour,
+                       &row == selected, row.cut, row.path});
+    }
+  }
+  for (SliceView* view : slices_) {
+    view->setPorts(marks);
+  }
+  surface_->setPorts(std::move(marks));
 }
 
 void ViewGrid::refreshEdits() {

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "gui/model/view_state.h"
 
@@ -11,6 +12,7 @@ class QGridLayout;
 
 namespace angiomesh {
 
+class CasePorts;
 class SliceView;
 class SurfaceView;
 class VtkView;
@@ -20,7 +22,8 @@ class ViewGrid : public QWidget {
   Q_OBJECT
 
  public:
-  ViewGrid(CaseController& controller, ViewState& state, QWidget* parent = nullptr);
+  ViewGrid(CaseController& controller, ViewState& state, CasePorts& ports,
+           QWidget* parent = nullptr);
 
   [[nodiscard]] SliceView* slice(int plane) const {
     return slices_[static_cast<std::size_t>(plane)];
@@ -40,6 +43,9 @@ class ViewGrid : public QWidget {
 
  Q_SIGNALS:
   void hovered(const QString& text);
+  /// A right click: `place` is empty where there is nothing, `port` off the ports.
+  void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
+                     const QString& port);
 
  private:
   void connectSlice(SliceView* view);
@@ -50,9 +56,15 @@ class ViewGrid : public QWidget {
   void refreshComparison();
   void paintQuality(SurfaceView& view, MeshKind kind, MeshColour colour) const;
   void refreshEdits();
+  void connectPorts();
+  void refreshPorts();
+  void showPorts();
+  [[nodiscard]] std::vector<std::array<double, 3>> patchColours(
+      const std::shared_ptr<const TriMesh>& mesh) const;
 
   CaseController& controller_;
   ViewState& state_;
+  CasePorts& ports_;
   std::array<SliceView*, 3> slices_{};  ///< by plane: sagittal, coronal, axial
   QWidget* pane3d_ = nullptr;           ///< holds the two 3D views
   SurfaceView* surface_ = nullptr;

@@ -119,6 +119,11 @@ void SliceView::setRoi(std::optional<RoiBox> roi) {
   requestRender();
 }
 
+void SliceView::setPorts(std::vector<PortMark> marks) {
+  state_->scene.setPorts(std::move(marks));
+  requestRender();
+}
+
 void SliceView::setTool(Tool tool) {
   if (tool == state_->tool) return;  // a drag under way goes on
   if (state_->drag == Drag::Roi) setRoi(state_->roiBefore);
@@ -308,21 +313,27 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     else
       setRoi(s.roiBefore);
   }
-  if (ended == Drag::Contrast && s.tool == Tool::PickSeed && s.mayBeClick) pickSeed();
+  if (!s.mayBeClick) return;
+  const std::optional<Eigen::Vector3d> place = picked();
+  if (!place) return;
+  const Eigen::Vector3d& p = *place;
+  if (ended == Drag::Contrast && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
+  if (ended == Drag::Contrast && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
+  if (ended == Drag::Zoom)
+    Q_EMIT menuRequested(event->globalPosition().toPoint(), p[0], p[1], p[2]);
 }
 
-void SliceView::pickSeed() {
+std::optional<Eigen::Vector3d> SliceView::picked() const {
   const SliceScene& scene = state_->scene;
-  Eigen::Vector3d lps = lpsAt(state_->pressed);
+  const Eigen::Vector3d lps = lpsAt(state_->pressed);
   const std::optional<SliceScene::Probe> probe = scene.probe(lps);
-  if (!probe) return;
-  // In a slab the seed lies where the shown value comes from.
+  if (!probe) return std::nullopt;
+  // In a slab the place lies where the shown value comes from.
   const Geometry& geometry = scene.image()->geometry;
   const int across = scene.axes().across;
   Eigen::Vector3d index = geometry.toIndex(lps);
   index[across] = probe->voxel[static_cast<std::size_t>(across)];
-  lps = geometry.toPhysical(index);
-  Q_EMIT seedPicked(lps[0], lps[1], lps[2]);
+  return geometry.toPhysical(index);
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -15,7 +15,7 @@
 namespace angiomesh {
 
 /// What a plain left click or drag does in a slice pane.
-enum class Tool { Navigate, PickSeed, DrawRoi };
+enum class Tool { Navigate, PickSeed, DrawRoi, CutVessel };
 
 /// What the left button does with Tool::Navigate: window/level, or the crosshair.
 enum class MouseScheme { Radiology, Engineering };
@@ -23,7 +23,7 @@ enum class MouseScheme { Radiology, Engineering };
 /// One slice pane. Positions are mm LPS. Middle button pans, right zooms, the wheel steps slices
 /// (Ctrl: zooms, Alt: slab thickness), Shift with the moving mouse sets the crosshair, a double
 /// click asks to maximise, arrow keys step slices (Shift: by 10), R resets the view; Ctrl with the
-/// left drag changes window and level in fine steps.
+/// left drag changes window and level in fine steps; a click of the right button asks for a menu.
 class SliceView : public VtkView {
   Q_OBJECT
 
@@ -50,6 +50,7 @@ class SliceView : public VtkView {
   void setContours(std::vector<ContourLayer> contours);
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setRoi(std::optional<RoiBox> roi);
+  void setPorts(std::vector<PortMark> marks);
   void setTool(Tool tool);
   [[nodiscard]] Tool tool() const;
   void setScheme(MouseScheme scheme);
@@ -73,6 +74,8 @@ class SliceView : public VtkView {
   void sliceChanged(int slice);                          ///< for whatever reason
   void slabChanged(double thicknessMm);                  ///< by the user; 0: slab off
   void seedPicked(double x, double y, double z);
+  void cutPicked(double x, double y, double z);
+  void menuRequested(const QPoint& global, double x, double y, double z);
   void roiDrawn(const RoiBox& roi);
   /// "value, voxel i,j,k, L 12.3 P 4.1 S 30.0 mm"; empty outside the image.
   void hovered(const QString& text);
@@ -94,7 +97,8 @@ class SliceView : public VtkView {
   void stepSlices(int towardsHead);
   void stepSlab(int steps);
   void dragContrast(const QPointF& moved, bool fine);
-  void pickSeed();
+  /// What is under the pressed position, as the pane shows it; nothing outside the image.
+  [[nodiscard]] std::optional<Eigen::Vector3d> picked() const;
   void hover(const QPointF& position);
 
   struct State;

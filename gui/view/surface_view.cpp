@@ -31,6 +31,7 @@ class QuietTrackball : public vtkInteractorStyleTrackballCamera {
 vtkStandardNewMacro(QuietTrackball);
 
 constexpr int refineAfterMs = 350;
+constexpr double clickDistance = 3.0;  // Qt pixels: a shorter way is a click, not a drag
 
 }  // namespace
 
@@ -43,6 +44,10 @@ struct SurfaceView::State {
   bool mipVisible = true, surfaceVisible = true, comparisonVisible = true, edgesVisible = false;
   std::vector<Eigen::Vector3d> seeds;
   std::optional<RoiBox> roi;
+  std::optional<PortDrag> drag;  // of the port grabbed
+  QString grabbed;
+  QPointF pressed;
+  bool mayBeClick = false, portMoved = false;
 };
 
 SurfaceView::SurfaceView(QWidget* parent) : VtkView(parent), state_(std::make_unique<State>()) {
@@ -132,6 +137,17 @@ void SurfaceView::clearSurfaceColours() {
   changed();
 }
 
+void SurfaceView::setPatchColours(std::vector<std::array<double, 3>> colours) {
+  state_->scene.setPatchColours(std::move(colours));
+  requestRender();
+}
+
+void SurfaceView::setPorts(std::vector<PortMark> marks) {
+  // Without a change of the projection's quality: it would flicker with each step of a drag.
+  state_->scene.setPorts(std::move(marks));
+  requestRender();
+}
+
 void SurfaceView::setSeeds(std::vector<Eigen::Vector3d> lps) {
   if (lps == state_->seeds) return;
   state_->seeds = lps;
@@ -171,21 +187,105 @@ void SurfaceView::takeCameraOf(const SurfaceView& other) {
 
 void SurfaceView::pixelRatioChanged(double ratio) { state_->scene.setPixelRatio(ratio); }
 
+Eigen::Vector2d SurfaceView::toDisplay(const QPointF& position) const {
+  const double ratio = devicePixelRatioF();
+  return {(position.x() + 0.5) * ratio, (height() - position.y() - 0.5) * ratio};
+}
+
+QPointF SurfaceView::positionOf(const Eigen::Vector3d& lps) const {
+  const Eigen::Vector2d display = state_->scene.displayAt(lps) / devicePixelRatioF();
+  return {display[0] - 0.5, height() - display[1] - 0.5};
+}
+
+QPointF SurfaceView::arrowTipOf(const QString& port) const {
+  const std::vector<PortMark>& marks = state_->scene.ports();
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    if (QString::fromStdString(marks[i].name) == port) return positionOf(state_->scene.arrowTip(i));
+  return {};
+}
+
+bool SurfaceView::grabPort(const QPointF& position) {
+  const Eigen::Vector2d at = toDisplay(position);
+  const auto hit = state_->scene.portAt(at[0], at[1]);
+  if (!hit) return false;
+  state_->grabbed = QString::fromStdString(state_->scene.ports()[hit->mark].name);
+  state_->drag = state_->scene.grabPort(*hit, at[0], at[1]);
+  state_->portMoved = false;
+  Q_EMIT portPressed(state_->grabbed);
+  return true;
+}
+
+void SurfaceView::dragPort(const QPointF& position, bool free) {
+  if (state_->mayBeClick) return;
+  const Eigen::Vector2d at = toDisplay(position);
+  state_->portMoved = true;
+  Q_EMIT portDragged(state_->grabbed, state_->drag->moved(state_->scene.rayAt(at[0], at[1]), free));
+}
+
+void SurfaceView::showGrip(const QPointF& position) {
+  const Eigen::Vector2d at = toDisplay(position);
+  const auto hit = state_->scene.gripAt(at[0], at[1]);
+  if (hit)
+    setCursor(hit->grip == PortDrag::Grip::Arrow ? Qt::PointingHandCursor : Qt::SizeAllCursor);
+  else if (tool_ == Tool::CutVessel)
+    setCursor(Qt::CrossCursor);
+  else
+    unsetCursor();
+}
+
 void SurfaceView::mousePressEvent(QMouseEvent* event) {
-  state_->buttonDown = true;
-  state_->scene.setInteractive(true);
+  State& s = *state_;
+  if (s.drag) return;  // a second button while one is down
+  s.pressed = event->position();
+  s.mayBeClick = true;
+  s.buttonDown = true;
+  s.scene.setInteractive(true);
+  if (event->button() == Qt::LeftButton && grabPort(event->position())) return;
   VtkView::mousePressEvent(event);
 }
 
 void SurfaceView::mouseMoveEvent(QMouseEvent* event) {
+  State& s = *state_;
+  if ((event->position() - s.pressed).manhattanLength() > clickDistance) s.mayBeClick = false;
+  if (s.drag) {
+    dragPort(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+    return;
+  }
   VtkView::mouseMoveEvent(event);
-  if (state_->buttonDown) Q_EMIT cameraMoved();
+  if (s.buttonDown)
+    Q_EMIT cameraMoved();
+  else
+    showGrip(event->position());
 }
 
 void SurfaceView::mouseReleaseEvent(QMouseEvent* event) {
-  VtkView::mouseReleaseEvent(event);
-  state_->buttonDown = event->buttons() != Qt::NoButton;
-  if (!state_->buttonDown) state_->refine.start();
+  State& s = *state_;
+  if (s.drag) {
+    if (event->button() != Qt::LeftButton) return;
+    s.drag.reset();
+    if (s.portMoved) Q_EMIT portDropped();
+  } else {
+    VtkView::mouseReleaseEvent(event);
+  }
+  s.buttonDown = event->buttons() != Qt::NoButton;
+  if (!s.buttonDown) s.refine.start();
+  if (s.mayBeClick) clicked(*event);
+}
+
+void SurfaceView::clicked(const QMouseEvent& event) {
+  State& s = *state_;
+  s.mayBeClick = false;
+  const Eigen::Vector2d at = toDisplay(s.pressed);
+  const bool cuts = event.button() == Qt::LeftButton && tool_ == Tool::CutVessel;
+  if (!cuts && event.button() != Qt::RightButton) return;
+  const auto port = s.scene.portAt(at[0], at[1]);
+  const std::optional<Eigen::Vector3d> place = s.scene.surfaceAt(at[0], at[1]);
+  if (event.button() == Qt::RightButton)
+    Q_EMIT menuRequested(
+        event.globalPosition().toPoint(), place,
+        port ? QString::fromStdString(s.scene.ports()[port->mark].name) : QString());
+  else if (place && !port)
+    Q_EMIT cutPicked((*place)[0], (*place)[1], (*place)[2]);
 }
 
 void SurfaceView::wheelEvent(QWheelEvent* event) {

@@ -2,20 +2,26 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <QPointF>
 #include <QString>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/image/volume.h"
 #include "core/surface/tri_mesh.h"
+#include "gui/view/slice_view.h"
 #include "gui/view/vtk_view.h"
+#include "render/port_mark.h"
 #include "render/slice_scene.h"
 
 namespace angiomesh {
 
 /// The 3D pane: left button turns, middle pans, right and wheel zoom, a double click asks to
-/// maximise, keys A, P, L, S, I and Shift-R look from that side of the patient, R resets.
+/// maximise, keys A, P, L, S, I and Shift-R look from that side of the patient, R resets. The left
+/// button drags the disc of a port along its vessel (Shift: anywhere) and tilts it by its arrow; a
+/// click of the right button asks for a menu.
 class SurfaceView : public VtkView {
   Q_OBJECT
 
@@ -42,6 +48,16 @@ class SurfaceView : public VtkView {
   void setComparisonColours(std::vector<float> perTriangle);
   void clearSurfaceColours();
 
+  /// Of the patches 1.. of the surface.
+  void setPatchColours(std::vector<std::array<double, 3>> colours);
+  void setPorts(std::vector<PortMark> marks);
+  /// Tool::CutVessel: a left click on the surface picks a place to cut.
+  void setTool(Tool tool) { tool_ = tool; }
+
+  /// Qt's pixels of a point, and of the tip of a port's arrow.
+  [[nodiscard]] QPointF positionOf(const Eigen::Vector3d& lps) const;
+  [[nodiscard]] QPointF arrowTipOf(const QString& port) const;
+
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setRoi(std::optional<RoiBox> roi);
 
@@ -53,6 +69,13 @@ class SurfaceView : public VtkView {
   void takeCameraOf(const SurfaceView& other);
 
  Q_SIGNALS:
+  void portPressed(const QString& name);
+  void portDragged(const QString& name, const CutPlane& plane);
+  void portDropped();
+  void cutPicked(double x, double y, double z);
+  /// `place` is empty off the surface, `port` off the ports.
+  void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
+                     const QString& port);
   void cameraMoved();  ///< by the user, viewFrom(), lookAt() or resetView(); not by takeCameraOf()
 
  protected:
@@ -65,9 +88,15 @@ class SurfaceView : public VtkView {
 
  private:
   void changed();
+  [[nodiscard]] Eigen::Vector2d toDisplay(const QPointF& position) const;
+  bool grabPort(const QPointF& position);
+  void dragPort(const QPointF& position, bool free);
+  void clicked(const QMouseEvent& event);
+  void showGrip(const QPointF& position);
 
   struct State;
   std::unique_ptr<State> state_;
+  Tool tool_ = Tool::Navigate;
 };
 
 }  // namespace angiomesh

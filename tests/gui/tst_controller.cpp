@@ -257,17 +257,17 @@ class TestController : public QObject {
     const QTemporaryDir folder;
     CaseController controller(makeInlineJobRunner);
     Messages messages(controller);
-    controller.exportMesh(MeshKind::Exported, folder.filePath("none.ply"), {}, false);
+    controller.exportMesh(MeshKind::Exported, folder.filePath("none.ply"), {}, {});
     QCOMPARE(messages.errors.size(), 1);
     controller.take(twoTubes());
     controller.run();
-    controller.exportMesh(MeshKind::Exported, folder.filePath("a.ply"), {}, true);
+    controller.exportMesh(MeshKind::Exported, folder.filePath("a.ply"), {}, {.report = true});
     QVERIFY(QFile::exists(folder.filePath("a.report.json")));
     const TriMesh back = readMesh(folder.filePath("a.ply").toStdString());
     QCOMPARE(back.triangles.size(), controller.mesh(MeshKind::Exported)->triangles.size());
     const QString triangles = QString("%1 triangles, closed").arg(back.triangles.size());
     QVERIFY2(messages.others.last().contains(triangles), qPrintable(messages.others.last()));
-    controller.exportMesh(MeshKind::Exported, folder.filePath("no/such/a.stl"), {}, false);
+    controller.exportMesh(MeshKind::Exported, folder.filePath("no/such/a.stl"), {}, {});
     QCOMPARE(messages.errors.size(), 2);
     QVERIFY(!messages.errors.last().contains(folder.path()));
   }

@@ -101,7 +101,8 @@ class TestPrivacyWindow : public QObject {
     trigger(*c, "saveCase");  // with a previous one
     c->controller().setField("levelset.xi", 31.0);
     for (const char* name : {"a.ply", "b.stl", "c.obj", "d.vtp"})
-      c->controller().exportMesh(MeshKind::Exported, text(home / "meshes" / name), {}, true);
+      c->controller().exportMesh(MeshKind::Exported, text(home / "meshes" / name), {},
+                                 {.report = true});
     verifyLogHasNoPath(*c);
     // The window goes as in a crash: lock and journal stay.
     c.reset();
@@ -135,7 +136,8 @@ class TestPrivacyWindow : public QObject {
     c->window->open(text(series_ / "none"));
     c->window->open(text(series_));
     c->controller().run(Step::Evolve);
-    c->controller().exportMesh(MeshKind::Exported, text(planted_ / "none/a.ply"), {}, true);
+    c->controller().exportMesh(MeshKind::Exported, text(planted_ / "none/a.ply"), {},
+                               {.report = true});
     c->answers.savePath = text(planted_ / "none/a.angiomesh");
     trigger(*c, "saveCase");
     verifyLogHasNoPath(*c);

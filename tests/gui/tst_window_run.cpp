@@ -176,8 +176,7 @@ class TestWindowRun : public QObject {
     QTest::newRow("ply") << 0 << "vessels.ply" << QByteArray("ply\nformat binary") << false;
     QTest::newRow("ply text") << 1 << "vessels.ply" << QByteArray("ply\nformat ascii") << true;
     QTest::newRow("stl") << 2 << "vessels.stl" << QByteArray("Angiomesh SPACE=LPS") << false;
-    QTest::newRow("stl text") << 3 << "vessels.stl" << QByteArray("solid surface SPACE=RAS")
-                              << true;
+    QTest::newRow("stl text") << 3 << "vessels.stl" << QByteArray("solid wall SPACE=RAS") << true;
     QTest::newRow("obj") << 4 << "vessels.obj" << QByteArray("# Angiomesh") << false;
     QTest::newRow("vtp") << 5 << "vessels.vtp" << QByteArray("<?xml") << true;
   }
@@ -199,7 +198,7 @@ class TestWindowRun : public QObject {
     const auto tick = [&](const char* name) {
       QTest::mouseClick(check(name), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
     };
-    QCOMPARE(combo("exportFormat")->count(), 6);
+    QCOMPARE(combo("exportFormat")->count(), 7);
     c.choose(combo("exportFormat"), format);
     auto* hint = dialog->findChild<QLabel*>("exportHint");
     QCOMPARE(hint->isVisible(), file.endsWith(".stl"));

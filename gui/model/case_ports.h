@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <array>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gui/model/case_controller.h"
+#include "gui/model/port_job.h"
+#include "render/port_mark.h"
+
+namespace angiomesh {
+
+/// A row of the list of ports.
+struct PortRow {
+  /// Unknown: nothing is there to look at, or it is being looked at.
+  enum class State { Unknown, Good, Advised, Impossible };
+
+  QString name;
+  bool cut = false;  ///< one of ports.cuts; else an opening that the last run found or made itself
+  State state = State::Unknown;
+  QString note;  ///< the state in words
+  CutPlane plane;
+  double radiusMm = 0.0;
+  double areaMm2 = 0.0;  ///< 0: not known
+  std::array<double, 3> colour{};
+  std::vector<Eigen::Vector3d> path;
+
+  [[nodiscard]] double diameterMm() const;  ///< of the circle of the same area
+};
+
+/// The inlets and outlets of the case: the cuts among its parameters with what is known of them,
+/// and the other openings of the last mesh. Edits go through the controller's undo stack; looking
+/// for vessels runs on a worker.
+class CasePorts : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CasePorts(CaseController& controller,
+                     const JobRunnerFactory& makeRunner = makeThreadedJobRunner,
+                     QObject* parent = nullptr);
+  /// Cancels what runs and waits for it.
+  ~CasePorts() override;
+
+  [[nodiscard]] const std::vector<PortRow>& rows() const { return rows_; }
+  [[nodiscard]] const PortRow* find(const QString& name) const;
+  [[nodiscard]] const PortRow* selected() const { return find(selected_); }
+  void select(const QString& name);
+  /// selects, and has the panes go there: goTo() follows.
+  void visit(const QString& name);
+  /// Whether there are vessels to cut.
+  [[nodiscard]] bool ready() const { return ground_.phi != nullptr; }
+  [[nodiscard]] bool busy() const { return job_ || !queue_.empty(); }
+  /// What the last edit came to, where it came to nothing; a line.
+  [[nodiscard]] QString notice() const { return notice_; }
+  /// Of the patches 1.. of a mesh with these ports.
+  [[nodiscard]] std::vector<std::array<double, 3>> colours(const std::vector<Port>& ports) const;
+  /// "inlet", "outlet", "outlet-2", ...: the first that is free.
+  [[nodiscard]] QString freeName() const;
+
+  // Edits: each one is undoable.
+  /// Across the vessel at a place, mm LPS, that is inside it or by its wall.
+  void cutHere(const Eigen::Vector3d& lps);
+  /// Cuts of all ends so many radii before their tips, as far as no cut lies in the way.
+  void cutEnds(double radii);
+  void flip(const QString& name);
+  void remove(const QString& name);
+  /// @returns why not; empty: done
+  QString rename(const QString& name, const QString& wanted);
+  /// A drag of a cut: shown, but no edit until drop().
+  void drag(const QString& name, const CutPlane& plane);
+  [[nodiscard]] bool dragging() const { return drag_.has_value(); }
+  void drop();
+
+ Q_SIGNALS:
+  void changed();  ///< rows, selection or notice
+  void dragged();  ///< the plane of one row alone
+  void goTo(double x, double y, double z, double radiusMm);
+
+ private:
+  struct Drag {
+    QString name;
+    CutPlane plane;
+    bool tilted = false;
+  };
+
+  [[nodiscard]] std::vector<std::string> cuts() const {
+    return controller_.parameters().ports.cuts;
+  }
+  [[nodiscard]] std::optional<std::size_t> indexOf(const QString& name) const;
+  [[nodiscard]] CutPlane planeOf(const std::string& cut) const;
+  bool replace(const QString& name, const GivenCut& cut, const QString& what);
+  void refresh();
+  void refreshGround();
+  void rebuild();
+  [[nodiscard]] PortRow cutRow(const std::string& text) const;
+  void addOpenings();
+  void tell(Severity severity, const QString& text);
+  void request(std::shared_ptr<PortJob> job);
+  void requestCheck();
+  void startNext();
+  void poll();
+  void finish();
+  void finishCutHere(const PortJob& job);
+  void finishCutEnds(const PortJob& job);
+
+  CaseController& controller_;
+  std::unique_ptr<JobRunner> runner_;
+  QTimer timer_;
+  PortGround ground_;
+  std::map<std::string, CutFinding> findings_;  ///< by the text of the cut
+  std::vector<std::string> checked_;            ///< the cuts that the findings are of
+  std::shared_ptr<PortJob> job_;
+  std::deque<std::shared_ptr<PortJob>> queue_;
+  std::vector<PortRow> rows_;
+  std::optional<Drag> drag_;
+  QString selected_, notice_;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/port_marks.h"
+
+#include <vtkActor.h>
+#include <vtkArrowSource.h>
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/surface_pick.h"
+
+namespace angiomesh {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int kSides = 64;
+constexpr double kArrowRadii = 2.2;    // of the vessel's radius, at least
+constexpr double kArrowPixels = 34.0;  // design pixels, at least
+constexpr double kGripPixels = 8.0;
+constexpr int kNameSize = 13;
+
+/// Two unit vectors across a normal.
+std::array<Vector3d, 2> across(const Vector3d& normal) {
+  const Vector3d u = normal.unitOrthogonal();
+  return {u, normal.cross(u)};
+}
+
+/// Takes x to the normal, scaled.
+vtkSmartPointer<vtkMatrix4x4> placement(const CutPlane& plane, double along, double aside) {
+  const auto [u, v] = across(plane.normalLps);
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 3; ++row) {
+    matrix->SetElement(row, 0, along * plane.normalLps[row]);
+    matrix->SetElement(row, 1, aside * u[row]);
+    matrix->SetElement(row, 2, aside * v[row]);
+    matrix->SetElement(row, 3, plane.pointLps[row]);
+  }
+  return matrix;
+}
+
+double fromSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+  const Vector2d ab = b - a;
+  const double length = ab.squaredNorm();
+  const double t = length > 0.0 ? std::clamp((p - a).dot(ab) / length, 0.0, 1.0) : 0.0;
+  return (p - a - t * ab).norm();
+}
+
+/// Distance from a convex outline on the screen, 0 inside.
+double fromDisc(const Vector2d& p, const std::vector<Vector2d>& outline) {
+  double nearest = std::numeric_limits<double>::infinity();
+  bool left = true, right = true;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vector2d& a = outline[k];
+    const Vector2d& b = outline[(k + 1) % outline.size()];
+    nearest = std::min(nearest, fromSegment(p, a, b));
+    const double side = (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
+    left = left && side >= 0.0;
+    right = right && side <= 0.0;
+  }
+  return left || right ? 0.0 : nearest;
+}
+
+/// A unit disc across x and its rim.
+void buildDisc(vtkPolyData* disc, vtkPolyData* rim) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> face, line;
+  face->InsertNextCell(kSides);
+  line->InsertNextCell(kSides + 1);
+  for (int k = 0; k < kSides; ++k) {
+    const double angle = 2.0 * M_PI * k / kSides;
+    const vtkIdType id = points->InsertNextPoint(0.0, std::cos(angle), std::sin(angle));
+    face->InsertCellPoint(id);
+    line->InsertCellPoint(id);
+  }
+  line->InsertCellPoint(0);
+  disc->SetPoints(points);
+  disc->SetPolys(face);
+  rim->SetPoints(points);
+  rim->SetLines(line);
+}
+
+struct MarkActors {
+  vtkNew<vtkActor> disc, rim, arrow;
+  vtkNew<vtkTextActor> name;
+};
+
+}  // namespace
+
+struct PortMarks::Parts {
+  vtkRenderer* renderer = nullptr;
+  vtkNew<vtkPolyDataMapper> discMapper, rimMapper, arrowMapper;
+  std::vector<PortMark> marks;
+  std::vector<std::unique_ptr<MarkActors>> actors;
+  double pixelRatio = 1.0;
+
+  void resize(std::size_t count);
+  void style(std::size_t index);
+  void remove(MarkActors& mark);
+};
+
+void PortMarks::Parts::remove(MarkActors& mark) {
+  for (vtkActor* actor : {mark.disc.Get(), mark.rim.Get(), mark.arrow.Get()})
+    renderer->RemoveActor(actor);
+  renderer->RemoveViewProp(mark.name);
+}
+
+void PortMarks::Parts::resize(std::size_t count) {
+  while (actors.size() > count) {
+    remove(*actors.back());
+    actors.pop_back();
+  }
+  while (actors.size() < count) {
+    auto made = std::make_unique<MarkActors>();
+    made->disc->SetMapper(discMapper);
+    made->rim->SetMapper(rimMapper);
+    made->arrow->SetMapper(arrowMapper);
+    for (vtkActor* actor : {made->disc.Get(), made->rim.Get()}) actor->GetProperty()->LightingOff();
+    made->arrow->GetProperty()->SetAmbient(0.35);
+    made->name->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+    vtkTextProperty* text = made->name->GetTextProperty();
+    text->SetFontFamilyToArial();
+    text->SetFontSize(kNameSize);
+    text->ShadowOn();
+    text->SetVerticalJustificationToCentered();
+    for (vtkActor* actor : {made->disc.Get(), made->rim.Get(), made->arrow.Get()})
+      renderer->AddActor(actor);
+    renderer->AddViewProp(made->name);
+    actors.push_back(std::move(made));
+  }
+}
+
+void PortMarks::Parts::style(std::size_t index) {
+  const PortMark& mark = marks[index];
+  MarkActors& shown = *actors[index];
+  const auto& c = mark.colour;
+  for (vtkActor* actor : {shown.disc.Get(), shown.rim.Get(), shown.arrow.Get()})
+    actor->GetProperty()->SetColor(c[0], c[1], c[2]);
+  shown.disc->GetProperty()->SetOpacity(mark.selected ? 0.55 : 0.3);
+  shown.name->GetTextProperty()->SetColor(c[0], c[1], c[2]);
+  shown.name->GetTextProperty()->SetBold(mark.selected);
+  shown.name->SetInput(mark.name.c_str());
+}
+
+PortMarks::PortMarks(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
+  parts_->renderer = renderer;
+  vtkNew<vtkPolyData> disc, rim;
+  buildDisc(disc, rim);
+  parts_->discMapper->SetInputData(disc);
+  parts_->rimMapper->SetInputData(rim);
+  vtkNew<vtkArrowSource> arrow;
+  arrow->SetTipResolution(24);
+  arrow->SetShaftResolution(16);
+  arrow->SetTipLength(0.4);
+  arrow->SetTipRadius(0.14);
+  arrow->SetShaftRadius(0.045);
+  parts_->arrowMapper->SetInputConnection(arrow->GetOutputPort());
+}
+
+PortMarks::~PortMarks() { parts_->resize(0); }
+
+void PortMarks::set(std::vector<PortMark> marks) {
+  parts_->marks = std::move(marks);
+  parts_->resize(parts_->marks.size());
+  for (std::size_t i = 0; i < parts_->marks.size(); ++i) parts_->style(i);
+}
+
+const std::vector<PortMark>& PortMarks::marks() const { return parts_->marks; }
+
+double PortMarks::arrowMm(std::size_t mark) const {
+  const PortMark& m = parts_->marks[mark];
+  const double pixel = mmPerPixelAt(parts_->renderer, m.plane.pointLps);
+  return std::max(kArrowRadii * m.radiusMm, kArrowPixels * parts_->pixelRatio * pixel);
+}
+
+void PortMarks::follow(double pixelRatio) {
+  Parts& p = *parts_;
+  p.pixelRatio = pixelRatio;
+  for (std::size_t i = 0; i < p.marks.size(); ++i) {
+    const PortMark& mark = p.marks[i];
+    MarkActors& shown = *p.actors[i];
+    const auto flat = placement(mark.plane, mark.discRadiusMm(), mark.discRadiusMm());
+    shown.disc->SetUserMatrix(flat);
+    shown.rim->SetUserMatrix(flat);
+    const double length = arrowMm(i);
+    shown.arrow->SetUserMatrix(placement(mark.plane, length, length));
+    shown.rim->GetProperty()->SetLineWidth(
+        static_cast<float>((mark.selected ? 2.5 : 1.5) * pixelRatio));
+    // Beyond the arrow's tip, on the side to which it points.
+    const Vector2d from = displayOf(p.renderer, mark.plane.pointLps);
+    const Vector2d tip = displayOf(p.renderer, mark.plane.pointLps + length * mark.plane.normalLps);
+    const bool leftwards = tip.x() < from.x();
+    if (leftwards)
+      shown.name->GetTextProperty()->SetJustificationToRight();
+    else
+      shown.name->GetTextProperty()->SetJustificationToLeft();
+    shown.name->SetPosition(tip.x() + (leftwards ? -6.0 : 6.0) * pixelRatio, tip.y());
+  }
+}
+
+std::optional<PortMarks::Hit> PortMarks::at(double displayX, double displayY) const {
+  const Parts& p = *parts_;
+  const Vector2d here(displayX, displayY);
+  const double reach = kGripPixels * p.pixelRatio;
+  std::optional<Hit> hit;
+  double least = reach;
+  for (std::size_t i = 0; i < p.marks.size(); ++i) {
+    const PortMark& mark = p.marks[i];
+    if (!mark.movable) continue;
+    const auto point = [&](double share) {
+      return displayOf(p.renderer, mark.plane.pointLps + share * arrowMm(i) * mark.plane.normalLps);
+    };
+    // The part by the disc belongs to the disc.
+    const double off = fromSegment(here, point(0.5), point(1.0));
+    if (off < least) {
+      least = off;
+      hit = Hit{i, PortDrag::Grip::Arrow};
+    }
+  }
+  if (hit) return hit;
+  double depth = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < p.marks.size(); ++i) {
+    const PortMark& mark = p.marks[i];
+    if (!mark.movable) continue;
+    const auto [u, v] = across(mark.plane.normalLps);
+    std::vector<Vector2d> outline;
+    for (int k = 0; k < kSides; ++k) {
+      const double angle = 2.0 * M_PI * k / kSides;
+      outline.push_back(displayOf(
+          p.renderer,
+          mark.plane.pointLps + mark.discRadiusMm() * (std::cos(angle) * u + std::sin(angle) * v)));
+    }
+    const double pixel = mmPerPixelAt(p.renderer, mark.plane.pointLps);
+    if (fromDisc(here, outline) > 0.5 * reach || pixel >= depth) continue;
+    depth = pixel;  // grows with the distance from the eye
+    hit = Hit{i, PortDrag::Grip::Disc};
+  }
+  return hit;
+}
+
+}  // namespace angiomesh

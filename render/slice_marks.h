@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/port_mark.h"
+#include "render/slice_raster.h"
+
+class vtkRenderer;
+
+namespace angiomesh {
+
+/// The marks of ports in a slice pane: where a disc cuts the slice a line with an arrow along the
+/// normal, and a disc that lies in the slice as its outline.
+class SliceMarks {
+ public:
+  explicit SliceMarks(vtkRenderer* renderer);  ///< which outlives the marks
+  ~SliceMarks();
+  SliceMarks(const SliceMarks&) = delete;
+  SliceMarks& operator=(const SliceMarks&) = delete;
+
+  void set(std::vector<PortMark> marks);
+  /// @param depth of the flat scene, towards the viewer
+  void show(const SlicePlane& plane, bool visible, double depth, double pixelRatio);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "core/surface/tri_mesh.h"
+#include "render/port_drag.h"
+
+class vtkRenderer;
+
+namespace angiomesh {
+
+/// The line of sight through a display position (pixels from the lower left corner).
+ViewRay viewRay(vtkRenderer* renderer, double displayX, double displayY);
+
+/// Display position of a point, pixels.
+Eigen::Vector2d displayOf(vtkRenderer* renderer, const Eigen::Vector3d& point);
+
+/// The length at a point that looks one pixel long.
+double mmPerPixelAt(vtkRenderer* renderer, const Eigen::Vector3d& point);
+
+/// Where a line of sight first meets a mesh, from either side.
+std::optional<Eigen::Vector3d> firstHit(const TriMesh& mesh, const ViewRay& ray);
+
+}  // namespace angiomesh

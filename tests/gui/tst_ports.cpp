@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <QCheckBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "core/pipeline/cuts.h"
+#include "gui/model/case_ports.h"
+#include "io/image_io.h"
+#include "io/mesh_io.h"
+#include "io/ports_file.h"
+#include "window_case.h"
+
+using namespace angiomesh;
+using angiomesh::test::kPatienceMs;
+using angiomesh::test::twoTubes;
+using angiomesh::test::WindowCase;
+
+namespace {
+
+/// A vessel with two ends inside the volume.
+Source coil() {
+  PhantomParams params;
+  params.kind = PhantomKind::Helix;
+  params.size = {44, 44, 44};
+  params.radius = 3.0;
+  return makeSource(makePhantom(params).image, "coil");
+}
+
+void trigger(WindowCase& c, const char* name) {
+  c.window->findChild<QAction*>(QLatin1String(name))->trigger();
+}
+
+/// The middle of a vessel, `share` of the way up the volume.
+Eigen::Vector3d insideOf(CaseController& controller, double share) {
+  const Volume<float>& phi = *controller.uncutPhi();
+  const Index3 size = phi.geometry.size;
+  const auto k = static_cast<int>(share * (size[2] - 1));
+  Index3 best{0, 0, k};
+  for (int j = 0; j < size[1]; ++j)
+    for (int i = 0; i < size[0]; ++i)
+      if (phi.at(i, j, k) < phi.at(best[0], best[1], k)) best = {i, j, k};
+  return phi.geometry.toPhysical({1.0 * best[0], 1.0 * best[1], 1.0 * k});
+}
+
+void cutAt(WindowCase& c, double share) {
+  c.window->views().setCrosshair(insideOf(c.controller(), share));
+  trigger(c, "cutHere");
+}
+
+/// A window in which two tubes are meshed, of which the larger alone is kept.
+struct PortCase : WindowCase {
+  explicit PortCase(const std::filesystem::path& recovery = {}, Source source = twoTubes())
+      : WindowCase(makeInlineJobRunner, recovery) {
+    controller().take(std::move(source));
+    controller().setField("segmentation.keep", std::string("largest"));
+    click(find<QPushButton>("run"));
+    state().setMip(false);
+    settle();
+  }
+
+  CasePorts& ports() { return window->ports(); }
+  SurfaceView* view() { return window->views().surface(); }
+  QTableWidget* table() { return find<QTableWidget>("ports"); }
+  std::size_t cuts() { return controller().parameters().ports.cuts.size(); }
+  GivenCut cut(std::size_t i) { return parseCut(controller().parameters().ports.cuts.at(i)); }
+  void trigger(const char* name) { ::trigger(*this, name); }
+  int undoCount() { return controller().undoStack()->count(); }
+  void undo() { trigger("undo"); }
+  void redo() { trigger("redo"); }
+  void settle() {
+    QCoreApplication::processEvents();
+    view()->grabFramebuffer();
+  }
+
+  Eigen::Vector3d inside(double share = 0.5) { return insideOf(controller(), share); }
+  void cutAt(double share) { ::cutAt(*this, share); }
+  void rightClick(QWidget* widget, const QPoint& at) {
+    QTest::mouseClick(widget, Qt::RightButton, Qt::NoModifier, at);
+  }
+};
+
+QString noteOf(PortCase& c, const char* name) {
+  const PortRow* row = c.ports().find(name);
+  return row ? row->note : QString();
+}
+
+}  // namespace
+
+class TestPorts : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void theShortcutCutsAtTheCrosshair() {
+    PortCase c;
+    QCOMPARE(c.cuts(), std::size_t(0));
+    const auto openings = c.table()->rowCount();
+    QVERIFY(openings >= 2);
+    QVERIFY(c.table()->item(0, 0)->text().startsWith("border_"));
+    c.window->views().setCrosshair(c.inside());
+    const int before = c.undoCount();
+    QTest::keyClick(c.window.get(), Qt::Key_K, Qt::ControlModifier);
+    QCOMPARE(c.cuts(), std::size_t(1));
+    QCOMPARE(c.undoCount(), before + 1);
+    QCOMPARE(c.cut(0).name, std::string("inlet"));
+    QVERIFY((c.cut(0).pointLps - c.inside()).norm() < 1.0);
+    const PortRow* row = c.ports().selected();
+    QVERIFY(row && row->cut && row->name == "inlet");
+    QVERIFY2(row->state == PortRow::State::Good || row->state == PortRow::State::Advised,
+             qPrintable(row->note));
+    QVERIFY2(std::abs(row->diameterMm() - 3.0) < 0.3,
+             qPrintable(QString::number(row->diameterMm())));
+    QVERIFY(c.controller().state(Step::Surface) == StepState::Stale);
+    QVERIFY(c.find<QLabel>("summary", "field:ports.cuts")->text().contains("1"));
+    c.cutAt(0.25);
+    QCOMPARE(c.cut(1).name, std::string("outlet"));
+    c.undo();
+    QCOMPARE(c.cuts(), std::size_t(1));
+    c.undo();
+    QCOMPARE(c.cuts(), std::size_t(0));
+    c.redo();
+    c.redo();
+    QCOMPARE(c.cuts(), std::size_t(2));
+    QCOMPARE(c.table()->item(1, 0)->text(), QString("outlet"));
+    QTest::mouseClick(c.find<QPushButton>("clear", "field:ports.cuts"), Qt::LeftButton);
+    QCOMPARE(c.cuts(), std::size_t(0));
+  }
+
+  void aClickIn3dCuts() {
+    PortCase c;
+    const QPoint at = c.view()->positionOf(c.inside()).toPoint();
+    c.rightClick(c.view(), at);
+    auto* menu = c.find<QMenu>("portMenu");
+    QVERIFY(menu && menu->actions().size() == 1);
+    menu->actions().front()->trigger();
+    menu->close();
+    QCOMPARE(c.cuts(), std::size_t(1));
+    QVERIFY((c.cut(0).pointLps - c.inside()).norm() < 1.5);
+    // The tool does the same with the left button, and goes back to turning the view.
+    c.undo();
+    QTest::keyClick(c.window.get(), Qt::Key_F9);
+    QVERIFY(c.state().tool() == Tool::CutVessel);
+    QTest::mouseClick(c.view(), Qt::LeftButton, Qt::NoModifier, at);
+    QCOMPARE(c.cuts(), std::size_t(1));
+    QVERIFY(c.state().tool() == Tool::Navigate);
+  }
+
+  void aClickInASliceCuts() {
+    PortCase c;
+    const Eigen::Vector3d place = c.inside();
+    c.window->views().setCrosshair(place);
+    SliceView* slice = c.window->views().slice(2);
+    slice->grabFramebuffer();
+    const QPoint at = slice->positionOf(place).toPoint();
+    c.rightClick(slice, at);
+    auto* menu = c.find<QMenu>("portMenu");
+    QVERIFY(menu);
+    menu->actions().front()->trigger();
+    menu->close();
+    QCOMPARE(c.cuts(), std::size_t(1));
+    c.undo();
+    c.state().setTool(Tool::CutVessel);
+    QTest::mouseClick(slice, Qt::LeftButton, Qt::NoModifier, at);
+    QCOMPARE(c.cuts(), std::size_t(1));
+    // A drag of the right button zooms as ever, and asks for nothing.
+    QTest::mousePress(slice, Qt::RightButton, Qt::NoModifier, at);
+    QTest::mouseMove(slice, at + QPoint(0, 20));
+    QTest::mouseRelease(slice, Qt::RightButton, Qt::NoModifier, at + QPoint(0, 20));
+    QVERIFY(!c.find<QMenu>("portMenu") || !c.find<QMenu>("portMenu")->isVisible());
+  }
+
+  void offTheVesselsNothingIsCut() {
+    PortCase c;
+    c.window->views().setCrosshair(c.controller().image()->geometry.toPhysical({1.0, 1.0, 20.0}));
+    c.trigger("cutHere");
+    QCOMPARE(c.cuts(), std::size_t(0));
+    QVERIFY(c.find<QLabel>("portNotice")->text().contains("no vessel"));
+  }
+
+  void theDiscIsDraggedAndTilted() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.settle();
+    const CutPlane before = c.ports().selected()->plane;
+    const GivenCut given = c.cut(0);
+    const int undos = c.undoCount();
+    const QPoint centre = c.view()->positionOf(before.pointLps).toPoint();
+    const QPoint tip = c.view()->arrowTipOf("inlet").toPoint();
+    const auto key = c.controller().parameters().ports.cuts;
+
+    // Along the vessel, away from the arrow.
+    const QPointF away =
+        QPointF(centre - tip) / std::hypot(centre.x() - tip.x(), centre.y() - tip.y());
+    QTest::mousePress(c.view(), Qt::LeftButton, Qt::NoModifier, centre);
+    for (int i = 1; i <= 5; ++i) {
+      QMouseEvent move(QEvent::MouseMove, centre + 6.0 * i * away,
+                       c.view()->mapToGlobal(centre + 6.0 * i * away), Qt::NoButton, Qt::LeftButton,
+                       Qt::NoModifier);
+      QApplication::sendEvent(c.view(), &move);
+    }
+    QVERIFY(c.ports().dragging());
+    QVERIFY(c.controller().parameters().ports.cuts == key);
+    QTest::mouseRelease(c.view(), Qt::LeftButton, Qt::NoModifier, (centre + 30.0 * away).toPoint());
+    QCOMPARE(c.undoCount(), undos + 1);
+    QCOMPARE(c.controller().undoStack()->undoText(), QString("move the cut inlet"));
+    const Eigen::Vector3d moved = c.cut(0).pointLps - given.pointLps;
+    QVERIFY2(moved.dot(before.normalLps) < -0.8, qPrintable(QString::number(moved.norm())));
+    QVERIFY(moved.cross(before.normalLps).norm() < 0.5);
+    QVERIFY(c.ports().selected()->state != PortRow::State::Impossible);
+    c.undo();
+    QVERIFY(c.controller().parameters().ports.cuts == key);
+    c.redo();
+
+    c.settle();
+    const GivenCut there = c.cut(0);
+    const QPoint now = c.view()->arrowTipOf("inlet").toPoint();
+    const QPoint aside = now + QPoint(14, 0);
+    c.drag(c.view(), now, aside);
+    QCOMPARE(c.undoCount(), undos + 2);
+    QCOMPARE(c.controller().undoStack()->undoText(), QString("tilt the cut inlet"));
+    const double cosine = c.cut(0).normalLps->normalized().dot(there.normalLps->normalized());
+    QVERIFY2(cosine < 0.985 && cosine > 0.3, qPrintable(QString::number(cosine)));
+    QVERIFY((c.cut(0).pointLps - there.pointLps).norm() < 0.3);
+    c.undo();
+    QVERIFY((*c.cut(0).normalLps - *there.normalLps).norm() < 1e-9);
+
+    // A press without a way selects, and edits nothing.
+    c.settle();
+    const int count = c.undoCount();
+    c.ports().select({});
+    QTest::mouseClick(c.view(), Qt::LeftButton, Qt::NoModifier,
+                      c.view()->positionOf(c.ports().find("inlet")->plane.pointLps).toPoint());
+    QVERIFY(c.ports().selected());
+    QCOMPARE(c.undoCount(), count);
+  }
+
+  void aDragElsewhereTurnsTheView() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.settle();
+    QSignalSpy turned(c.view(), &SurfaceView::cameraMoved);
+    c.drag(c.view(), {8, 60}, {60, 90});
+    QVERIFY(!turned.isEmpty());
+    QVERIFY(!c.ports().dragging());
+  }
+
+  void flipsRenamesAndDeletes() {
+    PortCase c;
+    c.cutAt(0.5);
+    const Eigen::Vector3d normal = *c.cut(0).normalLps;
+    c.click(c.find<QToolButton>("flipPortButton"));
+    QVERIFY((*c.cut(0).normalLps + normal).norm() < 1e-3);
+    c.undo();
+    QVERIFY((*c.cut(0).normalLps - normal).norm() < 1e-9);
+
+    const auto rename = [&](const QString& name) {
+      c.table()->setFocus();
+      c.trigger("renamePort");
+      auto* editor = c.table()->findChild<QLineEdit*>();
+      QVERIFY(editor);
+      editor->setText(name);
+      QTest::keyClick(editor, Qt::Key_Return);
+      QCoreApplication::processEvents();
+    };
+    rename("bad name");
+    QCOMPARE(c.cut(0).name, std::string("inlet"));
+    QTRY_COMPARE(c.table()->item(0, 0)->text(), QString("inlet"));
+    const QString why = c.find<QLabel>("portNotice")->text();
+    QVERIFY2(why.contains("'bad name' is no name for a port"), qPrintable(why));
+    for (const char* name : {"wall", "border_3", "a,b", ""}) {
+      rename(name);
+      QCOMPARE(c.cut(0).name, std::string("inlet"));
+    }
+    rename("aorta-in");
+    QTRY_COMPARE(c.cut(0).name, std::string("aorta-in"));
+    QCOMPARE(c.cut(0).name, std::string("aorta-in"));
+    QVERIFY(c.ports().selected() && c.ports().selected()->name == "aorta-in");
+    QVERIFY(c.find<QLabel>("portNotice")->text().isEmpty());
+    c.undo();
+    QCOMPARE(c.cut(0).name, std::string("inlet"));
+    c.redo();
+    QCOMPARE(c.table()->item(0, 0)->text(), QString("aorta-in"));
+
+    c.ports().select("aorta-in");
+    c.click(c.find<QToolButton>("deletePortButton"));
+    QCOMPARE(c.cuts(), std::size_t(0));
+    c.undo();
+    QCOMPARE(c.cuts(), std::size_t(1));
+    c.redo();
+    QCOMPARE(c.cuts(), std::size_t(0));
+  }
+
+  void twoNamesMustDiffer() {
+    PortCase c;
+    c.cutAt(0.25);
+    c.cutAt(0.75);
+    QVERIFY(c.ports().rename("outlet", "inlet").contains("two cuts are called 'inlet'"));
+    QCOMPARE(c.cut(1).name, std::string("outlet"));
+    QCOMPARE(c.ports().freeName(), QString("outlet-2"));
+  }
+
+  void aCutThatCannotBeSaysWhyAndTheOthersStay() {
+    PortCase c;
+    c.cutAt(0.25);
+    c.cutAt(0.3);
+    // Nothing of the last one's vessel is between the two.
+    QVERIFY(c.ports().find("outlet")->state == PortRow::State::Impossible);
+    QVERIFY2(noteOf(c, "outlet").contains("outlet"), qPrintable(noteOf(c, "outlet")));
+    QVERIFY(c.table()->item(1, 3)->text().contains(noteOf(c, "outlet")));
+    QVERIFY(c.table()->item(1, 0)->toolTip() == noteOf(c, "outlet"));
+    QVERIFY(c.ports().find("inlet")->state != PortRow::State::Impossible);
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY2(c.controller().state(Step::Surface) == StepState::Failed,
+             qPrintable(c.find<QPlainTextEdit>("log")->toPlainText()));
+    c.ports().remove("outlet");
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY(c.controller().meshFresh());
+    std::vector<std::string> cuts = c.controller().parameters().ports.cuts;
+    cuts.push_back("500,500,500,0,0,1,far");
+    QVERIFY(c.controller().setCuts(cuts, "far").isEmpty());
+    QVERIFY2(noteOf(c, "far").contains("no vessel"), qPrintable(noteOf(c, "far")));
+    QVERIFY(!c.controller().setCuts({"nonsense"}, "bad").isEmpty());
+  }
+
+  void theRunMakesPatchesOfTheirNames() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.ports().rename("inlet", "supra");
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY(c.controller().meshFresh());
+    const std::vector<Port> ports = c.controller().ports(MeshKind::Exported);
+    QVERIFY(ports.size() >= 2);
+    QCOMPARE(ports[0].name, std::string("supra"));
+    QVERIFY(std::abs(ports[0].areaMm2 - c.ports().find("supra")->areaMm2) < 0.1 * ports[0].areaMm2);
+    QCOMPARE(noteOf(c, "supra"), QString("made"));
+    c.settle();
+    // The cap has the colour of its row.
+    const auto colour = c.ports().find("supra")->colour;
+    QVERIFY(c.ports().colours(ports)[0] == colour);
+    c.ports().visit("supra");
+    QVERIFY((c.window->views().crosshair() - ports[0].centreLps).norm() < 1.0);
+    c.settle();
+    QCOMPARE(c.table()->currentRow(), 0);
+  }
+
+  void allEndsAreCutAsExplicitCuts() {
+    PortCase c({}, coil());
+    QCOMPARE(c.cuts(), std::size_t(0));
+    c.trigger("cutEnds");
+    auto* dialog = c.find<QInputDialog>("endsDialog");
+    QVERIFY(dialog);
+    dialog->setDoubleValue(1.0);
+    dialog->accept();
+    QVERIFY2(c.cuts() == 2, qPrintable(c.find<QPlainTextEdit>("log")->toPlainText()));
+    QCOMPARE(c.cut(0).name.substr(0, 4), std::string("end_"));
+    const std::size_t count = c.cuts();
+    for (const PortRow& row : c.ports().rows())
+      QVERIFY2(row.state != PortRow::State::Impossible, qPrintable(row.note));
+    c.ports().cutEnds(1.0);
+    QCOMPARE(c.cuts(), count);  // cut already
+    c.undo();
+    QCOMPARE(c.cuts(), std::size_t(0));
+  }
+
+  void namesAreExported_data() {
+    QTest::addColumn<int>("format");
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<bool>("named");
+    QTest::newRow("ply") << 0 << "v.ply" << true;
+    QTest::newRow("ply text") << 1 << "v.ply" << true;
+    QTest::newRow("stl") << 2 << "v.stl" << false;
+    QTest::newRow("stl text") << 3 << "v.stl" << true;
+    QTest::newRow("obj") << 4 << "v.obj" << true;
+    QTest::newRow("vtp") << 5 << "v.vtp" << true;
+  }
+  void namesAreExported() {
+    QFETCH(int, format);
+    QFETCH(QString, file);
+    QFETCH(bool, named);
+    PortCase c;
+    c.cutAt(0.5);
+    c.click(c.find<QPushButton>("run"));
+    c.savePath = c.folder.filePath("v");
+    c.trigger("export");
+    auto* dialog = c.find<QDialog>("exportDialog");
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    c.choose(dialog->findChild<QComboBox*>("exportFormat"), format);
+    auto* hint = dialog->findChild<QLabel*>("exportHint");
+    QCOMPARE(hint->text().contains("loses the names"), !named);
+    QVERIFY(dialog->findChild<QCheckBox*>("exportPortsFile")->isChecked());
+    QTest::mouseClick(dialog->findChild<QCheckBox*>("exportPatches"), Qt::LeftButton,
+                      Qt::NoModifier, QPoint(8, 8));
+    c.click(dialog->findChild<QPushButton*>("exportGo"));
+    const LoadedMesh back = loadMesh(c.folder.filePath(file).toStdString());
+    const bool has = std::count(back.patchNames.begin(), back.patchNames.end(), "inlet") == 1;
+    QCOMPARE(has, named);
+    const auto ports = readPorts(c.folder.filePath("v.ports.json").toStdString());
+    QCOMPARE(ports.size(), c.controller().ports(MeshKind::Exported).size());
+    QCOMPARE(ports[0].name, std::string("inlet"));
+    QVERIFY(QFile::exists(c.folder.filePath(QString(file).replace("v.", "v_inlet."))));
+    const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
+    QVERIFY2(log.contains("its ports"), qPrintable(log));
+  }
+
+  void aCaseForOpenFoamIsExported() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.click(c.find<QPushButton>("run"));
+    c.savePath = c.folder.filePath("foam");
+    c.trigger("export");
+    auto* dialog = c.find<QDialog>("exportDialog");
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    c.choose(dialog->findChild<QComboBox*>("exportFormat"), 6);
+    QVERIFY(!dialog->findChild<QComboBox*>("exportUnit")->isEnabled());
+    QVERIFY(!dialog->findChild<QLabel*>("exportHint")->text().contains("not connected"));
+    c.click(dialog->findChild<QPushButton*>("exportGo"));
+    QVERIFY2(QFile::exists(c.folder.filePath("foam/system/snappyHexMeshDict")),
+             qPrintable(c.find<QPlainTextEdit>("log")->toPlainText()));
+    QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
+    c.controller().setField("segmentation.keep", std::string("all"));
+    c.click(c.find<QPushButton>("run"));
+    c.trigger("export");
+    dialog = c.find<QDialog>("exportDialog");
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    c.choose(dialog->findChild<QComboBox*>("exportFormat"), 6);
+    QVERIFY(dialog->findChild<QLabel*>("exportHint")->text().contains("2 parts"));
+  }
+
+  void thePortsAloneAreExported() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.click(c.find<QPushButton>("run"));
+    c.savePath = c.folder.filePath("openings");
+    c.click(c.find<QToolButton>("exportPortsButton"));
+    const auto ports = readPorts(c.folder.filePath("openings.json").toStdString());
+    QCOMPARE(ports[0].name, std::string("inlet"));
+  }
+
+  void aCaseKeepsItsCuts() {
+    const QTemporaryDir folder;
+    const QString volume = folder.filePath("tubes.mha"), saved = folder.filePath("t.angiomesh");
+    writeVolume(*twoTubes().image, volume.toStdString());
+    std::vector<std::string> cuts;
+    {
+      WindowCase c;
+      c.window->open(volume);
+      c.controller().run();
+      cutAt(c, 0.5);
+      c.window->ports().rename("inlet", "neck");
+      cuts = c.controller().parameters().ports.cuts;
+      c.answers.savePath = saved;
+      trigger(c, "saveCase");
+      QVERIFY(!c.controller().modified());
+    }
+    WindowCase c;
+    c.window->open(saved);
+    QVERIFY(c.controller().parameters().ports.cuts == cuts);
+    QVERIFY(c.window->ports().find("neck"));
+    // Cuts mean something in one image alone, and nothing to a preset.
+    c.controller().applyPreset("thesis");
+    QVERIFY(c.controller().parameters().ports.cuts == cuts);
+    c.controller().take(twoTubes(36));
+    QVERIFY(c.controller().parameters().ports.cuts.empty());
+  }
+
+  void cutsComeBackAfterACrash() {
+    const QTemporaryDir recovery;
+    const QTemporaryDir folder;
+    const QString volume = folder.filePath("tubes.mha");
+    writeVolume(*twoTubes().image, volume.toStdString());
+    std::vector<std::string> cuts;
+    {
+      WindowCase c(makeInlineJobRunner, recovery.path().toStdString());
+      c.window->open(volume);
+      c.controller().run();
+      cutAt(c, 0.5);
+      cuts = c.controller().parameters().ports.cuts;
+      QCOMPARE(cuts.size(), std::size_t(1));
+    }
+    WindowCase c(makeInlineJobRunner, recovery.path().toStdString());
+    c.answers.restore = RestoreAnswer::Restore;
+    QVERIFY(c.window->offerRestore());
+    QTRY_VERIFY(c.controller().parameters().ports.cuts == cuts);
+  }
+
+  void workersDoTheSame() {
+    WindowCase c(makeThreadedJobRunner);
+    c.controller().take(twoTubes());
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+    c.click(c.find<QPushButton>("run"));
+    QTRY_VERIFY_WITH_TIMEOUT(c.controller().meshFresh() && !c.controller().busy(), kPatienceMs);
+    cutAt(c, 0.5);
+    QTRY_VERIFY_WITH_TIMEOUT(c.window->ports().find("inlet"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.window->ports().find("inlet")->areaMm2 > 0.0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.window->ports().busy(), kPatienceMs);
+    QVERIFY(!c.window->ports().find("inlet")->path.empty());
+  }
+};
+
+int main(int argc, char** argv) { return test::runWindowTests<TestPorts>(argc, argv); }
+#include "tst_ports.moc"
