@@ -11,6 +11,7 @@
 #include "core/base/random.h"
 #include "core/pipeline/cuts.h"
 #include "io/mesh_io.h"
+#include "io/ports_file.h"
 
 namespace angiomesh::cli {
 namespace {

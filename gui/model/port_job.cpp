@@ -31,7 +31,8 @@ void PortJob::execute() noexcept {
     if (kind == Kind::Advise) {
       advise(away);
     } else if (kind == Kind::CutEnds) {
-      EndPlan plan = planEndCuts(*ground.field, *ground.skeleton, away, radiiFromTip);
+      EndPlan plan =
+          planEndCuts(*ground.field, *ground.phi, *ground.skeleton, away, radiiFromTip, progress);
       proposed = std::move(plan.planes);
       names = std::move(plan.names);
       remarks = std::move(plan.remarks);

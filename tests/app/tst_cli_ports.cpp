@@ -31,7 +31,7 @@ QByteArray solidsOf(const QString& path) {
 }  // namespace
 
 // Inlets and outlets from the command line to the files that a solver takes.
-class TestPorts : public QObject {
+class TestCliPorts : public QObject {
   Q_OBJECT
 
  private:
@@ -176,5 +176,5 @@ class TestPorts : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPorts)
-#include "tst_ports.moc"
+QTEST_GUILESS_MAIN(TestCliPorts)
+#include "tst_cli_ports.moc"
