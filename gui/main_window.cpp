@@ -37,6 +37,7 @@ namespace {
 
 constexpr int kWidth = 1560, kHeight = 960;
 constexpr int kPanelWidth = 400, kNarrowPanelWidth = 360;
+constexpr int kInspectorHeight = 650, kPortsHeight = 250;
 constexpr int kMostRecent = 10;
 constexpr double kThickestSlabMm = 200.0;
 
@@ -132,7 +133,7 @@ void MainWindow::buildDocks() {
   QDockWidget* plot = dock("convergenceDock", tr("Convergence"), Qt::BottomDockWidgetArea,
                            new ConvergencePlot(*controller_, this));
   splitDockWidget(log, plot, Qt::Horizontal);
-  resizeDocks({inspector, ports}, {3, 2}, Qt::Vertical);
+  resizeDocks({inspector, ports}, {kInspectorHeight, kPortsHeight}, Qt::Vertical);
   resizeDocks({log, plot}, {150, 150}, Qt::Vertical);
   const int side = width() < kWidth ? kNarrowPanelWidth : kPanelWidth;
   resizeDocks({pipeline, inspector}, {side, side}, Qt::Horizontal);

@@ -20,6 +20,12 @@ struct PortMark {
   bool movable = true;
   std::vector<Eigen::Vector3d> path;  ///< the vessel's centre line, to slide along; may be empty
 
+  [[nodiscard]] bool operator==(const PortMark& other) const {
+    return name == other.name && plane.pointLps == other.plane.pointLps &&
+           plane.normalLps == other.plane.normalLps && radiusMm == other.radiusMm &&
+           colour == other.colour && selected == other.selected && movable == other.movable &&
+           path == other.path;
+  }
   /// Of the disc.
   [[nodiscard]] double discRadiusMm() const { return 1.3 * radiusMm; }
 };

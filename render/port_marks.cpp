@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "render/surface_pick.h"
 
@@ -34,6 +35,9 @@ constexpr double kArrowRadii = 2.2;    // of the vessel's radius, at least
 constexpr double kArrowPixels = 34.0;  // design pixels, at least
 constexpr double kGripPixels = 8.0;
 constexpr int kNameSize = 13;
+constexpr double kNameAspect = 0.6;  // a letter's width to its height, about
+/// Towards the viewer, in 65000ths of the depth shown.
+constexpr double kBefore = -40.0, kOnTop = -25000.0;
 
 /// Two unit vectors across a normal.
 std::array<Vector3d, 2> across(const Vector3d& normal) {
@@ -112,6 +116,8 @@ struct PortMarks::Parts {
   void resize(std::size_t count);
   void style(std::size_t index);
   void remove(MarkActors& mark);
+  [[nodiscard]] double arrowMm(std::size_t index) const;
+  void placeNames();
 };
 
 void PortMarks::Parts::remove(MarkActors& mark) {
@@ -170,6 +176,11 @@ PortMarks::PortMarks(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) 
   arrow->SetTipRadius(0.14);
   arrow->SetShaftRadius(0.045);
   parts_->arrowMapper->SetInputConnection(arrow->GetOutputPort());
+  // The disc lies in the cap that comes of it, and the arrow of a cut to come in the vessel.
+  parts_->discMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, kBefore);
+  parts_->arrowMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, kOnTop);
+  for (vtkPolyDataMapper* mapper : {parts_->discMapper.Get(), parts_->arrowMapper.Get()})
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
 }
 
 PortMarks::~PortMarks() { parts_->resize(0); }
@@ -182,11 +193,13 @@ void PortMarks::set(std::vector<PortMark> marks) {
 
 const std::vector<PortMark>& PortMarks::marks() const { return parts_->marks; }
 
-double PortMarks::arrowMm(std::size_t mark) const {
-  const PortMark& m = parts_->marks[mark];
-  const double pixel = mmPerPixelAt(parts_->renderer, m.plane.pointLps);
-  return std::max(kArrowRadii * m.radiusMm, kArrowPixels * parts_->pixelRatio * pixel);
+double PortMarks::Parts::arrowMm(std::size_t index) const {
+  const PortMark& mark = marks[index];
+  const double pixel = mmPerPixelAt(renderer, mark.plane.pointLps);
+  return std::max(kArrowRadii * mark.radiusMm, kArrowPixels * pixelRatio * pixel);
 }
+
+double PortMarks::arrowMm(std::size_t mark) const { return parts_->arrowMm(mark); }
 
 void PortMarks::follow(double pixelRatio) {
   Parts& p = *parts_;
@@ -201,15 +214,40 @@ void PortMarks::follow(double pixelRatio) {
     shown.arrow->SetUserMatrix(placement(mark.plane, length, length));
     shown.rim->GetProperty()->SetLineWidth(
         static_cast<float>((mark.selected ? 2.5 : 1.5) * pixelRatio));
+  }
+  p.placeNames();
+}
+
+void PortMarks::Parts::placeNames() {
+  // Of names that would run into each other the first is shown, the selected one before all.
+  std::vector<std::size_t> order(marks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return marks[i].selected; });
+  std::vector<Eigen::AlignedBox2d> taken;
+  for (const std::size_t i : order) {
+    const CutPlane& plane = marks[i].plane;
+    vtkTextActor* name = actors[i]->name;
     // Beyond the arrow's tip, on the side to which it points.
-    const Vector2d from = displayOf(p.renderer, mark.plane.pointLps);
-    const Vector2d tip = displayOf(p.renderer, mark.plane.pointLps + length * mark.plane.normalLps);
+    const Vector2d from = displayOf(renderer, plane.pointLps);
+    const Vector2d tip = displayOf(renderer, plane.pointLps + arrowMm(i) * plane.normalLps);
     const bool leftwards = tip.x() < from.x();
     if (leftwards)
-      shown.name->GetTextProperty()->SetJustificationToRight();
+      name->GetTextProperty()->SetJustificationToRight();
     else
-      shown.name->GetTextProperty()->SetJustificationToLeft();
-    shown.name->SetPosition(tip.x() + (leftwards ? -6.0 : 6.0) * pixelRatio, tip.y());
+      name->GetTextProperty()->SetJustificationToLeft();
+    const double x = tip.x() + (leftwards ? -6.0 : 6.0) * pixelRatio;
+    name->SetPosition(x, tip.y());
+    const double width =
+        kNameAspect * kNameSize * pixelRatio * static_cast<double>(marks[i].name.size());
+    const double half = 0.6 * kNameSize * pixelRatio;
+    const double low = leftwards ? x - width : x;
+    const Eigen::AlignedBox2d box(Vector2d(low, tip.y() - half),
+                                  Vector2d(low + width, tip.y() + half));
+    const bool free = std::none_of(taken.begin(), taken.end(),
+                                   [&](const auto& other) { return other.intersects(box); });
+    name->SetVisibility(free);
+    if (free) taken.push_back(box);
   }
 }
 

@@ -275,9 +275,12 @@ PortRow CasePorts::cutRow(const std::string& text) const {
       row.radiusMm = finding.radiusMm;
     }
     QStringList words;
-    if (!finding.error.empty()) {
+    // What the mesher alone finds is known once it has failed.
+    const QString failure = controller_.failure(Step::Surface);
+    const bool failed = failure.contains(QStringLiteral("the cut '%1'").arg(row.name));
+    if (!finding.error.empty() || failed) {
       row.state = PortRow::State::Impossible;
-      words << QString::fromStdString(finding.error);
+      words << QString::fromStdString(failed ? portWords(failure.toStdString()) : finding.error);
     } else {
       row.state = finding.advice.empty() ? PortRow::State::Good : PortRow::State::Advised;
       for (const std::string& sentence : finding.advice) {

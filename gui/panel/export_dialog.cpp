@@ -6,9 +6,11 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <initializer_list>
@@ -95,14 +97,16 @@ ExportDialog::ExportDialog(CaseController& controller, PathChooser chooser, QWid
     : QDialog(parent), controller_(controller), chooser_(std::move(chooser)) {
   setObjectName("exportDialog");
   setWindowTitle(tr("Export mesh"));
-  auto* form = new QFormLayout(this);
+  auto* column = new QVBoxLayout(this);
+  auto* form = new QFormLayout;
+  column->addLayout(form);
   addChoices(form);
-  addNotes(form);
+  addNotes(form, column);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   QPushButton* go = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
   go->setObjectName("exportGo");
   go->setDefault(true);
-  form->addRow(buttons);
+  column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(go, &QPushButton::clicked, this, &ExportDialog::exportNow);
   for (QComboBox* combo : {mesh_, format_, unit_, frame_}) {
@@ -134,7 +138,7 @@ void ExportDialog::addChoices(QFormLayout* form) {
   frame_ = combo("exportFrame", tr("Frame"), {tr("LPS (DICOM, ITK)"), tr("RAS (NIfTI, Slicer)")});
 }
 
-void ExportDialog::addNotes(QFormLayout* form) {
+void ExportDialog::addNotes(QFormLayout* form, QVBoxLayout* below) {
   const auto check = [&](const char* name, const QString& text, bool on) {
     auto* made = new QCheckBox(text, this);
     made->setObjectName(name);
@@ -157,7 +161,7 @@ void ExportDialog::addNotes(QFormLayout* form) {
                      this);
   for (QLabel* label : {hint_, note_}) {
     label->setWordWrap(true);
-    form->addRow(label);
+    below->addWidget(label);
   }
 }
 
@@ -215,6 +219,9 @@ void ExportDialog::refreshHint() {
   }
   hint_->setText(hints.join('\n'));
   hint_->setVisible(!hints.isEmpty());
+  // Once the layout knows of the text: the dialog does not grow with it by itself.
+  QMetaObject::invokeMethod(
+      this, [this] { adjustSize(); }, Qt::QueuedConnection);
 }
 
 MeshWriteOptions ExportDialog::options() const {
@@ -234,8 +241,10 @@ void ExportDialog::exportOpenFoam() {
   if (folder.isEmpty()) {
     return;
   }
-  // The chooser has asked whether what is there may be replaced.
-  controller_.exportOpenFoam(kind(), folder, true);
+  // A case that was exported before is replaced, as the chooser has asked; no other folder is
+  // filled.
+  const bool before = QFileInfo::exists(folder + QStringLiteral("/system/snappyHexMeshDict"));
+  controller_.exportOpenFoam(kind(), folder, before);
   accept();
 }
 

@@ -11,6 +11,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QVBoxLayout;
 
 namespace angiomesh {
 
@@ -35,7 +36,7 @@ class ExportDialog : public QDialog {
 
  private:
   void addChoices(QFormLayout* form);
-  void addNotes(QFormLayout* form);
+  void addNotes(QFormLayout* form, QVBoxLayout* below);
   void refresh();
   void refreshHint();
   void exportNow();

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QIcon>
 #include <QLabel>
 #include <QLocale>
 #include <QPixmap>
@@ -22,11 +23,13 @@ enum Column { Name, Diameter, Area, State, ColumnCount };
 constexpr int kSwatch = 12;
 constexpr int kNameWidth = 92;
 
-QPixmap swatch(const std::array<double, 3>& colour) {
+QIcon swatch(const std::array<double, 3>& colour) {
   QPixmap picture(kSwatch, kSwatch);
   picture.fill(QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                                 static_cast<float>(colour[2])));
-  return picture;
+  QIcon icon(picture);
+  icon.addPixmap(picture, QIcon::Selected);  // else tinted as the selection is
+  return icon;
 }
 
 /// A sign beside the words, so that the state does not rest on colour.

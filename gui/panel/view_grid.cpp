@@ -282,6 +282,10 @@ void ViewGrid::showPorts() {
                        &row == selected, row.cut, row.path});
     }
   }
+  if (marks == shownPorts_) {
+    return;
+  }
+  shownPorts_ = marks;
   for (SliceView* view : slices_) {
     view->setPorts(marks);
   }

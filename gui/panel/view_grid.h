@@ -72,6 +72,7 @@ class ViewGrid : public QWidget {
   QWidget* maximised_ = nullptr;
   std::shared_ptr<const Volume<float>> shownImage_, shownPhi_;
   std::shared_ptr<const TriMesh> shownMesh_;
+  std::vector<PortMark> shownPorts_;
   std::shared_ptr<const MeshFacts> shownFacts_;
   std::shared_ptr<const TriMesh> comparedMesh_;
   std::shared_ptr<const MeshFacts> comparedFacts_;

@@ -44,6 +44,7 @@ struct SurfaceView::State {
   bool mipVisible = true, surfaceVisible = true, comparisonVisible = true, edgesVisible = false;
   std::vector<Eigen::Vector3d> seeds;
   std::optional<RoiBox> roi;
+  std::vector<std::array<double, 3>> patchColours;
   std::optional<PortDrag> drag;  // of the port grabbed
   QString grabbed;
   QPointF pressed;
@@ -138,6 +139,8 @@ void SurfaceView::clearSurfaceColours() {
 }
 
 void SurfaceView::setPatchColours(std::vector<std::array<double, 3>> colours) {
+  if (colours == state_->patchColours) return;
+  state_->patchColours = colours;
   state_->scene.setPatchColours(std::move(colours));
   requestRender();
 }

@@ -138,6 +138,18 @@ class TestPorts : public QObject {
     QCOMPARE(c.cuts(), std::size_t(0));
   }
 
+  void theKeysAreListed() {
+    WindowCase c;
+    QVERIFY(!c.find<QToolButton>("cutHereButton")->isEnabled());
+    QVERIFY(c.find<QLabel>("portNotice")->text().contains("Run to Evolve"));
+    QTest::keyClick(c.window.get(), Qt::Key_F1);
+    QTRY_VERIFY(c.find<QTableWidget>("shortcutsTable"));
+    auto* table = c.find<QTableWidget>("shortcutsTable");
+    for (const char* text :
+         {"Cut here", "Cut all ends…", "Flip", "Rename", "Delete", "Export ports…", "Cut vessel"})
+      QCOMPARE(table->findItems(QString::fromUtf8(text), Qt::MatchExactly).size(), 1);
+  }
+
   void aClickIn3dCuts() {
     PortCase c;
     const QPoint at = c.view()->positionOf(c.inside()).toPoint();
