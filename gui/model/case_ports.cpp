@@ -266,6 +266,11 @@ PortRow CasePorts::cutRow(const std::string& text) const {
   row.radiusMm = kUnknownRadius * (image ? image->geometry.voxelMm() : 1.0);
   const auto found = findings_.find(text);
   if (found == findings_.end()) {
+    // A disc that was just moved keeps its size until it was looked at.
+    if (const PortRow* before = find(row.name); before && before->cut) {
+      row.radiusMm = before->radiusMm;
+      row.path = before->path;
+    }
     row.note = ready() ? tr("being looked at") : tr("run to Evolve to see where it lies");
   } else {
     const CutFinding& finding = found->second;
@@ -299,7 +304,7 @@ PortRow CasePorts::cutRow(const std::string& text) const {
 }
 
 /// Of the last mesh those that are no cuts, neither then nor now.
-void CasePorts::addOpenings() {
+void CasePorts::addOpenings(std::vector<PortRow>& rows) const {
   const Parameters* then = controller_.meshParameters();
   std::set<std::string> known;
   for (const auto& list : {then ? then->ports.cuts : std::vector<std::string>(), cuts()}) {
@@ -323,19 +328,20 @@ void CasePorts::addOpenings() {
     if (!controller_.meshFresh()) {
       row.note += tr(", in the last mesh");
     }
-    rows_.push_back(std::move(row));
+    rows.push_back(std::move(row));
   }
 }
 
 void CasePorts::rebuild() {
-  rows_.clear();
+  std::vector<PortRow> rows;
   for (const std::string& text : cuts()) {
-    rows_.push_back(cutRow(text));
+    rows.push_back(cutRow(text));
   }
-  addOpenings();
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    rows_[i].colour = portColour(i);
+  addOpenings(rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].colour = portColour(i);
   }
+  rows_ = std::move(rows);
   Q_EMIT changed();
 }
 

@@ -101,7 +101,7 @@ class CasePorts : public QObject {
   void refreshGround();
   void rebuild();
   [[nodiscard]] PortRow cutRow(const std::string& text) const;
-  void addOpenings();
+  void addOpenings(std::vector<PortRow>& rows) const;
   void tell(Severity severity, const QString& text);
   void request(std::shared_ptr<PortJob> job);
   void requestCheck();

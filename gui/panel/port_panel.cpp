@@ -20,13 +20,18 @@ namespace angiomesh {
 namespace {
 
 enum Column { Name, Diameter, Area, State, ColumnCount };
+constexpr int kNameRole = Qt::UserRole, kColourRole = Qt::UserRole + 1;
 constexpr int kSwatch = 12;
 constexpr int kNameWidth = 92;
 
-QIcon swatch(const std::array<double, 3>& colour) {
+QColor colourOf(const PortRow& port) {
+  return QColor::fromRgbF(static_cast<float>(port.colour[0]), static_cast<float>(port.colour[1]),
+                          static_cast<float>(port.colour[2]));
+}
+
+QIcon swatch(const QColor& colour) {
   QPixmap picture(kSwatch, kSwatch);
-  picture.fill(QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                                static_cast<float>(colour[2])));
+  picture.fill(colour);
   QIcon icon(picture);
   icon.addPixmap(picture, QIcon::Selected);  // else tinted as the selection is
   return icon;
@@ -118,7 +123,7 @@ void PortPanel::edit(const QString& name) {
 }
 
 void PortPanel::edited(int row) {
-  const QString name = table_->item(row, Name)->data(Qt::UserRole).toString();
+  const QString name = table_->item(row, Name)->data(kNameRole).toString();
   const QString wanted = table_->item(row, Name)->text();
   // Queued: the edit refills the table, which must not happen inside its own signal.
   QMetaObject::invokeMethod(
@@ -155,26 +160,36 @@ void PortPanel::fill(int row) {
   const std::array<QString, ColumnCount> texts{port.name, number(port.diameterMm(), 2),
                                                number(port.areaMm2, 1),
                                                signOf(port.state) + port.note};
+  // Only what has changed: else a name that is being typed would be reset.
+  const auto set = [](QTableWidgetItem* item, int role, const QVariant& value) {
+    if (item->data(role) != value) {
+      item->setData(role, value);
+    }
+  };
   for (int column = 0; column < ColumnCount; ++column) {
     QTableWidgetItem* item = table_->item(row, column);
     if (!item) {
       item = new QTableWidgetItem;
+      item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+      if (column == Diameter || column == Area) {
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      }
       table_->setItem(row, column, item);
     }
-    const QString& text = texts[static_cast<std::size_t>(column)];
-    if (item->text() != text) {
-      item->setText(text);
-    }
-    item->setToolTip(port.note);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    set(item, Qt::DisplayRole, texts[static_cast<std::size_t>(column)]);
+    set(item, Qt::ToolTipRole, port.note);
   }
-  table_->item(row, Name)->setIcon(swatch(port.colour));
-  table_->item(row, Name)->setData(Qt::UserRole, port.name);
-  if (port.cut) {
-    table_->item(row, Name)->setFlags(table_->item(row, Name)->flags() | Qt::ItemIsEditable);
+  QTableWidgetItem* name = table_->item(row, Name);
+  set(name, kNameRole, port.name);
+  const QColor colour = colourOf(port);
+  if (name->data(kColourRole) != colour) {
+    name->setData(kColourRole, colour);
+    name->setIcon(swatch(colour));
   }
-  for (const int column : {Diameter, Area}) {
-    table_->item(row, column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  const Qt::ItemFlags flags =
+      Qt::ItemIsEnabled | Qt::ItemIsSelectable | (port.cut ? Qt::ItemIsEditable : Qt::NoItemFlags);
+  if (name->flags() != flags) {
+    name->setFlags(flags);
   }
 }
 
