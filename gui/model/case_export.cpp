@@ -47,6 +47,10 @@ void CaseController::exportOpenFoam(MeshKind kind, const QString& folder, bool r
 void CaseController::exportPorts(const QString& path) {
   ExportRequest request = exportRequest(MeshKind::Exported, path);
   request.kind = ExportKind::Ports;
+  if (request.mesh && !meshFresh()) {
+    say(Severity::Warning,
+        tr("These ports belong to earlier parameters: run again for the present ones."));
+  }
   startExport(std::move(request));
 }
 

@@ -314,6 +314,20 @@ class TestPorts : public QObject {
     QCOMPARE(c.cuts(), std::size_t(0));
   }
 
+  void aNameBeingTypedIsNotLost() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.trigger("renamePort");
+    auto* editor = c.table()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->setText("half");
+    Q_EMIT c.controller().statesChanged();
+    Q_EMIT c.controller().resultsChanged();
+    QCOMPARE(editor->text(), QString("half"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(c.cut(0).name, std::string("half"));
+  }
+
   void twoNamesMustDiffer() {
     PortCase c;
     c.cutAt(0.25);
@@ -458,6 +472,11 @@ class TestPorts : public QObject {
     c.click(c.find<QToolButton>("exportPortsButton"));
     const auto ports = readPorts(c.folder.filePath("openings.json").toStdString());
     QCOMPARE(ports[0].name, std::string("inlet"));
+    const auto log = [&] { return c.find<QPlainTextEdit>("log")->toPlainText(); };
+    QVERIFY(!log().contains("earlier parameters"));
+    c.ports().rename("inlet", "neck");
+    c.click(c.find<QToolButton>("exportPortsButton"));
+    QVERIFY(log().contains("earlier parameters"));
   }
 
   void aCaseKeepsItsCuts() {
