@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/surface/root.h"
+
 namespace angiomesh {
 namespace {
 
@@ -123,7 +125,7 @@ class PlaneTracer {
     return found->second;
   }
 
-  // False position (Illinois) between two neighbouring lattice points of different sign.
+  // Between two neighbouring lattice points of different sign.
   [[nodiscard]] Vector3d rootOn(const Fine& p, std::size_t axis, double f0, double f1) const {
     const Vector3d start(p[0], p[1], p[2]);
     const auto at = [&](double t) {
@@ -131,26 +133,9 @@ class PlaneTracer {
       x[static_cast<Eigen::Index>(axis)] += t;
       return Vector3d(x / finer_);
     };
-    double t0 = 0.0, t1 = 1.0, t = 0.5;
-    int kept = 0;  // which end stayed last: -1 the lower, 1 the upper
-    for (int n = 0; n < 60 && t1 - t0 > 1e-12; ++n) {
-      t = (t0 * f1 - t1 * f0) / (f1 - f0);
-      const double f = field_.atIndex(at(t)).value;
-      if (std::fabs(f) < 1e-13) break;
-      if ((f < 0.0) == (f0 < 0.0)) {
-        t0 = t;
-        f0 = f;
-        if (kept == 1) f1 *= 0.5;
-        kept = 1;
-      } else {
-        t1 = t;
-        f1 = f;
-        if (kept == -1) f0 *= 0.5;
-        kept = -1;
-      }
-    }
+    const auto value = [&](double t) { return field_.atIndex(at(t)).value; };
     // A vertex at the end of its lattice edge could be taken for one of another border plane.
-    return grid_.toPhysical(at(std::clamp(t, 1e-5, 1.0 - 1e-5)));
+    return grid_.toPhysical(at(falsePosition(value, f0, f1)));
   }
 
   const SplineField& field_;

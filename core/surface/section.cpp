@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/surface/root.h"
 
 namespace angiomesh {
 namespace {
@@ -170,28 +171,10 @@ class SectionTracer {
     return found->second;
   }
 
-  // False position (Illinois) from a node inside to one outside.
   Vector3d rootBetween(const Node& inside, const Node& outside) {
     const Vector3d from = at(inside), way = at(outside) - from;
-    double t0 = 0.0, t1 = 1.0, f0 = valueAt(inside), f1 = valueAt(outside), t = 0.5;
-    int kept = 0;
-    for (int n = 0; n < 60 && t1 - t0 > 1e-12; ++n) {
-      t = (t0 * f1 - t1 * f0) / (f1 - f0);
-      const double f = field_.valueAt(from + t * way);
-      if (std::fabs(f) < 1e-13) break;
-      if (f < 0.0) {
-        t0 = t;
-        f0 = f;
-        if (kept == 1) f1 *= 0.5;
-        kept = 1;
-      } else {
-        t1 = t;
-        f1 = f;
-        if (kept == -1) f0 *= 0.5;
-        kept = -1;
-      }
-    }
-    return from + std::clamp(t, 1e-5, 1.0 - 1e-5) * way;
+    const auto value = [&](double t) { return field_.valueAt(from + t * way); };
+    return from + falsePosition(value, valueAt(inside), valueAt(outside)) * way;
   }
 
   void chain() {
