@@ -101,12 +101,12 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   }
   result.marchingCubes =
       std::make_shared<const TriMesh>(marchingCubes(*result.phi, p.border, progress.sub(0.2, 0.3)));
+  const bool largestAlone = params.segmentation.keep == KeepComponents::Largest;
   if (p.method == SurfaceMethod::MarchingCubes && p.cellVoxels == 1.0 && p.minComponentMm3 == 0.0 &&
-      away.empty()) {
+      !largestAlone && away.empty()) {
     result.mesh = result.marchingCubes;
     return result;
   }
-  const bool largestAlone = params.segmentation.keep == KeepComponents::Largest;
   MadeSurface made =
       makeSurface(*result.uncutPhi, field, p, progress.sub(0.3, 1.0), away, largestAlone);
   if (made.mesh.triangles.empty())

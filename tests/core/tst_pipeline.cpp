@@ -86,6 +86,22 @@ class TestPipeline : public QObject {
     for (const StageReport& stage : pipeline.run(params).stages) QVERIFY(stage.reused);
   }
 
+  // Two tubes: the segmentation keeps one, and so does every surface.
+  void theLargestComponentIsOneSurface_data() {
+    QTest::addColumn<QString>("method");
+    for (const char* method : {"advancing-front", "remesh", "marching-cubes"})
+      QTest::newRow(method) << method;
+  }
+  void theLargestComponentIsOneSurface() {
+    QFETCH(QString, method);
+    Parameters params;
+    setFieldFromText(params, "surface.method", method.toStdString());
+    setFieldFromText(params, "segmentation.keep", "largest");
+    const RunResult run = Pipeline(makeSource(twoTubes(), "tubes")).run(params);
+    QCOMPARE(run.surface->components.size(), std::size_t{2});
+    QCOMPARE(run.quality->mesh.components, 1);
+  }
+
   void everyParameterBelongsToAStep() {
     Pipeline pipeline(makeSource(twoTubes(), "tubes"));
     for (const Field& field : parameterFields()) {
