@@ -102,11 +102,11 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   const SplineField field(input.phi, params.spline);
   const Progress rest = progress.sub(0.3, 1.0);
   std::vector<std::string> remarks;
-  const CutAway away = makeCuts(field, input.phi, all.ports, remarks, rest);
+  const CutAway away = makeCuts(field, input.phi, all.ports, remarks, rest.sub(0.0, 0.1));
   for (const std::string& remark : remarks) printWarning(remark);
   if (options.estimate)
     return estimate(field, away, options, params, sourceBlock(input, nullptr), rest);
-  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.0, 0.9), away);
+  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.1, 0.9), away);
   if (made.mesh.triangles.empty())
     throw InputError("there is no surface in it", options.input,
                      "give a level set function that is negative inside, or a mask");

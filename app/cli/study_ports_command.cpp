@@ -113,17 +113,19 @@ int ports(const PortsOptions& options, const Progress& progress) {
   Json json{{"schema", 1}, {"volumes", Json::array()}};
   std::string table = kHead;
   const Parameters params = options.settings.parameters();
+  const auto steps = static_cast<double>(options.cases + 1);
   for (std::size_t v = 0; v < volumes.size(); ++v) {
-    PortStudy study(volumes[v].source, params, progress);
+    const Progress part =
+        progress.sub(static_cast<double>(v) / static_cast<double>(volumes.size()),
+                     static_cast<double>(v + 1) / static_cast<double>(volumes.size()));
+    PortStudy study(volumes[v].source, params, part.sub(0.0, 1.0 / steps));
     std::vector<PortCase> cases;
     Json list = Json::array();
     for (int n = 0; n < options.cases; ++n) {
+      const Progress one = part.sub((n + 1) / steps, (n + 2) / steps);
       folder.add(fileOf(volumes[v].name, n),
-                 [&](const auto& place) { cases.push_back(study.run(1 + v, n, place, progress)); });
+                 [&](const auto& place) { cases.push_back(study.run(1 + v, n, place, one)); });
       list.push_back(jsonOf(cases.back()));
-      progress.report(
-          static_cast<double>(v * static_cast<std::size_t>(options.cases) + cases.size()) /
-          static_cast<double>(volumes.size() * static_cast<std::size_t>(options.cases)));
     }
     const std::string row = rowOf(volumes[v].name, cases, study.uncutMinAngle());
     table += row;

@@ -78,13 +78,19 @@ void printSegmentation(const RunResult& result) {
   std::printf("%-13s", "segmentation");
   if (result.surface) {
     const auto& parts = result.surface->components;
-    const auto kept = std::count_if(parts.begin(), parts.end(),
-                                    [](const SegmentComponent& part) { return part.kept; });
-    std::printf(" %zu voxels in %d component%s", result.surface->insideVoxels,
-                static_cast<int>(kept), kept == 1 ? "" : "s");
-    if (!parts.empty() && result.surface->insideVoxels > 0)
-      std::printf(" (the largest: %.1f %%)", 100.0 * static_cast<double>(parts.front().voxels) /
-                                                 static_cast<double>(result.surface->insideVoxels));
+    std::size_t kept = 0, voxels = 0, most = 0;
+    for (const SegmentComponent& part : parts) {
+      if (!part.kept) continue;
+      ++kept;
+      voxels += part.voxels;
+      most = std::max(most, part.voxels);
+    }
+    // Cuts may have taken some of them.
+    std::printf(" %zu voxels in %zu component%s", result.surface->insideVoxels, kept,
+                kept == 1 ? "" : "s");
+    if (voxels > 0)
+      std::printf(" (the largest: %.1f %%)",
+                  100.0 * static_cast<double>(most) / static_cast<double>(voxels));
     std::printf(",");
   }
   if (evolves(result.params))

@@ -86,15 +86,16 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   SurfaceResult result;
   Segments segments = selectSegments(*evolved.phi, params.segmentation, params.seeds.points,
                                      progress.sub(0.0, 0.1));
-  result.uncutPhi = withoutDropped(evolved.phi, segments, progress.sub(0.1, 0.2));
+  result.uncutPhi = withoutDropped(evolved.phi, segments, progress.sub(0.1, 0.14));
   result.components = std::move(segments.components);
   result.insideVoxels = segments.insideVoxels;
   const SplineField field(*result.uncutPhi, p.spline);
-  const CutAway away = makeCuts(field, *result.uncutPhi, params.ports, warnings, progress);
+  const CutAway away =
+      makeCuts(field, *result.uncutPhi, params.ports, warnings, progress.sub(0.14, 0.18));
   result.phi = result.uncutPhi;
   if (!away.empty()) {
-    result.phi =
-        std::make_shared<const Volume<float>>(phiWithout(*result.uncutPhi, away, progress));
+    result.phi = std::make_shared<const Volume<float>>(
+        phiWithout(*result.uncutPhi, away, progress.sub(0.18, 0.2)));
     result.insideVoxels =
         static_cast<std::size_t>(std::count_if(result.phi->voxels.begin(), result.phi->voxels.end(),
                                                [](float value) { return value < 0.0F; }));

@@ -77,7 +77,7 @@ struct SurfaceResult {
   /// cut in an edge, which no interpolant can follow.
   std::shared_ptr<const Volume<float>> uncutPhi;
   std::vector<SegmentComponent> components;
-  std::size_t insideVoxels = 0;                  ///< of the kept components
+  std::size_t insideVoxels = 0;                  ///< of phi: cuts may have taken some
   std::shared_ptr<const TriMesh> mesh;           ///< unsmoothed
   SurfaceOrigin origin;                          ///< of `mesh`
   std::vector<Port> ports;                       ///< of `mesh`: its patches
