@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Fills surfaces with tetrahedra by Gmsh, as they are: what `angiomesh-cli study ports -o DIR` wrote.
+# Fills surfaces with tetrahedra by Gmsh, as they are: what `angiomesh-cli study ports -o DIR` wrote. Each
+# has to be in one piece: of scans, with --set segmentation.keep=largest.
 #   bench/fill_ports.sh DIR
 # One line for each that is not filled, then how many were. Debian: apt-get install gmsh
 set -eu
