@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.h"
 #include "core/surface/border_trace.h"
+#include "core/surface/mesh_edges.h"
 #include "core/surface/point_grid.h"
 
 namespace angiomesh {
@@ -50,7 +51,8 @@ class Tracer {
       for (int first = 0; first < 6; ++first)
         for (int second = first + 1; second < 6; ++second)
           if (first / 2 != second / 2) volumeEdge(first, second);
-      for (std::size_t plane = 0; plane < follow_.size(); ++plane) chain(plane);
+      for (std::size_t plane = 0; plane < follow_.size(); ++plane)
+        curves_.caps[plane] = closedLoops(std::move(follow_[plane]));
     }
     return std::move(curves_);
   }
@@ -325,21 +327,6 @@ class Tracer {
       all.push_back(to);
       if (!along) std::reverse(all.begin(), all.end());
       for (std::size_t i = 0; i + 1 < all.size(); ++i) follow[all[i]] = all[i + 1];
-    }
-  }
-
-  void chain(std::size_t plane) {
-    auto& follow = follow_[plane];
-    while (!follow.empty()) {
-      BorderCurves::Loop loop;
-      const std::uint32_t start = follow.begin()->first;
-      std::uint32_t v = start;
-      for (auto at = follow.find(v); at != follow.end(); at = follow.find(v)) {
-        loop.push_back(v);
-        v = at->second;
-        follow.erase(at);
-      }
-      if (v == start && loop.size() >= 3) curves_.caps[plane].push_back(loop);
     }
   }
 

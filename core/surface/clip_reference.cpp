@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <unordered_map>
 
 #include "core/base/error.h"
 #include "core/surface/grow_front.h"
@@ -48,7 +47,7 @@ class Clipper {
     return !groupOf(passingTriangles()).empty();
   }
 
-  // Drops the parts beyond the sections. Rims, from the left of which the wall went, are chained.
+  // Drops the parts beyond the sections.
   void drop() {
     DisjointSets sets(mesh_.mesh.triangles.size());
     const std::vector<EdgeSide> sides = sortedEdgeSides(mesh_.mesh);
@@ -59,32 +58,6 @@ class Clipper {
     }
     const std::vector<char> goes = partsThatGo(sets);
     mesh_ = selectTriangles(mesh_, [&](std::uint32_t t) { return goes[sets.find(t)] == 0; });
-  }
-
-  // The rims that a cut left, the cap to the left seen from outside.
-  static std::vector<std::vector<std::uint32_t>> rims(const PatchMesh& mesh, std::uint16_t cut) {
-    std::map<std::uint32_t, std::uint32_t> next;
-    const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
-    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-      const EdgeSide& s = sides[i];
-      if (edgeRunEnd(sides, i) != i + 1 || mesh.place[s.low].cut != cut ||
-          mesh.place[s.high].cut != cut)
-        continue;
-      next[s.forward ? s.high : s.low] = s.forward ? s.low : s.high;
-    }
-    std::vector<std::vector<std::uint32_t>> loops;
-    while (!next.empty()) {
-      std::vector<std::uint32_t> loop;
-      const std::uint32_t start = next.begin()->first;
-      std::uint32_t v = start;
-      for (auto at = next.find(v); at != next.end(); at = next.find(v)) {
-        loop.push_back(v);
-        v = at->second;
-        next.erase(at);
-      }
-      if (v == start && loop.size() >= 3) loops.push_back(std::move(loop));
-    }
-    return loops;
   }
 
  private:
@@ -291,6 +264,19 @@ class Clipper {
   std::vector<std::uint16_t> cutOf_;  ///< per triangle: 1 + the cut that it is at, 0 elsewhere
 };
 
+// Per cut the loops of the rims that it left.
+std::vector<std::vector<std::vector<std::uint32_t>>> rimsOfCuts(const PatchMesh& mesh,
+                                                                std::size_t cuts) {
+  std::vector<std::map<std::uint32_t, std::uint32_t>> next(cuts);
+  for (const RimEdge& edge : rimEdges(mesh.mesh)) {
+    const std::uint16_t cut = mesh.place[edge.from].shared(mesh.place[edge.to]).cut;
+    if (cut != 0) next[cut - 1U][edge.from] = edge.to;
+  }
+  std::vector<std::vector<std::vector<std::uint32_t>>> rims;
+  for (auto& edges : next) rims.push_back(closedLoops(std::move(edges)));
+  return rims;
+}
+
 }  // namespace
 
 InputError noSection(const std::string& cut) {
@@ -325,15 +311,15 @@ void clipReference(PatchMesh& reference, const CutAway& away, const SplineField&
   }
   clipper.drop();
   if (border == SurfaceBorder::Open) return;
-  for (std::size_t n = 0; n < away.sections.size(); ++n) {
-    std::vector<FrontPoint> points(reference.mesh.points.size());
-    const auto loops = Clipper::rims(reference, static_cast<std::uint16_t>(n + 1));
-    for (const std::vector<std::uint32_t>& loop : loops)
+  const auto rims = rimsOfCuts(reference, away.sections.size());
+  std::vector<FrontPoint> points(reference.mesh.points.size());
+  for (std::size_t n = 0; n < rims.size(); ++n) {
+    for (const std::vector<std::uint32_t>& loop : rims[n])
       for (const std::uint32_t v : loop) {
         points[v].point = reference.mesh.points[v];
         points[v].length = size.at(points[v].point);
       }
-    fillCap(reference, loops, static_cast<int>(6 + n), points, field, size, ends, progress);
+    fillCap(reference, rims[n], static_cast<int>(6 + n), points, field, size, ends, progress);
   }
 }
 

@@ -2,8 +2,14 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace angiomesh {
+
+/// Diameter of the circle of an area.
+inline double equivalentDiameterMm(double areaMm2) {
+  return std::sqrt(4.0 * areaMm2 / 3.14159265358979323846);
+}
 
 /// The area inside edges in one plane that run around it counter-clockwise, seen against the
 /// normal.

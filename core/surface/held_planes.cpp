@@ -2,7 +2,6 @@
 #include "core/surface/held_planes.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/surface/end_planes.h"
@@ -13,13 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What single precision leaves of a plane: voxels, or shares of a port's diameter.
+/// What single precision leaves of a plane, voxels.
 constexpr double kHair = 1e-4;
 
 std::vector<char> onOpenRim(const TriMesh& mesh) {
   std::vector<char> rim(mesh.points.size(), 0);
   for (const RimEdge& edge : rimEdges(mesh))
-    if (!edge.second) rim[edge.low] = rim[edge.high] = 1;
+    if (edge.open) rim[edge.from] = rim[edge.to] = 1;
   return rim;
 }
 
@@ -45,13 +44,9 @@ HeldPlanes::HeldPlanes(const TriMesh& mesh, const Geometry* grid, const std::vec
     const Port& port = ports[n];
     if (!(port.areaMm2 > 0.0) || (n < measured.size() && measured[n].areaMm2 > 0.0)) continue;
     if (rim.empty()) rim = onOpenRim(mesh);
-    const double size = port.equivalentDiameterMm();
     const std::uint16_t number = planeOf(port.normalLps);
-    for (std::uint32_t v = 0; v < rim.size(); ++v) {
-      const Vector3d d = mesh.points[v] - port.centreLps;
-      if (rim[v] != 0 && d.norm() < 3.0 * size && std::fabs(d.dot(port.normalLps)) < kHair * size)
-        hold(v, number);
-    }
+    for (std::uint32_t v = 0; v < rim.size(); ++v)
+      if (rim[v] != 0 && port.opensAt(mesh.points[v])) hold(v, number);
   }
 }
 

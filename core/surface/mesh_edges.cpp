@@ -50,17 +50,38 @@ std::size_t edgeRunEnd(const std::vector<EdgeSide>& sides, std::size_t first) {
 
 std::vector<RimEdge> rimEdges(const TriMesh& mesh) {
   const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  const auto patchOf = [&](const EdgeSide& s) {
+    return mesh.patch.empty() ? std::uint16_t{0} : mesh.patch[s.triangle];
+  };
   std::vector<RimEdge> rims;
   for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
     const std::size_t count = edgeRunEnd(sides, i) - i;
-    if (count == 1) rims.push_back({sides[i].low, sides[i].high, sides[i], std::nullopt});
-    if (count != 2 || mesh.patch.empty()) continue;
-    const EdgeSide &a = sides[i], &b = sides[i + 1];
-    const std::uint16_t pa = mesh.patch[a.triangle], pb = mesh.patch[b.triangle];
-    if (pa == pb) continue;
-    rims.push_back({a.low, a.high, pa < pb ? a : b, pa < pb ? b : a});
+    const std::uint16_t pa = patchOf(sides[i]);
+    const std::uint16_t pb = count == 2 ? patchOf(sides[i + 1]) : pa;
+    if (count > 2 || (count == 2 && pa == pb)) continue;
+    // What is to the left of an edge of the wall lies to the right of the opening's.
+    const bool forward = count == 1 ? !sides[i].forward : sides[pa > pb ? i : i + 1].forward;
+    const std::uint32_t low = sides[i].low, high = sides[i].high;
+    rims.push_back({forward ? low : high, forward ? high : low, count == 1, std::min(pa, pb),
+                    std::max(pa, pb)});
   }
   return rims;
+}
+
+std::vector<std::vector<std::uint32_t>> closedLoops(std::map<std::uint32_t, std::uint32_t> next) {
+  std::vector<std::vector<std::uint32_t>> loops;
+  while (!next.empty()) {
+    std::vector<std::uint32_t> loop;
+    const std::uint32_t start = next.begin()->first;
+    std::uint32_t v = start;
+    for (auto at = next.find(v); at != next.end(); at = next.find(v)) {
+      loop.push_back(v);
+      v = at->second;
+      next.erase(at);
+    }
+    if (v == start && loop.size() >= 3) loops.push_back(std::move(loop));
+  }
+  return loops;
 }
 
 DisjointSets::DisjointSets(std::size_t count) : parent_(count) {

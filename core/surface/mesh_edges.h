@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <map>
 #include <vector>
 
 #include "core/surface/tri_mesh.h"
@@ -27,13 +27,16 @@ std::size_t edgeRunEnd(const std::vector<EdgeSide>& sides, std::size_t first);
 
 /// An edge that a surface ends at: of one triangle alone, or between two patches.
 struct RimEdge {
-  std::uint32_t low = 0, high = 0;  ///< low < high
-  /// Of its triangles, the sides: the second null at an open rim; else of the patch of the higher
-  /// number.
-  EdgeSide first;
-  std::optional<EdgeSide> second;
+  std::uint32_t from = 0, to = 0;  ///< the opening, or the patch of the higher number, to the left
+  bool open = false;
+  /// Of its triangles: the lower number and the higher, the same at an open rim.
+  std::uint16_t patch = 0, otherPatch = 0;
 };
 std::vector<RimEdge> rimEdges(const TriMesh& mesh);
+
+/// The closed loops of edges of which at most one leaves each vertex: from -> to. Chains that do
+/// not close, and loops of fewer than three edges, are left out.
+std::vector<std::vector<std::uint32_t>> closedLoops(std::map<std::uint32_t, std::uint32_t> next);
 
 /// Disjoint sets over 0..n-1 with the smallest member as representative.
 class DisjointSets {

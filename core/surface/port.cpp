@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "core/surface/flat_area.h"
 #include "core/surface/mesh_edges.h"
@@ -20,20 +21,12 @@ const double kLeastCosine = std::cos(2.0 * kPi / 180.0);
 /// The rims are in a port's plane to this share of its diameter, what single precision leaves.
 constexpr double kHair = 1e-4;
 
-/// Of the open rims, those in the port's plane near it.
-Port openPort(const Port& port, const std::vector<RimEdge>& open, const TriMesh& mesh) {
-  const double size = port.equivalentDiameterMm();
-  const auto near = [&](const Eigen::Vector3d& p) {
-    const Eigen::Vector3d d = p - port.centreLps;
-    return d.norm() < 3.0 * size && std::fabs(d.dot(port.normalLps)) < kHair * size;
-  };
+/// Of the open ones among `rims`, those of the port.
+Port openPort(const Port& port, const std::vector<RimEdge>& rims, const TriMesh& mesh) {
   FlatArea area(port.normalLps);
-  for (const RimEdge& edge : open) {
-    // A cap's side of the edge runs against the wall's.
-    const bool forward = !edge.first.forward;
-    const Eigen::Vector3d& a = mesh.points[forward ? edge.low : edge.high];
-    const Eigen::Vector3d& b = mesh.points[forward ? edge.high : edge.low];
-    if (near(a) && near(b)) area.add(a, b);
+  for (const RimEdge& edge : rims) {
+    const Eigen::Vector3d &a = mesh.points[edge.from], &b = mesh.points[edge.to];
+    if (edge.open && port.opensAt(a) && port.opensAt(b)) area.add(a, b);
   }
   if (!(area.areaMm2() > 0.0)) return {port.name, port.centreLps, port.normalLps, 0.0};
   return {port.name, area.centre(), port.normalLps, area.areaMm2()};
@@ -41,7 +34,13 @@ Port openPort(const Port& port, const std::vector<RimEdge>& open, const TriMesh&
 
 }  // namespace
 
-double Port::equivalentDiameterMm() const { return std::sqrt(4.0 * areaMm2 / kPi); }
+double Port::equivalentDiameterMm() const { return angiomesh::equivalentDiameterMm(areaMm2); }
+
+bool Port::opensAt(const Eigen::Vector3d& pointLps) const {
+  const double size = equivalentDiameterMm();
+  const Eigen::Vector3d d = pointLps - centreLps;
+  return d.norm() < 3.0 * size && std::fabs(d.dot(normalLps)) < kHair * size;
+}
 
 std::vector<Port> measurePatches(const TriMesh& mesh, std::size_t count) {
   std::vector<Port> patches(count);
@@ -73,15 +72,11 @@ std::vector<Port> measurePatches(const TriMesh& mesh, std::size_t count) {
 
 std::vector<Port> measuredPorts(const std::vector<Port>& ports, const TriMesh& mesh) {
   std::vector<Port> measured = measurePatches(mesh, ports.size());
-  std::vector<RimEdge> open;
-  bool looked = false;
+  std::optional<std::vector<RimEdge>> rims;
   for (std::size_t n = 0; n < ports.size(); ++n) {
     if (!(measured[n].areaMm2 > 0.0)) {
-      if (!looked)
-        for (const RimEdge& edge : rimEdges(mesh))
-          if (!edge.second) open.push_back(edge);
-      looked = true;
-      measured[n] = openPort(ports[n], open, mesh);
+      if (!rims) rims = rimEdges(mesh);
+      measured[n] = openPort(ports[n], *rims, mesh);
     }
     measured[n].name = ports[n].name;
   }

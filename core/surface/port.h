@@ -20,6 +20,9 @@ struct Port {
 
   /// Of the circle of the same area.
   [[nodiscard]] double equivalentDiameterMm() const;
+  /// Whether a point of an open rim is one of the port's: in its plane, as far as single precision
+  /// tells, and not far from it.
+  [[nodiscard]] bool opensAt(const Eigen::Vector3d& pointLps) const;
 };
 
 /// The wall's name among patches; no port may have it.

@@ -34,30 +34,41 @@ std::vector<Port> inOrder(std::vector<Port> ports, std::vector<std::size_t>& ord
   return sorted;
 }
 
-/// Numbers the caps in border planes after `first` patches: connected triangles of one plane.
-std::vector<Port> borderCaps(PatchMesh& mesh, std::size_t first) {
-  DisjointSets sets(mesh.patch.size());
-  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
+/// Numbers the caps in border planes after the first `cuts` patches: connected triangles of one
+/// plane.
+std::vector<Port> borderCaps(PatchMesh& mesh, std::size_t cuts) {
+  const auto isBorder = [&](std::size_t t) {
+    return mesh.patch[t] > 0 && mesh.patch[t] <= kBorders;
+  };
+  TriMesh caps;
+  caps.points.resize(mesh.mesh.points.size());
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t t = 0; t < mesh.patch.size(); ++t) {
+    if (!isBorder(t)) continue;
+    triangles.push_back(t);
+    caps.triangles.push_back(mesh.mesh.triangles[t]);
+  }
+  DisjointSets sets(triangles.size());
+  const std::vector<EdgeSide> sides = sortedEdgeSides(caps);
   for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
     if (edgeRunEnd(sides, i) != i + 2) continue;
     const std::uint32_t a = sides[i].triangle, b = sides[i + 1].triangle;
-    if (mesh.patch[a] == mesh.patch[b]) sets.join(a, b);
+    if (mesh.patch[triangles[a]] == mesh.patch[triangles[b]]) sets.join(a, b);
   }
   std::map<std::uint32_t, std::uint16_t> numberOf;
-  std::vector<std::uint16_t> number(mesh.patch.size(), 0);
-  for (std::uint32_t t = 0; t < number.size(); ++t) {
-    if (mesh.patch[t] == 0 || mesh.patch[t] > kBorders) continue;
-    const auto next = static_cast<std::uint16_t>(numberOf.size() + 1);
-    number[t] = numberOf.try_emplace(sets.find(t), next).first->second;
+  std::vector<std::uint16_t>& patch = mesh.mesh.patch;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const auto next = static_cast<std::uint16_t>(cuts + numberOf.size() + 1);
+    patch[triangles[i]] = numberOf.try_emplace(sets.find(i), next).first->second;
   }
-  TriMesh caps{mesh.mesh.points, mesh.mesh.triangles, number};
+  std::vector<Port> found = measurePatches(mesh.mesh, cuts + numberOf.size());
+  found.erase(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(cuts));
   std::vector<std::size_t> order;
-  std::vector<Port> ports = inOrder(measurePatches(caps, numberOf.size()), order);
+  std::vector<Port> ports = inOrder(std::move(found), order);
   std::vector<std::uint16_t> rank(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
-    rank[order[i]] = static_cast<std::uint16_t>(first + i + 1);
-  for (std::size_t t = 0; t < number.size(); ++t)
-    if (number[t] != 0) mesh.mesh.patch[t] = rank[number[t] - 1U];
+    rank[order[i]] = static_cast<std::uint16_t>(cuts + i + 1);
+  for (const std::uint32_t t : triangles) patch[t] = rank[patch[t] - cuts - 1U];
   return ports;
 }
 
@@ -69,28 +80,20 @@ struct Rims {
 Rims measureRims(const PatchMesh& mesh, const EndPlanes& ends) {
   Rims rims;
   DisjointSets sets(mesh.mesh.points.size());
-  struct Edge {
-    std::uint32_t from, to;
-    int plane;
-  };
-  std::vector<Edge> edges;
-  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
-  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-    const EdgeSide& s = sides[i];
-    if (edgeRunEnd(sides, i) != i + 1) continue;
-    const int plane = mesh.place[s.low].shared(mesh.place[s.high]).firstPlane();
-    if (plane < 0) continue;
-    // A cap's side of the edge runs against the wall's.
-    edges.push_back({s.forward ? s.high : s.low, s.forward ? s.low : s.high, plane});
-    if (plane < kBorders) sets.join(s.low, s.high);
+  std::vector<std::pair<RimEdge, int>> edges;
+  for (const RimEdge& edge : rimEdges(mesh.mesh)) {
+    const int plane = mesh.place[edge.from].shared(mesh.place[edge.to]).firstPlane();
+    if (!edge.open || plane < 0) continue;
+    edges.emplace_back(edge, plane);
+    if (plane < kBorders) sets.join(edge.from, edge.to);
   }
   std::map<std::pair<std::uint32_t, int>, FlatArea> loops;
-  for (const Edge& e : edges) {
-    const FlatArea none(ends.normal(e.plane));
-    FlatArea& area = e.plane < kBorders
-                         ? loops.try_emplace({sets.find(e.from), e.plane}, none).first->second
-                         : rims.cuts.try_emplace(e.plane, none).first->second;
-    area.add(mesh.mesh.points[e.from], mesh.mesh.points[e.to]);
+  for (const auto& [edge, plane] : edges) {
+    const FlatArea none(ends.normal(plane));
+    FlatArea& area = plane < kBorders
+                         ? loops.try_emplace({sets.find(edge.from), plane}, none).first->second
+                         : rims.cuts.try_emplace(plane, none).first->second;
+    area.add(mesh.mesh.points[edge.from], mesh.mesh.points[edge.to]);
   }
   for (const auto& [where, area] : loops)
     if (area.areaMm2() > 0.0) rims.borders.push_back(portOf(area));

@@ -168,14 +168,12 @@ class SagittaOffset {
     onRim_.assign(mesh_.points.size(), 0);
     DisjointSets open(mesh_.points.size());
     for (const RimEdge& edge : rimEdges(mesh_)) {
-      if (!held_.sharePlane(edge.low, edge.high)) continue;
+      if (!held_.sharePlane(edge.from, edge.to)) continue;
       // Where two caps meet there is no wall.
-      if (edge.second && mesh_.patch[edge.first.triangle] != 0) continue;
-      const bool forward = edge.second ? edge.second->forward : !edge.first.forward;
-      rims_.push_back({forward ? edge.low : edge.high, forward ? edge.high : edge.low,
-                       edge.second ? mesh_.patch[edge.second->triangle] : 0U});
-      if (!edge.second) open.join(edge.low, edge.high);
-      onRim_[edge.low] = onRim_[edge.high] = 1;
+      if (!edge.open && edge.patch != 0) continue;
+      rims_.push_back({edge.from, edge.to, edge.open ? 0U : edge.otherPatch});
+      if (edge.open) open.join(edge.from, edge.to);
+      onRim_[edge.from] = onRim_[edge.to] = 1;
     }
     for (CapEdge& e : rims_)
       if (e.rim == 0) e.rim = kOpenRims + open.find(e.from);

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/surface/flat_area.h"
 #include "core/surface/root.h"
 
 namespace angiomesh {
@@ -270,9 +271,7 @@ bool Section::covers(const Eigen::Vector3d& pointLps) const {
   return false;
 }
 
-double Section::equivalentDiameterMm() const {
-  return 2.0 * std::sqrt(areaMm2 / 3.14159265358979323846);
-}
+double Section::equivalentDiameterMm() const { return angiomesh::equivalentDiameterMm(areaMm2); }
 
 Section sectionOf(const SplineField& field, const CutPlane& plane, const std::string& name,
                   int finer) {

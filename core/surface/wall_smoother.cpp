@@ -128,9 +128,9 @@ void WallSmoother::holdPatches(const TriMesh& mesh, const std::vector<Port>& por
   // Where the wall goes on over the cap nothing tells where the rim is.
   const std::vector<char> closed = closedPatches(mesh, phi);
   for (const RimEdge& edge : rimEdges(mesh)) {
-    const std::size_t patch = edge.second ? mesh.patch[edge.second->triangle] : 0U;
+    const std::size_t patch = edge.open ? 0U : edge.otherPatch;
     if (phi != nullptr && closed[patch] == 0) continue;
-    for (const std::uint32_t v : {edge.low, edge.high}) freedom_[v].held = false;
+    for (const std::uint32_t v : {edge.from, edge.to}) freedom_[v].held = false;
   }
 }
 

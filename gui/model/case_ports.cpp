@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/surface/flat_area.h"
 
 namespace angiomesh {
 
@@ -32,7 +33,7 @@ std::string nameOf(const std::string& text) { return parseCut(text).name; }
 
 }  // namespace
 
-double PortRow::diameterMm() const { return 2.0 * std::sqrt(areaMm2 / M_PI); }
+double PortRow::diameterMm() const { return equivalentDiameterMm(areaMm2); }
 
 CasePorts::CasePorts(CaseController& controller, const JobRunnerFactory& makeRunner,
                      QObject* parent)
