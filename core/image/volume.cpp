@@ -16,6 +16,15 @@ Eigen::Vector3d Geometry::toIndex(const Eigen::Vector3d& pointLps) const {
   return physicalToIndexMatrix() * (pointLps - origin);
 }
 
+bool Geometry::holds(const Eigen::Vector3d& pointLps, double toleranceVoxels) const {
+  const Eigen::Vector3d index = toIndex(pointLps);
+  for (int a = 0; a < 3; ++a)
+    if (!(index[a] >= -toleranceVoxels &&
+          index[a] <= size[static_cast<std::size_t>(a)] - 1.0 + toleranceVoxels))
+      return false;
+  return true;
+}
+
 bool Geometry::operator==(const Geometry& other) const {
   const double tolerance = 1e-5;
   return size == other.size && (spacing - other.spacing).cwiseAbs().maxCoeff() < tolerance &&

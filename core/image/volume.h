@@ -49,6 +49,8 @@ struct Geometry {
   }
   /// LPS mm -> continuous index. Uses the inverse of `direction`, which may be slightly skew.
   [[nodiscard]] Eigen::Vector3d toIndex(const Eigen::Vector3d& pointLps) const;
+  /// Whether a point lies between the outermost voxel centres, to a tolerance in voxels.
+  [[nodiscard]] bool holds(const Eigen::Vector3d& pointLps, double toleranceVoxels = 0.0) const;
   /// d index / d physical: the matrix that toIndex() applies.
   [[nodiscard]] Eigen::Matrix3d physicalToIndexMatrix() const;
   [[nodiscard]] double voxelVolumeMm3() const { return spacing.prod(); }

@@ -189,19 +189,6 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
   q.below30Percent = 100.0 * static_cast<double>(below30) / count;
 }
 
-// Marching cubes goes half a voxel beyond the outermost voxel centres, where phi is not known.
-bool inGrid(const Geometry& g, const Eigen::Vector3d& pointLps) {
-  const Eigen::Vector3d index = g.toIndex(pointLps);
-  constexpr double rounding = 1e-6;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (index[axis] < -rounding ||
-        index[axis] > g.size[static_cast<std::size_t>(axis)] - 1 + rounding) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // The largest curvature in magnitude of the level set of phi through a point, 1/mm.
 double largestCurvature(const SplineField& phi, const Eigen::Vector3d& pointLps) {
   return principalCurvatures(phi.secondAt(pointLps)).maximal();
@@ -223,7 +210,9 @@ Deviations deviation(const std::vector<char>& counts, PointAt pointAt, bool with
     for (std::size_t i = first; i < last; ++i) {
       if (counts[i] == 0) continue;
       const Eigen::Vector3d start = pointAt(i);
-      if (!inGrid(phi.geometry(), start)) continue;
+      // Marching cubes goes half a voxel beyond the outermost voxel centres, where phi is not
+      // known.
+      if (!phi.geometry().holds(start, 1e-6)) continue;
       Eigen::Vector3d onWall = start;
       // A point that finds no zero counts with the way it went.
       static_cast<void>(phi.projectToZero(onWall));

@@ -24,16 +24,6 @@ struct Circle {
   }
 };
 
-// Whether a point lies between the outermost voxel centres, to `tolerance` voxels.
-bool insideGrid(const Geometry& grid, const Eigen::Vector3d& point, double tolerance) {
-  const Eigen::Vector3d index = grid.toIndex(point);
-  for (int axis = 0; axis < 3; ++axis)
-    if (index[axis] < -tolerance ||
-        index[axis] > grid.size[static_cast<std::size_t>(axis)] - 1.0 + tolerance)
-      return false;
-  return true;
-}
-
 constexpr double kLargestTurn = 1.0471975511965976;  // 60 degrees
 // Where fronts meet edges are a little longer than asked for; with this the mean over tori, tubes
 // and trees is the wanted length, and an inscribed mesh loses the volume that the length stands
@@ -58,7 +48,7 @@ bool WallSurface::turn(const FrontPoint& a, const FrontPoint& b, const ApexWish&
       apex.normal = jet.gradient / slope;
       if (apex.normal.dot(circle.up) < kLeastAgreement) return false;
       // Beyond the outermost voxel centres the field is extrapolated: the wall ends there.
-      if (!insideGrid(field_.geometry(), apex.point, 0.0)) return false;
+      if (!field_.geometry().holds(apex.point)) return false;
       apex.length = lengthAt(apex.point);
       return true;
     }
@@ -103,7 +93,7 @@ bool CapSurface::turn(const FrontPoint& a, const FrontPoint& b, const ApexWish& 
   apex.point = circle.centre + circle.radius * circle.left;
   apex.normal = a.normal;
   apex.length = size_.at(apex.point);
-  return insideGrid(field_.geometry(), apex.point, 1e-6) && field_.at(apex.point).value < 0.0;
+  return field_.geometry().holds(apex.point, 1e-6) && field_.at(apex.point).value < 0.0;
 }
 
 }  // namespace angiomesh

@@ -23,11 +23,7 @@ std::vector<char> closedPatches(const TriMesh& mesh, const SplineField* phi) {
   const std::vector<Port> patches = measurePatches(mesh, count);
   for (std::size_t n = 0; n < count; ++n) {
     const Eigen::Vector3d beyond = patches[n].centreLps + g.voxelMm() * patches[n].normalLps;
-    const Eigen::Vector3d index = g.toIndex(beyond);
-    bool inside = true;
-    for (int a = 0; a < 3; ++a)
-      inside = inside && index[a] >= 0.0 && index[a] <= g.size[static_cast<std::size_t>(a)] - 1.0;
-    closed[n + 1] = static_cast<char>(inside && phi->valueAt(beyond) >= 0.0);
+    closed[n + 1] = static_cast<char>(g.holds(beyond) && phi->valueAt(beyond) >= 0.0);
   }
   return closed;
 }
