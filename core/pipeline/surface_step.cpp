@@ -19,9 +19,7 @@ constexpr std::size_t kNamedWarnings = 20;
 /// In cells of cellVoxels, divided at the cuts, with caps of triangles of the wanted size.
 MadeSurface clippedMarchingCubes(const SplineField& field, const SurfaceParams& params,
                                  const CutAway& away, const Progress& progress) {
-  std::vector<CutPlane> planes;
-  for (const Section& section : away.sections) planes.push_back(section.plane);
-  const EndPlanes ends(field.geometry(), planes);
+  const EndPlanes ends(field.geometry(), away.planes());
   const GuidanceField size(field, params.sizing, progress.sub(0.0, 0.3), &away);
   const double cellMm = params.cellVoxels * field.geometry().voxelMm();
   PatchMesh mesh = referenceSurface(resampleField(field, cellMm, progress), ends, params.border,

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/surface/marching_square.h"
 #include "core/surface/root.h"
 
 namespace angiomesh {
@@ -75,31 +76,20 @@ class PlaneTracer {
       }
   }
 
-  // The curve's pieces in one square; `value` counter-clockwise from the corner at `low`. A piece
-  // goes from a side that is crossed inwards, counter-clockwise, to one that is crossed outwards.
+  // The curve's pieces in one square; `value` counter-clockwise from the corner at `low`.
   void square(const Fine& low, std::size_t u, std::size_t v, const std::array<double, 4>& value,
               bool outwards) {
-    std::array<std::size_t, 2> enters{}, exits{};
-    std::size_t entering = 0, exiting = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool here = value[k] < 0.0, there = value[(k + 1) % 4] < 0.0;
-      if (here && !there) exits[exiting++] = k;
-      if (!here && there) enters[entering++] = k;
-    }
-    if (entering == 0) return;
+    const auto joined = [&] {
+      Vector3d centre(low[0], low[1], low[2]);
+      centre[static_cast<Eigen::Index>(u)] += 0.5;
+      centre[static_cast<Eigen::Index>(v)] += 0.5;
+      return field_.atIndex(centre / finer_).value < 0.0;
+    };
     const auto join = [&](std::size_t from, std::size_t to) {
       const std::uint32_t a = onSide(low, u, v, from, value), b = onSide(low, u, v, to, value);
       trace_.next[outwards ? a : b] = outwards ? b : a;
     };
-    if (entering == 1) {
-      join(enters[0], exits[0]);
-      return;
-    }
-    Vector3d centre(low[0], low[1], low[2]);
-    centre[static_cast<Eigen::Index>(u)] += 0.5;
-    centre[static_cast<Eigen::Index>(v)] += 0.5;
-    const bool joined = field_.atIndex(centre / finer_).value < 0.0;
-    for (const std::size_t from : enters) join(from, (from + (joined ? 3 : 1)) % 4);
+    forEachPiece({value[0] < 0.0, value[1] < 0.0, value[2] < 0.0, value[3] < 0.0}, joined, join);
   }
 
   // The vertex on side k of a square.

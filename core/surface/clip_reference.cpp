@@ -286,15 +286,8 @@ InputError noSection(const std::string& cut) {
 
 bool hasSection(const SplineField& field, const Section& section) {
   const Geometry& g = field.geometry();
-  const Vector3d centre = g.toIndex(section.centreLps);
-  const Eigen::Matrix3d toIndex = g.physicalToIndexMatrix();
-  GridPart part;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto axis = static_cast<Eigen::Index>(a);
-    const double reach = (section.radiusMm + 5.0 * g.voxelMm()) * toIndex.row(axis).norm();
-    part.first[a] = std::max(0, static_cast<int>(std::floor(centre[axis] - reach)));
-    part.last[a] = std::min(g.size[a] - 1, static_cast<int>(std::ceil(centre[axis] + reach)));
-  }
+  const auto [first, last] = section.voxelsAround(g, 5.0 * g.voxelMm());
+  const GridPart part{first, last, 1};
   PatchMesh local = referenceSurface(sampleField(field, part), EndPlanes(g), SurfaceBorder::Open);
   const CutAway none;
   return Clipper(local, none, g.voxelMm()).finds(section);

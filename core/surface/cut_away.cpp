@@ -41,15 +41,7 @@ Vector3d centreOf(const Geometry& g, const Index3& p) {
 /// Calls visit(index) for the voxels around a section, as far as `mm` from its rim.
 template <class Visit>
 void forEachAround(const Geometry& g, const Section& section, double mm, Visit visit) {
-  const Vector3d centre = g.toIndex(section.centreLps);
-  const Eigen::Matrix3d toIndex = g.physicalToIndexMatrix();
-  Index3 low{}, high{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto axis = static_cast<Eigen::Index>(a);
-    const double reach = (section.radiusMm + mm) * toIndex.row(axis).norm();
-    low[a] = std::max(0, static_cast<int>(std::floor(centre[axis] - reach)));
-    high[a] = std::min(g.size[a] - 1, static_cast<int>(std::ceil(centre[axis] + reach)));
-  }
+  const auto [low, high] = section.voxelsAround(g, mm);
   for (int k = low[2]; k <= high[2]; ++k)
     for (int j = low[1]; j <= high[1]; ++j)
       for (int i = low[0]; i <= high[0]; ++i) visit(Index3{i, j, k});
@@ -232,6 +224,12 @@ class Cutter {
 };
 
 }  // namespace
+
+std::vector<CutPlane> CutAway::planes() const {
+  std::vector<CutPlane> all;
+  for (const Section& section : sections) all.push_back(section.plane);
+  return all;
+}
 
 std::string CutAway::nameOf(std::size_t cut) const {
   const bool named = cut < names.size() && !names[cut].empty();

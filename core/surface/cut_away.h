@@ -22,6 +22,7 @@ struct CutAway {
   std::vector<std::size_t> taken;  ///< per cut: voxels beyond it (those beyond two count twice)
 
   [[nodiscard]] bool empty() const { return sections.empty(); }
+  [[nodiscard]] std::vector<CutPlane> planes() const;
   /// "the cut 'NAME'", or its number, for messages.
   [[nodiscard]] std::string nameOf(std::size_t cut) const;
   /// Whether the voxel inside phi < 0 that is nearest among the corners of a point's cell is taken.

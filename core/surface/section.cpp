@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/surface/flat_area.h"
+#include "core/surface/marching_square.h"
 #include "core/surface/root.h"
 
 namespace angiomesh {
@@ -132,31 +133,19 @@ class SectionTracer {
     chain();
   }
 
-  // As in BorderTrace: pieces go from a side that is crossed inwards, counter-clockwise, to one
-  // that is crossed outwards; here the inside lies to the right.
+  // The outline's pieces in one square: the inside lies to their right.
   void square(const Node& low) {
     const std::array<Node, 4> corner{
         {low, {low[0] + 1, low[1]}, {low[0] + 1, low[1] + 1}, {low[0], low[1] + 1}}};
     std::array<bool, 4> in{};
     for (std::size_t k = 0; k < 4; ++k) in[k] = region_.count(keyOf(corner[k])) != 0;
-    std::array<std::size_t, 2> enters{}, exits{};
-    std::size_t entering = 0, exiting = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (in[k] && !in[(k + 1) % 4]) exits[exiting++] = k;
-      if (!in[k] && in[(k + 1) % 4]) enters[entering++] = k;
-    }
-    if (entering == 0) return;
-    const auto join = [&](std::size_t from, std::size_t to) {
-      const std::uint32_t a = onSide(corner[from], corner[(from + 1) % 4]);
-      const std::uint32_t b = onSide(corner[to], corner[(to + 1) % 4]);
-      next_[a] = b;
-    };
-    if (entering == 1) {
-      join(enters[0], exits[0]);
-      return;
-    }
-    const bool joined = joinedAcross(corner[0], corner[2]);
-    for (const std::size_t from : enters) join(from, (from + (joined ? 3 : 1)) % 4);
+    forEachPiece(
+        in, [&] { return joinedAcross(corner[0], corner[2]); },
+        [&](std::size_t from, std::size_t to) {
+          const std::uint32_t a = onSide(corner[from], corner[(from + 1) % 4]);
+          const std::uint32_t b = onSide(corner[to], corner[(to + 1) % 4]);
+          next_[a] = b;
+        });
   }
 
   // The crossing between two neighbouring nodes, one of the section and one that is not.
@@ -269,6 +258,19 @@ bool Section::covers(const Eigen::Vector3d& pointLps) const {
                                                            static_cast<std::size_t>(j)] != 0)
         return true;
   return false;
+}
+
+std::array<Index3, 2> Section::voxelsAround(const Geometry& grid, double mm) const {
+  const Eigen::Vector3d centre = grid.toIndex(centreLps);
+  const Eigen::Matrix3d toIndex = grid.physicalToIndexMatrix();
+  std::array<Index3, 2> box{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    const double reach = (radiusMm + mm) * toIndex.row(axis).norm();
+    box[0][a] = std::max(0, static_cast<int>(std::floor(centre[axis] - reach)));
+    box[1][a] = std::min(grid.size[a] - 1, static_cast<int>(std::ceil(centre[axis] + reach)));
+  }
+  return box;
 }
 
 double Section::equivalentDiameterMm() const { return angiomesh::equivalentDiameterMm(areaMm2); }

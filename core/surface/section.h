@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct Section {
   /// Whether a point near the plane lies over the section, to a lattice step.
   [[nodiscard]] bool covers(const Eigen::Vector3d& pointLps) const;
   [[nodiscard]] double equivalentDiameterMm() const;
+
+  /// The voxels, first and last, within a distance of its rim and of what lies inside it.
+  [[nodiscard]] std::array<Index3, 2> voxelsAround(const Geometry& grid, double mm) const;
 
   /// The lattice that it was found on: node (i, j) at origin + i u + j v.
   struct Lattice {

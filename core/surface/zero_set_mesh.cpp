@@ -34,12 +34,6 @@ void append(PatchMesh& to, const PatchMesh& from) {
     to.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
-std::vector<CutPlane> planesOf(const CutAway& away) {
-  std::vector<CutPlane> planes;
-  for (const Section& section : away.sections) planes.push_back(section.plane);
-  return planes;
-}
-
 /// Of the whole program at its peak, as measured with a million triangles.
 constexpr double kBytesPerTriangle = 600.0;
 
@@ -51,7 +45,7 @@ class Mesher {
         sizing_(sizing),
         border_(border),
         away_(away),
-        ends_(field.geometry(), planesOf(away)),
+        ends_(field.geometry(), away.planes()),
         progress_(progress),
         size_(field, sizing, progress.sub(0.0, 0.15), &away) {
     checkMemoryFor(size_.estimatedTriangles());
