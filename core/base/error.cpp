@@ -16,6 +16,6 @@ std::string oneLine(const std::string& what, const std::string& where, const std
 }  // namespace
 
 Error::Error(const std::string& what, const std::string& where, const std::string& advice)
-    : std::runtime_error(oneLine(what, where, advice)) {}
+    : std::runtime_error(oneLine(what, where, advice)), causeLength_(what.size()) {}
 
 }  // namespace angiomesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,12 @@ class Error : public std::runtime_error {
   /// @param what what happened   @param where file, field or step (may be empty)   @param advice
   /// what to do next
   Error(const std::string& what, const std::string& where, const std::string& advice);
+
+  /// WHAT alone.
+  [[nodiscard]] std::string cause() const { return std::string(what(), causeLength_); }
+
+ private:
+  std::size_t causeLength_;
 };
 
 /// The user's input or parameters cannot be used.

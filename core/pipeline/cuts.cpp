@@ -71,12 +71,6 @@ bool inTheWay(const Section& section, const ProposedCut& end) {
 
 std::string endName(int number) { return "end_" + std::to_string(number); }
 
-/// Without the place and the advice.
-std::string whatAlone(const InputError& error) {
-  const std::string text = error.what();
-  return text.substr(0, std::min(text.find(", surface cuts"), text.find(", at L")));
-}
-
 std::string uncutText(const Vector3d& tip, const std::string& why) {
   char place[80];
   std::snprintf(place, sizeof place, "the end at L %.1f P %.1f S %.1f mm was not cut: ", tip.x(),
@@ -137,11 +131,7 @@ void checkPorts(const PortParams& params) {
 CutPlane placeCut(const SplineField& field, const Volume<float>& phi, const GivenCut& cut,
                   const Progress& progress) {
   const Vector3d& p = cut.pointLps;
-  const Vector3d index = field.geometry().toIndex(p);
-  bool inGrid = true;
-  for (int a = 0; a < 3; ++a)
-    inGrid = inGrid && index[a] >= 0.0 &&
-             index[a] <= field.geometry().size[static_cast<std::size_t>(a)] - 1.0;
+  const bool inGrid = field.geometry().holds(p);
   if (cut.normalLps && inGrid && field.valueAt(p) < 0.0) return {p, cut.normalLps->normalized()};
   const std::optional<LocalVessel> vessel = inGrid ? vesselAt(field, p) : std::nullopt;
   if (!vessel) {
@@ -171,8 +161,7 @@ CutPlane placeCut(const SplineField& field, const Volume<float>& phi, const Give
 EndPlan planEndCuts(const SplineField& field, const Volume<float>& phi, const Skeleton& skeleton,
                     const CutAway& given, double radiiFromTip, const Progress& progress) {
   EndPlan plan;
-  std::vector<CutPlane> planes;
-  for (const Section& section : given.sections) planes.push_back(section.plane);
+  std::vector<CutPlane> planes = given.planes();
   std::vector<std::string> names = given.names;
   const std::set<std::string> taken(names.begin(), names.end());
   const EndCuts ends = proposeEndCuts(skeleton, field, radiiFromTip);
@@ -186,13 +175,13 @@ EndPlan planEndCuts(const SplineField& field, const Volume<float>& phi, const Sk
     planes.push_back({end.pointLps, end.outwardNormalLps});
     names.push_back(endName(number));
     try {
-      cutAway(field, phi, planes, names, progress);
+      plan.away = cutAway(field, phi, planes, names, progress);
       plan.planes.push_back(planes.back());
       plan.names.push_back(endName(number++));
     } catch (const InputError& error) {
       planes.pop_back();
       names.pop_back();
-      plan.remarks.push_back(uncutText(end.pointLps, whatAlone(error)));
+      plan.remarks.push_back(uncutText(end.pointLps, error.cause()));
     }
   }
   for (const UncutTip& tip : ends.uncut)
@@ -211,15 +200,14 @@ CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortP
     names.push_back(cut.name);
   }
   const Skeleton skeleton = skeletonOf(phi, progress);
-  if (params.cutEndsRadii > 0.0) {
-    const CutAway given = cutAway(field, phi, planes, names, progress);
-    EndPlan ends = planEndCuts(field, phi, skeleton, given, params.cutEndsRadii, progress);
-    planes.insert(planes.end(), ends.planes.begin(), ends.planes.end());
-    names.insert(names.end(), ends.names.begin(), ends.names.end());
-    remarks.insert(remarks.end(), ends.remarks.begin(), ends.remarks.end());
-  }
   CutAway away = cutAway(field, phi, planes, names, progress);
-  for (std::string& remark : portAdvice(skeleton, away)) remarks.push_back(std::move(remark));
+  if (params.cutEndsRadii > 0.0) {
+    EndPlan ends = planEndCuts(field, phi, skeleton, away, params.cutEndsRadii, progress);
+    remarks.insert(remarks.end(), ends.remarks.begin(), ends.remarks.end());
+    if (!ends.planes.empty()) away = std::move(ends.away);
+  }
+  for (const PortAdvice& advice : portAdvice(skeleton, away))
+    remarks.push_back(away.nameOf(advice.cut) + " " + advice.words);
   return away;
 }
 

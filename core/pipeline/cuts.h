@@ -51,6 +51,7 @@ struct EndPlan {
   std::vector<CutPlane> planes;
   std::vector<std::string> names;    ///< end_1 and on, without those of the given cuts
   std::vector<std::string> remarks;  ///< ends that are not cut, and why
+  CutAway away;                      ///< of the given cuts and these, where there are any
 };
 
 /// proposeEndCuts() where no given cut lies in the way, as far as they can be cut.

@@ -52,14 +52,14 @@ std::optional<double> toJunction(const Skeleton& skeleton, const CutAway& away,
 
 }  // namespace
 
-std::vector<std::string> portAdvice(const Skeleton& skeleton, const CutAway& away) {
-  std::vector<std::string> advice;
+std::vector<PortAdvice> portAdvice(const Skeleton& skeleton, const CutAway& away) {
+  std::vector<PortAdvice> advice;
   for (std::size_t n = 0; n < away.sections.size(); ++n) {
     const Section& section = away.sections[n];
     const std::vector<Crossing> crossings = crossingsOf(skeleton, section);
     if (crossings.size() > 1) {
-      advice.push_back(away.nameOf(n) + " passes " + std::to_string(crossings.size()) +
-                       " vessels at once: its cap does not lie within one vessel");
+      advice.push_back({n, "passes " + std::to_string(crossings.size()) +
+                               " vessels at once: its cap does not lie within one vessel"});
       continue;
     }
     if (crossings.empty()) continue;
@@ -68,9 +68,9 @@ std::vector<std::string> portAdvice(const Skeleton& skeleton, const CutAway& awa
     if (!length || *length >= kPortDiametersToBranching * diameter) continue;
     char text[120];
     std::snprintf(text, sizeof text,
-                  " lies %.1f of its diameters from the next branching; solvers want %.0f",
+                  "lies %.1f of its diameters from the next branching; solvers want %.0f",
                   *length / diameter, kPortDiametersToBranching);
-    advice.push_back(away.nameOf(n) + text);
+    advice.push_back({n, text});
   }
   return advice;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,14 @@ namespace angiomesh {
 /// profile given there has room to develop.
 constexpr double kPortDiametersToBranching = 5.0;
 
-/// What speaks against the places of cuts, in sentences: a section that passes other than one
+struct PortAdvice {
+  std::size_t cut = 0;
+  std::string words;  ///< a sentence without its subject, the cut
+};
+
+/// What speaks against the places of cuts: a section that passes other than one
 /// vessel of the skeleton (of the same phi), or lies fewer than kPortDiametersToBranching of its
 /// equivalent diameters from the next branching of what is left.
-std::vector<std::string> portAdvice(const Skeleton& skeleton, const CutAway& away);
+std::vector<PortAdvice> portAdvice(const Skeleton& skeleton, const CutAway& away);
 
 }  // namespace angiomesh

@@ -27,12 +27,12 @@ void PortJob::execute() noexcept {
       cutHere();
       return;
     }
-    const CutAway away = check();
+    const Made made = check();
     if (kind == Kind::Advise) {
-      advise(away);
+      advise(made);
     } else if (kind == Kind::CutEnds) {
-      EndPlan plan =
-          planEndCuts(*ground.field, *ground.phi, *ground.skeleton, away, radiiFromTip, progress);
+      EndPlan plan = planEndCuts(*ground.field, *ground.phi, *ground.skeleton, made.away,
+                                 radiiFromTip, progress);
       proposed = std::move(plan.planes);
       names = std::move(plan.names);
       remarks = std::move(plan.remarks);
@@ -54,70 +54,64 @@ void PortJob::prepare(bool withSkeleton) {
   }
 }
 
-CutAway PortJob::check() {
+PortJob::Made PortJob::check() {
   findings.resize(cuts.size());
-  std::vector<std::size_t> made;
+  std::vector<std::size_t> possible;
+  std::vector<CutPlane> planes(cuts.size());
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     progress.check();
     CutFinding& finding = findings[i];
     try {
-      const CutPlane plane = placeCut(*ground.field, *ground.phi, parseCut(cuts[i]), progress);
-      finding.plane = plane;
-      const Section section = sectionOf(*ground.field, plane);
+      planes[i] = placeCut(*ground.field, *ground.phi, parseCut(cuts[i]), progress);
+      finding.plane = planes[i];
+      const Section section = sectionOf(*ground.field, planes[i]);
       finding.plane->pointLps = section.centreLps;
       finding.radiusMm = section.radiusMm;
       finding.areaMm2 = section.areaMm2;
-      made.push_back(i);
+      possible.push_back(i);
     } catch (const Error& failure) {
       finding.error = portWords(failure.what());
     }
   }
-  return together(made);
+  return together(possible, planes);
 }
 
-/// The cuts that can be made together: one that cannot is left out, and says why.
-CutAway PortJob::together(std::vector<std::size_t>& made) {
+/// One that cannot be made with the others is left out, and says why.
+PortJob::Made PortJob::together(const std::vector<std::size_t>& possible,
+                                const std::vector<CutPlane>& planes) {
   const auto attempt = [&](const std::vector<std::size_t>& which) {
-    std::vector<CutPlane> planes;
+    std::vector<CutPlane> chosen;
     std::vector<std::string> cutNames;
     for (const std::size_t i : which) {
-      const GivenCut cut = parseCut(cuts[i]);
-      planes.push_back(placeCut(*ground.field, *ground.phi, cut, progress));
-      cutNames.push_back(cut.name);
+      chosen.push_back(planes[i]);
+      cutNames.push_back(parseCut(cuts[i]).name);
     }
-    return cutAway(*ground.field, *ground.phi, planes, cutNames, progress);
+    return cutAway(*ground.field, *ground.phi, chosen, cutNames, progress);
   };
   try {
-    return attempt(made);
+    return {possible, attempt(possible)};
   } catch (const Error&) {
     // Which ones is found out one after the other.
   }
-  std::vector<std::size_t> good;
-  CutAway away;
-  for (const std::size_t i : made) {
-    good.push_back(i);
+  Made made;
+  for (const std::size_t i : possible) {
+    made.cuts.push_back(i);
     try {
-      away = attempt(good);
+      made.away = attempt(made.cuts);
     } catch (const Error& failure) {
       findings[i].error = portWords(failure.what());
-      good.pop_back();
+      made.cuts.pop_back();
     }
   }
-  made = good;
-  return away;
+  return made;
 }
 
-void PortJob::advise(const CutAway& away) {
-  const std::vector<std::string> sentences = portAdvice(*ground.skeleton, away);
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
-    CutFinding& finding = findings[i];
+void PortJob::advise(const Made& made) {
+  for (PortAdvice& advice : portAdvice(*ground.skeleton, made.away)) {
+    findings[made.cuts[advice.cut]].advice.push_back(std::move(advice.words));
+  }
+  for (CutFinding& finding : findings) {
     finding.advised = true;
-    const std::string start = "the cut '" + parseCut(cuts[i]).name + "' ";
-    for (const std::string& sentence : sentences) {
-      if (sentence.starts_with(start)) {
-        finding.advice.push_back(sentence.substr(start.size()));
-      }
-    }
     if (!finding.plane) {
       continue;
     }

@@ -55,9 +55,14 @@ struct PortJob {
 
  private:
   void prepare(bool withSkeleton);
-  CutAway check();
-  CutAway together(std::vector<std::size_t>& made);
-  void advise(const CutAway& away);
+  /// The cuts that can be made, by their numbers, and what they take.
+  struct Made {
+    std::vector<std::size_t> cuts;
+    CutAway away;
+  };
+  Made check();
+  Made together(const std::vector<std::size_t>& possible, const std::vector<CutPlane>& planes);
+  void advise(const Made& made);
   void cutHere();
 };
 
