@@ -76,16 +76,7 @@ class FieldTable {
   Field& points(const char* key, M member, const char* help) {
     Field& field = add(key, FieldKind::Numbers, -1e5, 1e5, "mm", help);
     field.groupOf = 3;
-    field.emptyWord = "none";
-    field.get = [member](const Parameters& p) -> FieldValue {
-      const std::vector<double>& numbers = member(const_cast<Parameters&>(p));
-      if (numbers.empty()) return std::monostate{};
-      return numbers;
-    };
-    field.put = [member](Parameters& p, const FieldValue& value) {
-      const auto* numbers = std::get_if<std::vector<double>>(&value);
-      member(p) = numbers != nullptr ? *numbers : std::vector<double>{};
-    };
+    bindList<double>(field, member);
     return field;
   }
 
@@ -96,16 +87,7 @@ class FieldTable {
     Field& field = add(key, FieldKind::Texts, 0.0, 0.0, "", help);
     field.form = form;
     field.check = std::move(check);
-    field.emptyWord = "none";
-    field.get = [member](const Parameters& p) -> FieldValue {
-      const std::vector<std::string>& all = member(const_cast<Parameters&>(p));
-      if (all.empty()) return std::monostate{};
-      return all;
-    };
-    field.put = [member](Parameters& p, const FieldValue& value) {
-      const auto* all = std::get_if<std::vector<std::string>>(&value);
-      member(p) = all != nullptr ? *all : std::vector<std::string>{};
-    };
+    bindList<std::string>(field, member);
     return field;
   }
 
@@ -173,6 +155,21 @@ class FieldTable {
         member(p) = static_cast<T>(std::get<V>(value));
       };
     }
+  }
+
+  /// A vector, of which the empty one is "none".
+  template <class V, class M>
+  void bindList(Field& field, M member) {
+    field.emptyWord = "none";
+    field.get = [member](const Parameters& p) -> FieldValue {
+      const std::vector<V>& all = member(const_cast<Parameters&>(p));
+      if (all.empty()) return std::monostate{};
+      return all;
+    };
+    field.put = [member](Parameters& p, const FieldValue& value) {
+      const auto* all = std::get_if<std::vector<V>>(&value);
+      member(p) = all != nullptr ? *all : std::vector<V>{};
+    };
   }
 
   std::vector<Field> fields_;
