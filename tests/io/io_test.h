@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <QString>
 #include <QTemporaryDir>
 #include <QTemporaryFile>
 #include <csignal>
@@ -11,9 +12,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <string_view>
+
+#include "core/base/error.h"
 
 namespace angiomesh::test {
 
@@ -27,6 +31,16 @@ inline std::string bytesOf(const fs::path& path) {
 inline void save(const fs::path& path, std::string_view bytes) {
   std::ofstream(path, std::ios::binary)
       .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// What the failure of some work says; empty: it did not fail.
+inline QString messageOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
 }
 
 inline int entriesOf(const fs::path& folder) {

@@ -62,15 +62,6 @@ MeshWriteOptions named(const Names& names, bool ascii = false) {
   return options;
 }
 
-QString messageOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
-}
-
 std::string facet(int z) {
   return QString(
              "facet normal 0 0 1\nouter loop\nvertex 0 0 %1\nvertex 1 0 %1\nvertex 0 1 %1\n"

@@ -43,15 +43,6 @@ Eigen::Vector3d inRasMetres(const Eigen::Vector3d& p) {
   return {-1e-3 * p.x(), -1e-3 * p.y(), 1e-3 * p.z()};
 }
 
-QString messageOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
-}
-
 }  // namespace
 
 class TestMeshWrite : public QObject {

@@ -49,15 +49,6 @@ std::vector<double> numbersBehind(const fs::path& file, const QString& word) {
   return numbers;
 }
 
-QString messageOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
-}
-
 }  // namespace
 
 class TestOpenFoamCase : public QObject {
