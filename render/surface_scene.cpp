@@ -6,8 +6,6 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
-#include <vtkCoordinate.h>
-#include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
@@ -18,13 +16,11 @@
 #include <vtkProp3D.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "render/colour_bar.h"
 #include "render/direction_cube.h"
 #include "render/projection_volume.h"
 #include "render/stage.h"
@@ -34,24 +30,6 @@
 namespace angiomesh {
 
 namespace {
-
-/// Red (bad) over pale yellow to blue (good): told apart with any kind of colour vision.
-void fillTable(vtkLookupTable* table, double lo, double hi) {
-  constexpr std::array<std::array<double, 3>, 3> stops{
-      {{0.80, 0.10, 0.12}, {0.98, 0.90, 0.60}, {0.16, 0.42, 0.72}}};
-  constexpr int count = 256;
-  table->SetNumberOfTableValues(count);
-  for (int k = 0; k < count; ++k) {
-    const double position = 2.0 * k / (count - 1);
-    const auto from = static_cast<std::size_t>(std::min(position, 1.0));
-    const double t = position - static_cast<double>(from);
-    std::array<double, 3> rgb{};
-    for (std::size_t c = 0; c < 3; ++c)
-      rgb[c] = (1.0 - t) * stops[from][c] + t * stops[from + 1][c];
-    table->SetTableValue(k, rgb[0], rgb[1], rgb[2], 1.0);
-  }
-  table->SetTableRange(lo, hi);
-}
 
 /// How the time of a projection falls with its coarseness: by its square across the picture, and a
 /// little along the rays.
@@ -80,9 +58,7 @@ struct SurfaceScene::Parts {
   std::shared_ptr<const TriMesh> mesh;
   bool meshVisible = true;
   SurfaceActor comparison{{0.45, 0.62, 0.80}};
-  vtkNew<vtkLookupTable> table;
-  vtkNew<vtkScalarBarActor> colourBar;
-  vtkNew<vtkTextActor> colourTitle;  // the bar's own title runs into its labels
+  ColourBar colourBar{renderer};
   vtkNew<vtkPolyData> seedData;
   vtkNew<vtkActor> seedActor;
   vtkNew<vtkOutlineSource> roiSource;
@@ -144,32 +120,6 @@ SurfaceScene::Parts::Parts() {
   roiActor->VisibilityOff();
   renderer->AddActor(roiActor);
 
-  colourBar->SetLookupTable(table);
-  colourBar->SetOrientationToHorizontal();
-  colourBar->SetNumberOfLabels(5);
-  colourBar->SetLabelFormat("%.3g");
-  colourBar->SetPosition(0.25, 0.02);
-  colourBar->SetWidth(0.65);
-  colourBar->SetHeight(0.11);
-  colourBar->SetBarRatio(0.3);
-  colourTitle->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  colourTitle->GetPositionCoordinate()->SetValue(0.575, 0.14);
-  colourTitle->GetTextProperty()->SetJustificationToCentered();
-  colourTitle->VisibilityOff();
-  renderer->AddViewProp(colourTitle);
-  colourBar->SetUnconstrainedFontSize(true);
-  for (vtkTextProperty* text :
-       {colourTitle->GetTextProperty(), colourBar->GetLabelTextProperty()}) {
-    text->SetFontFamilyToArial();
-    text->SetFontSize(13);
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-    text->SetColor(0.93, 0.93, 0.93);
-  }
-  colourBar->VisibilityOff();
-  renderer->AddViewProp(colourBar);
-
   beforeFrame->SetClientData(this);
   beforeFrame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Parts*>(self)->prepareFrame();
@@ -216,9 +166,7 @@ void SurfaceScene::Parts::chooseQuality() {
 }
 
 void SurfaceScene::Parts::showColourBar() {
-  const bool coloured = surface.coloured() || comparison.coloured();
-  colourBar->SetVisibility(coloured);
-  colourTitle->SetVisibility(coloured);
+  colourBar.setVisible(surface.coloured() || comparison.coloured());
 }
 
 bool SurfaceScene::Parts::visibleBounds(std::array<double, 6>& bounds) const {
@@ -359,14 +307,13 @@ void SurfaceScene::setEdgesVisible(bool visible) {
 
 void SurfaceScene::setSurfaceColours(std::vector<float> perTriangle, const std::string& title,
                                      double lo, double hi) {
-  fillTable(parts_->table, lo, hi);
-  parts_->colourTitle->SetInput(title.c_str());
-  parts_->surface.setTriangleValues(std::move(perTriangle), parts_->table);
+  parts_->colourBar.setRange(title, lo, hi);
+  parts_->surface.setTriangleValues(std::move(perTriangle), parts_->colourBar.table());
   parts_->showColourBar();
 }
 
 void SurfaceScene::setComparisonColours(std::vector<float> perTriangle) {
-  parts_->comparison.setTriangleValues(std::move(perTriangle), parts_->table);
+  parts_->comparison.setTriangleValues(std::move(perTriangle), parts_->colourBar.table());
   parts_->showColourBar();
 }
 
