@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
-#include <QCheckBox>
-#include <QDialog>
-#include <QDoubleSpinBox>
-#include <QFile>
 #include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,84 +9,19 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QToolButton>
-#include <algorithm>
 #include <cmath>
 
-#include "core/pipeline/cuts.h"
-#include "gui/model/case_ports.h"
-#include "io/image_io.h"
-#include "io/mesh_io.h"
-#include "io/ports_file.h"
-#include "window_case.h"
+#include "port_case.h"
 
 using namespace angiomesh;
+using angiomesh::test::coil;
+using angiomesh::test::cutAt;
 using angiomesh::test::kPatienceMs;
+using angiomesh::test::PortCase;
 using angiomesh::test::twoTubes;
 using angiomesh::test::WindowCase;
 
 namespace {
-
-/// A vessel with two ends inside the volume.
-Source coil() {
-  PhantomParams params;
-  params.kind = PhantomKind::Helix;
-  params.size = {44, 44, 44};
-  params.radius = 3.0;
-  return makeSource(makePhantom(params).image, "coil");
-}
-
-void trigger(WindowCase& c, const char* name) {
-  c.window->findChild<QAction*>(QLatin1String(name))->trigger();
-}
-
-/// The middle of a vessel, `share` of the way up the volume.
-Eigen::Vector3d insideOf(CaseController& controller, double share) {
-  const Volume<float>& phi = *controller.uncutPhi();
-  const Index3 size = phi.geometry.size;
-  const auto k = static_cast<int>(share * (size[2] - 1));
-  Index3 best{0, 0, k};
-  for (int j = 0; j < size[1]; ++j)
-    for (int i = 0; i < size[0]; ++i)
-      if (phi.at(i, j, k) < phi.at(best[0], best[1], k)) best = {i, j, k};
-  return phi.geometry.toPhysical({1.0 * best[0], 1.0 * best[1], 1.0 * k});
-}
-
-void cutAt(WindowCase& c, double share) {
-  c.window->views().setCrosshair(insideOf(c.controller(), share));
-  trigger(c, "cutHere");
-}
-
-/// A window in which two tubes are meshed, of which the larger alone is kept.
-struct PortCase : WindowCase {
-  explicit PortCase(const std::filesystem::path& recovery = {}, Source source = twoTubes())
-      : WindowCase(makeInlineJobRunner, recovery) {
-    controller().take(std::move(source));
-    controller().setField("segmentation.keep", std::string("largest"));
-    click(find<QPushButton>("run"));
-    state().setMip(false);
-    settle();
-  }
-
-  CasePorts& ports() { return window->ports(); }
-  SurfaceView* view() { return window->views().surface(); }
-  QTableWidget* table() { return find<QTableWidget>("ports"); }
-  std::size_t cuts() { return controller().parameters().ports.cuts.size(); }
-  GivenCut cut(std::size_t i) { return parseCut(controller().parameters().ports.cuts.at(i)); }
-  void trigger(const char* name) { ::trigger(*this, name); }
-  int undoCount() { return controller().undoStack()->count(); }
-  void undo() { trigger("undo"); }
-  void redo() { trigger("redo"); }
-  void settle() {
-    QCoreApplication::processEvents();
-    view()->grabFramebuffer();
-  }
-
-  Eigen::Vector3d inside(double share = 0.5) { return insideOf(controller(), share); }
-  void cutAt(double share) { ::cutAt(*this, share); }
-  void rightClick(QWidget* widget, const QPoint& at) {
-    QTest::mouseClick(widget, Qt::RightButton, Qt::NoModifier, at);
-  }
-};
 
 QString noteOf(PortCase& c, const char* name) {
   const PortRow* row = c.ports().find(name);
@@ -398,132 +329,6 @@ class TestPorts : public QObject {
     QCOMPARE(c.cuts(), count);  // cut already
     c.undo();
     QCOMPARE(c.cuts(), std::size_t(0));
-  }
-
-  void namesAreExported_data() {
-    QTest::addColumn<int>("format");
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<bool>("named");
-    QTest::newRow("ply") << 0 << "v.ply" << true;
-    QTest::newRow("ply text") << 1 << "v.ply" << true;
-    QTest::newRow("stl") << 2 << "v.stl" << false;
-    QTest::newRow("stl text") << 3 << "v.stl" << true;
-    QTest::newRow("obj") << 4 << "v.obj" << true;
-    QTest::newRow("vtp") << 5 << "v.vtp" << true;
-  }
-  void namesAreExported() {
-    QFETCH(int, format);
-    QFETCH(QString, file);
-    QFETCH(bool, named);
-    PortCase c;
-    c.cutAt(0.5);
-    c.click(c.find<QPushButton>("run"));
-    c.savePath = c.folder.filePath("v");
-    c.trigger("export");
-    auto* dialog = c.find<QDialog>("exportDialog");
-    QTRY_VERIFY(dialog && dialog->isVisible());
-    c.choose(dialog->findChild<QComboBox*>("exportFormat"), format);
-    auto* hint = dialog->findChild<QLabel*>("exportHint");
-    QCOMPARE(hint->text().contains("loses the names"), !named);
-    QVERIFY(dialog->findChild<QCheckBox*>("exportPortsFile")->isChecked());
-    QTest::mouseClick(dialog->findChild<QCheckBox*>("exportPatches"), Qt::LeftButton,
-                      Qt::NoModifier, QPoint(8, 8));
-    c.click(dialog->findChild<QPushButton*>("exportGo"));
-    const LoadedMesh back = loadMesh(c.folder.filePath(file).toStdString());
-    const bool has = std::count(back.patchNames.begin(), back.patchNames.end(), "inlet") == 1;
-    QCOMPARE(has, named);
-    const auto ports = readPorts(c.folder.filePath("v.ports.json").toStdString());
-    QCOMPARE(ports.size(), c.controller().ports(MeshKind::Exported).size());
-    QCOMPARE(ports[0].name, std::string("inlet"));
-    QVERIFY(QFile::exists(c.folder.filePath(QString(file).replace("v.", "v_inlet."))));
-    const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
-    QVERIFY2(log.contains("its ports"), qPrintable(log));
-  }
-
-  void aCaseForOpenFoamIsExported() {
-    PortCase c;
-    c.cutAt(0.5);
-    c.click(c.find<QPushButton>("run"));
-    c.savePath = c.folder.filePath("foam");
-    c.trigger("export");
-    auto* dialog = c.find<QDialog>("exportDialog");
-    QTRY_VERIFY(dialog && dialog->isVisible());
-    c.choose(dialog->findChild<QComboBox*>("exportFormat"), 6);
-    QVERIFY(!dialog->findChild<QComboBox*>("exportUnit")->isEnabled());
-    QVERIFY(!dialog->findChild<QLabel*>("exportHint")->text().contains("not connected"));
-    c.click(dialog->findChild<QPushButton*>("exportGo"));
-    QVERIFY2(QFile::exists(c.folder.filePath("foam/system/snappyHexMeshDict")),
-             qPrintable(c.find<QPlainTextEdit>("log")->toPlainText()));
-    QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
-    c.controller().setField("segmentation.keep", std::string("all"));
-    c.click(c.find<QPushButton>("run"));
-    c.trigger("export");
-    dialog = c.find<QDialog>("exportDialog");
-    QTRY_VERIFY(dialog && dialog->isVisible());
-    c.choose(dialog->findChild<QComboBox*>("exportFormat"), 6);
-    QVERIFY(dialog->findChild<QLabel*>("exportHint")->text().contains("2 parts"));
-  }
-
-  void thePortsAloneAreExported() {
-    PortCase c;
-    c.cutAt(0.5);
-    c.click(c.find<QPushButton>("run"));
-    c.savePath = c.folder.filePath("openings");
-    c.click(c.find<QToolButton>("exportPortsButton"));
-    const auto ports = readPorts(c.folder.filePath("openings.json").toStdString());
-    QCOMPARE(ports[0].name, std::string("inlet"));
-    const auto log = [&] { return c.find<QPlainTextEdit>("log")->toPlainText(); };
-    QVERIFY(!log().contains("earlier parameters"));
-    c.ports().rename("inlet", "neck");
-    c.click(c.find<QToolButton>("exportPortsButton"));
-    QVERIFY(log().contains("earlier parameters"));
-  }
-
-  void aCaseKeepsItsCuts() {
-    const QTemporaryDir folder;
-    const QString volume = folder.filePath("tubes.mha"), saved = folder.filePath("t.angiomesh");
-    writeVolume(*twoTubes().image, volume.toStdString());
-    std::vector<std::string> cuts;
-    {
-      WindowCase c;
-      c.window->open(volume);
-      c.controller().run();
-      cutAt(c, 0.5);
-      c.window->ports().rename("inlet", "neck");
-      cuts = c.controller().parameters().ports.cuts;
-      c.answers.savePath = saved;
-      trigger(c, "saveCase");
-      QVERIFY(!c.controller().modified());
-    }
-    WindowCase c;
-    c.window->open(saved);
-    QVERIFY(c.controller().parameters().ports.cuts == cuts);
-    QVERIFY(c.window->ports().find("neck"));
-    // Cuts mean something in one image alone, and nothing to a preset.
-    c.controller().applyPreset("thesis");
-    QVERIFY(c.controller().parameters().ports.cuts == cuts);
-    c.controller().take(twoTubes(36));
-    QVERIFY(c.controller().parameters().ports.cuts.empty());
-  }
-
-  void cutsComeBackAfterACrash() {
-    const QTemporaryDir recovery;
-    const QTemporaryDir folder;
-    const QString volume = folder.filePath("tubes.mha");
-    writeVolume(*twoTubes().image, volume.toStdString());
-    std::vector<std::string> cuts;
-    {
-      WindowCase c(makeInlineJobRunner, recovery.path().toStdString());
-      c.window->open(volume);
-      c.controller().run();
-      cutAt(c, 0.5);
-      cuts = c.controller().parameters().ports.cuts;
-      QCOMPARE(cuts.size(), std::size_t(1));
-    }
-    WindowCase c(makeInlineJobRunner, recovery.path().toStdString());
-    c.answers.restore = RestoreAnswer::Restore;
-    QVERIFY(c.window->offerRestore());
-    QTRY_VERIFY(c.controller().parameters().ports.cuts == cuts);
   }
 
   void workersDoTheSame() {

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QCheckBox>
+#include <QDialog>
+#include <QFile>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QToolButton>
+#include <algorithm>
+
+#include "io/image_io.h"
+#include "io/mesh_io.h"
+#include "io/ports_file.h"
+#include "port_case.h"
+
+using namespace angiomesh;
+using angiomesh::test::cutAt;
+using angiomesh::test::PortCase;
+using angiomesh::test::trigger;
+using angiomesh::test::twoTubes;
+using angiomesh::test::WindowCase;
+
+/// Cuts and the names of ports on their way into files and back.
+class TestPortExports : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void namesAreExported_data() {
+    QTest::addColumn<int>("format");
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<bool>("named");
+    QTest::newRow("ply") << 0 << "v.ply" << true;
+    QTest::newRow("ply text") << 1 << "v.ply" << true;
+    QTest::newRow("stl") << 2 << "v.stl" << false;
+    QTest::newRow("stl text") << 3 << "v.stl" << true;
+    QTest::newRow("obj") << 4 << "v.obj" << true;
+    QTest::newRow("vtp") << 5 << "v.vtp" << true;
+  }
+  void namesAreExported() {
+    QFETCH(int, format);
+    QFETCH(QString, file);
+    QFETCH(bool, named);
+    PortCase c;
+    c.cutAt(0.5);
+    c.click(c.find<QPushButton>("run"));
+    c.savePath = c.folder.filePath("v");
+    c.trigger("export");
+    auto* dialog = c.find<QDialog>("exportDialog");
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    c.choose(dialog->findChild<QComboBox*>("exportFormat"), format);
+    auto* hint = dialog->findChild<QLabel*>("exportHint");
+    QCOMPARE(hint->text().contains("loses the names"), !named);
+    QVERIFY(dialog->findChild<QCheckBox*>("exportPortsFile")->isChecked());
+    QTest::mouseClick(dialog->findChild<QCheckBox*>("exportPatches"), Qt::LeftButton,
+                      Qt::NoModifier, QPoint(8, 8));
+    c.click(dialog->findChild<QPushButton*>("exportGo"));
+    const LoadedMesh back = loadMesh(c.folder.filePath(file).toStdString());
+    const bool has = std::count(back.patchNames.begin(), back.patchNames.end(), "inlet") == 1;
+    QCOMPARE(has, named);
+    const auto ports = readPorts(c.folder.filePath("v.ports.json").toStdString());
+    QCOMPARE(ports.size(), c.controller().ports(MeshKind::Exported).size());
+    QCOMPARE(ports[0].name, std::string("inlet"));
+    QVERIFY(QFile::exists(c.folder.filePath(QString(file).replace("v.", "v_inlet."))));
+    const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
+    QVERIFY2(log.contains("its ports"), qPrintable(log));
+  }
+
+  void aCaseForOpenFoamIsExported() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.click(c.find<QPushButton>("run"));
+    c.savePath = c.folder.filePath("foam");
+    c.trigger("export");
+    auto* dialog = c.find<QDialog>("exportDialog");
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    c.choose(dialog->findChild<QComboBox*>("exportFormat"), 6);
+    QVERIFY(!dialog->findChild<QComboBox*>("exportUnit")->isEnabled());
+    QVERIFY(!dialog->findChild<QLabel*>("exportHint")->text().contains("not connected"));
+    c.click(dialog->findChild<QPushButton*>("exportGo"));
+    QVERIFY2(QFile::exists(c.folder.filePath("foam/system/snappyHexMeshDict")),
+             qPrintable(c.find<QPlainTextEdit>("log")->toPlainText()));
+    QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
+    c.controller().setField("segmentation.keep", std::string("all"));
+    c.click(c.find<QPushButton>("run"));
+    c.trigger("export");
+    dialog = c.find<QDialog>("exportDialog");
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    c.choose(dialog->findChild<QComboBox*>("exportFormat"), 6);
+    QVERIFY(dialog->findChild<QLabel*>("exportHint")->text().contains("2 parts"));
+  }
+
+  void thePortsAloneAreExported() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.click(c.find<QPushButton>("run"));
+    c.savePath = c.folder.filePath("openings");
+    c.click(c.find<QToolButton>("exportPortsButton"));
+    const auto ports = readPorts(c.folder.filePath("openings.json").toStdString());
+    QCOMPARE(ports[0].name, std::string("inlet"));
+    const auto log = [&] { return c.find<QPlainTextEdit>("log")->toPlainText(); };
+    QVERIFY(!log().contains("earlier parameters"));
+    c.ports().rename("inlet", "neck");
+    c.click(c.find<QToolButton>("exportPortsButton"));
+    QVERIFY(log().contains("earlier parameters"));
+  }
+
+  void aCaseKeepsItsCuts() {
+    const QTemporaryDir folder;
+    const QString volume = folder.filePath("tubes.mha"), saved = folder.filePath("t.angiomesh");
+    writeVolume(*twoTubes().image, volume.toStdString());
+    std::vector<std::string> cuts;
+    {
+      WindowCase c;
+      c.window->open(volume);
+      c.controller().run();
+      cutAt(c, 0.5);
+      c.window->ports().rename("inlet", "neck");
+      cuts = c.controller().parameters().ports.cuts;
+      c.answers.savePath = saved;
+      trigger(c, "saveCase");
+      QVERIFY(!c.controller().modified());
+    }
+    WindowCase c;
+    c.window->open(saved);
+    QVERIFY(c.controller().parameters().ports.cuts == cuts);
+    QVERIFY(c.window->ports().find("neck"));
+    // Cuts mean something in one image alone, and nothing to a preset.
+    c.controller().applyPreset("thesis");
+    QVERIFY(c.controller().parameters().ports.cuts == cuts);
+    c.controller().take(twoTubes(36));
+    QVERIFY(c.controller().parameters().ports.cuts.empty());
+  }
+
+  void cutsComeBackAfterACrash() {
+    const QTemporaryDir recovery;
+    const QTemporaryDir folder;
+    const QString volume = folder.filePath("tubes.mha");
+    writeVolume(*twoTubes().image, volume.toStdString());
+    std::vector<std::string> cuts;
+    {
+      WindowCase c(makeInlineJobRunner, recovery.path().toStdString());
+      c.window->open(volume);
+      c.controller().run();
+      cutAt(c, 0.5);
+      cuts = c.controller().parameters().ports.cuts;
+      QCOMPARE(cuts.size(), std::size_t(1));
+    }
+    WindowCase c(makeInlineJobRunner, recovery.path().toStdString());
+    c.answers.restore = RestoreAnswer::Restore;
+    QVERIFY(c.window->offerRestore());
+    QTRY_VERIFY(c.controller().parameters().ports.cuts == cuts);
+  }
+};
+
+int main(int argc, char** argv) { return test::runWindowTests<TestPortExports>(argc, argv); }
+#include "tst_port_exports.moc"
