@@ -135,8 +135,11 @@ PortCase PortStudy::run(std::uint64_t seed, int number, const std::filesystem::p
         RunOptions options;
         options.until = rho == 0.4 ? Step::Quality : Step::Smooth;
         const RunResult result = pipeline_.run(params, options, progress);
+        if (result.ports.empty() || result.ports[0].name != kName) {
+          ++made.nameFaults;
+          continue;
+        }
         areas.push_back(result.ports[0].areaMm2);
-        if (result.ports[0].name != kName) ++made.nameFaults;
         if (rho != 0.4) continue;
         measure(result, made);
         made.nameFaults += faultsOfFormats(*result.smoothed, result.ports, surface);
@@ -149,7 +152,7 @@ PortCase PortStudy::run(std::uint64_t seed, int number, const std::filesystem::p
       continue;
     }
     const auto [least, most] = std::minmax_element(areas.begin(), areas.end());
-    made.spreadPercent = 100.0 * (*most / *least - 1.0);
+    if (!areas.empty()) made.spreadPercent = 100.0 * (*most / *least - 1.0);
     return made;
   }
   throw NumericError("no place could be cut in " + std::to_string(kTries) + " attempts",

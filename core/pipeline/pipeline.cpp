@@ -118,7 +118,10 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   result.mesh = std::make_shared<const TriMesh>(std::move(made.mesh));
   result.origin = std::move(made.origin);
   result.ports = std::move(made.ports);
-  for (const Section& section : away.sections) result.sectionAreasMm2.push_back(section.areaMm2);
+  for (std::size_t n = 0; n < away.sections.size(); ++n) {
+    if (std::count(made.lostCuts.begin(), made.lostCuts.end(), n) == 0)
+      result.sectionAreasMm2.push_back(away.sections[n].areaMm2);
+  }
   if (const std::size_t parts = result.origin.components.size(); !away.empty() && parts > 1)
     warnings.push_back("the surface has " + std::to_string(parts) +
                        " parts that are not connected: a flow solver takes one (see "

@@ -116,7 +116,11 @@ MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
     origin.dropped.push_back(std::to_string(count) + " components beside the largest");
     if (origin.components.size() > 1) origin.components.resize(1);
   }
-  if (!origin.dropped.empty()) dropLostPorts(made.mesh, made.ports, away.sections.size());
+  if (!origin.dropped.empty()) {
+    made.lostCuts = dropLostPorts(made.mesh, made.ports, away.sections.size());
+    for (const std::size_t cut : made.lostCuts)
+      origin.dropped.push_back(away.nameOf(cut) + " with the part that it ends");
+  }
   if (params.method == SurfaceMethod::AdvancingFront)
     origin.fromFrontPercent = fromFront(origin.components);
   return made;

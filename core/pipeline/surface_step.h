@@ -17,7 +17,7 @@ namespace angiomesh {
 /// checks nothing and follows no size.
 struct SurfaceOrigin {
   SurfaceMethod method = SurfaceMethod::MarchingCubes;
-  std::vector<SurfaceComponent> components;  ///< largest first
+  std::vector<SurfaceComponent> components;  ///< largest area first
   std::optional<double> fromFrontPercent;    ///< of the triangles, for AdvancingFront
   std::optional<double> estimatedTriangles;  ///< before meshing
   std::vector<std::string> dropped;          ///< what was left out, in words
@@ -32,12 +32,14 @@ struct MadeSurface {
   SurfaceOrigin origin;
   /// As ZeroSetMesh::ports; of marching cubes without cuts none, and the mesh has no patches.
   std::vector<Port> ports;
+  std::vector<std::size_t> lostCuts;  ///< by number: the part that they end was left out
 };
 
 /// The surface of phi = 0 before smoothing, without what `away` takes; `field` interpolates `phi`.
 /// Components that enclose less than minComponentMm3 are left out, with `largestAlone` all but the
-/// one of most triangles; the mesh may be empty. With cuts
-/// marching cubes has its caps at the volume's border in the outermost planes of voxel centres.
+/// one of most area; cuts that end what is left out are no ports. The mesh may be empty. With
+/// cuts marching cubes has its caps at the volume's border in the outermost planes of voxel
+/// centres.
 /// @throws InputError, as clipReference(); Cancelled
 MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
                         const SurfaceParams& params, const Progress& progress = {},

@@ -129,18 +129,23 @@ std::vector<Port> numberPatches(PatchMesh& mesh, const EndPlanes& ends, const Cu
   return ports;
 }
 
-void dropLostPorts(TriMesh& mesh, std::vector<Port>& ports, std::size_t cuts) {
+std::vector<std::size_t> dropLostPorts(TriMesh& mesh, std::vector<Port>& ports, std::size_t cuts) {
+  std::vector<std::size_t> lost;
   const std::vector<Port> measured = measuredPorts(ports, mesh);
   std::vector<Port> left;
   std::vector<std::uint16_t> number(ports.size() + 1, 0);
   for (std::size_t n = 0; n < ports.size(); ++n) {
-    if (n >= cuts && !(measured[n].areaMm2 > 0.0)) continue;
+    if (!(measured[n].areaMm2 > 0.0)) {
+      if (n < cuts) lost.push_back(n);
+      continue;
+    }
     left.push_back(measured[n]);
-    if (n >= cuts) left.back().name = borderName(left.size() - cuts);
+    if (n >= cuts) left.back().name = borderName(left.size() + lost.size() - cuts);
     number[n + 1] = static_cast<std::uint16_t>(left.size());
   }
   for (std::uint16_t& patch : mesh.patch) patch = number[patch];
   ports = std::move(left);
+  return lost;
 }
 
 }  // namespace angiomesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/surface/cut_away.h"
@@ -15,9 +16,9 @@ namespace angiomesh {
 /// bounds.
 std::vector<Port> numberPatches(PatchMesh& mesh, const EndPlanes& ends, const CutAway& away);
 
-/// After components were taken out of a surface: ports at the volume's border (all but the first
-/// `cuts`) that went with them go too, and those left are numbered and named anew; the rest are
-/// measured again.
-void dropLostPorts(TriMesh& mesh, std::vector<Port>& ports, std::size_t cuts);
+/// After components were taken out of a surface: ports that went with them go too; those left are
+/// measured again and numbered anew, and those at the volume's border (all but the first `cuts`)
+/// named anew. @returns the numbers of the cuts that went
+std::vector<std::size_t> dropLostPorts(TriMesh& mesh, std::vector<Port>& ports, std::size_t cuts);
 
 }  // namespace angiomesh

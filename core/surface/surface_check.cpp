@@ -180,9 +180,10 @@ void measureParts(const PatchMesh& mesh, SurfaceBorder border, SurfaceCheck& che
     ++component.triangles;
     ++component.euler;
     if (mesh.origin[t] == FaceOrigin::Front) ++fromFront[label];
-    component.volumeMm3 += mesh.mesh.points[corners[0]].dot(
-                               mesh.mesh.points[corners[1]].cross(mesh.mesh.points[corners[2]])) /
-                           6.0;
+    const Eigen::Vector3d &a = mesh.mesh.points[corners[0]], &b = mesh.mesh.points[corners[1]],
+                          &c = mesh.mesh.points[corners[2]];
+    component.volumeMm3 += a.dot(b.cross(c)) / 6.0;
+    component.areaMm2 += 0.5 * (b - a).cross(c - a).norm();
     for (const std::uint32_t v : corners) {
       if (edges.irregular(v)) doubtIt(component, "a vertex has more than one fan of faces");
       if (seen[v] == 0) ++component.euler;

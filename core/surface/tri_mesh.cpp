@@ -21,6 +21,11 @@ double sixfoldVolume(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t,
   return a.dot(b.cross(c));
 }
 
+double twiceAreaMm2(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  const Eigen::Vector3d& a = mesh.points[t[0]];
+  return (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).norm();
+}
+
 /// Returns the number of components dropped.
 int keepComponents(TriMesh& mesh, const MeshComponents& components, const std::vector<bool>& keep) {
   const auto dropped = std::count(keep.begin(), keep.end(), false);
@@ -72,10 +77,7 @@ void checkMesh(const TriMesh& mesh) {
 
 double surfaceAreaMm2(const TriMesh& mesh) {
   double twice = 0.0;
-  for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.points[t[0]];
-    twice += (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).norm();
-  }
+  for (const auto& t : mesh.triangles) twice += twiceAreaMm2(mesh, t);
   return twice / 2.0;
 }
 
@@ -106,11 +108,13 @@ int dropSmallComponents(TriMesh& mesh, double minimumMm3) {
 int keepLargestComponent(TriMesh& mesh) {
   const MeshComponents components = meshComponents(mesh);
   if (components.count < 2) return 0;
-  std::vector<std::size_t> triangles(components.count, 0);
-  for (const std::uint32_t label : components.label) ++triangles[label];
+  // Not by triangles: a thin vessel may have more of them than a thick one.
+  std::vector<double> twice(components.count, 0.0);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    twice[components.label[i]] += twiceAreaMm2(mesh, mesh.triangles[i]);
   std::vector<bool> keep(components.count, false);
-  keep[static_cast<std::size_t>(std::max_element(triangles.begin(), triangles.end()) -
-                                triangles.begin())] = true;
+  keep[static_cast<std::size_t>(std::max_element(twice.begin(), twice.end()) - twice.begin())] =
+      true;
   return keepComponents(mesh, components, keep);
 }
 

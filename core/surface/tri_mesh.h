@@ -30,7 +30,7 @@ double enclosedVolumeMm3(const TriMesh& mesh);
 /// triangle uses). Returns the number of components dropped.
 int dropSmallComponents(TriMesh& mesh, double minimumMm3);
 
-/// Drops all edge-connected components but the one of most triangles. Returns how many those were.
+/// Drops all edge-connected components but the one of most area. Returns how many those were.
 int keepLargestComponent(TriMesh& mesh);
 
 }  // namespace angiomesh

@@ -157,10 +157,9 @@ class Mesher {
     ZeroSetMesh out;
     out.estimatedTriangles = size_.estimatedTriangles();
     out.components = check.components;
-    std::stable_sort(out.components.begin(), out.components.end(),
-                     [](const SurfaceComponent& a, const SurfaceComponent& b) {
-                       return a.triangles > b.triangles;
-                     });
+    std::stable_sort(
+        out.components.begin(), out.components.end(),
+        [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.areaMm2 > b.areaMm2; });
     for (const SurfaceCheck::Reached& r : check.reached) {
       if (r.part != none) continue;
       const Eigen::Vector3d& p = landmarks_.points[r.component].point;

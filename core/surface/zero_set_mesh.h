@@ -20,6 +20,7 @@ enum class SurfaceMethod { AdvancingFront, MarchingCubes, Remesh };
 /// One edge-connected part of a surface.
 struct SurfaceComponent {
   std::size_t triangles = 0;
+  double areaMm2 = 0.0;
   int euler = 0;
   int boundaryLoops = 0;
   bool verified = false;   ///< the checks of meshZeroSet() hold for it
@@ -31,7 +32,7 @@ struct SurfaceComponent {
 struct ZeroSetMesh {
   TriMesh mesh;
   std::vector<FaceOrigin> origin;            ///< per triangle
-  std::vector<SurfaceComponent> components;  ///< largest first
+  std::vector<SurfaceComponent> components;  ///< largest area first
   double fromFrontPercent = 0.0;
   double estimatedTriangles = 0.0;  ///< before meshing
   /// The openings, port n patch 1 + n of the mesh: the cuts in their order, then border_1, ... ,

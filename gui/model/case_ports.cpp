@@ -293,7 +293,10 @@ PortRow CasePorts::cutRow(const std::string& text) const {
         words << QString::fromStdString(sentence);
       }
     }
-    if (words.isEmpty()) {
+    if (controller_.meshFresh() && !hasPort(nameOf(text))) {
+      row.state = PortRow::State::Advised;
+      words << tr("left out of the surface with the part that it ends");
+    } else if (words.isEmpty()) {
       words << (controller_.meshFresh() ? tr("made") : tr("run to make it"));
     }
     row.note = words.join(QStringLiteral(". "));
@@ -302,6 +305,17 @@ PortRow CasePorts::cutRow(const std::string& text) const {
     row.plane = drag_->plane;
   }
   return row;
+}
+
+std::vector<Port> CasePorts::meshPorts() const {
+  return controller_.ports(controller_.mesh(MeshKind::Exported) ? MeshKind::Exported
+                                                                : MeshKind::Unsmoothed);
+}
+
+bool CasePorts::hasPort(const std::string& name) const {
+  const std::vector<Port> ports = meshPorts();
+  return std::any_of(ports.begin(), ports.end(),
+                     [&](const Port& port) { return port.name == name; });
 }
 
 /// Of the last mesh those that are no cuts, neither then nor now.
@@ -313,8 +327,7 @@ void CasePorts::addOpenings(std::vector<PortRow>& rows) const {
       known.insert(nameOf(text));
     }
   }
-  for (const Port& port : controller_.ports(
-           controller_.mesh(MeshKind::Exported) ? MeshKind::Exported : MeshKind::Unsmoothed)) {
+  for (const Port& port : meshPorts()) {
     if (known.count(port.name) != 0) {
       continue;
     }

@@ -101,6 +101,8 @@ class CasePorts : public QObject {
   void refreshGround();
   void rebuild();
   [[nodiscard]] PortRow cutRow(const std::string& text) const;
+  [[nodiscard]] std::vector<Port> meshPorts() const;
+  [[nodiscard]] bool hasPort(const std::string& name) const;
   void addOpenings(std::vector<PortRow>& rows) const;
   void tell(Severity severity, const QString& text);
   void request(std::shared_ptr<PortJob> job);

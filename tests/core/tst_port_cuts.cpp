@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/cuts.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/surface_step.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -240,6 +242,33 @@ class TestPortCuts : public QObject {
     params.ports.cuts.pop_back();
     for (const StageReport& stage : pipeline.run(params).stages)
       QCOMPARE(stage.reused, stage.step < Step::Surface);
+  }
+
+  // Two vessels, of which the surface keeps the thicker: what ends the other one is no opening.
+  void aCutGoesWithThePartThatItEnds() {
+    const Volume<float> phi = shapes::sampled(grid(), [](const Vector3d& p) {
+      return std::min(capsule(p, {-9.0, 12.0, 20.0}, {52.0, 12.0, 20.0}, 3.0),
+                      capsule(p, {-9.0, 28.0, 20.0}, {52.0, 28.0, 20.0}, 4.2));
+    });
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
+    const CutAway away = made(phi, {"30,12,20,1,0,0,thin", "30,28,20,1,0,0,thick"});
+    for (const SurfaceMethod method :
+         {SurfaceMethod::AdvancingFront, SurfaceMethod::MarchingCubes}) {
+      SurfaceParams params;
+      params.method = method;
+      const MadeSurface both = makeSurface(phi, field, params, {}, away);
+      QCOMPARE(both.ports.size(), std::size_t{4});
+      QVERIFY(both.lostCuts.empty());
+      const MadeSurface one = makeSurface(phi, field, params, {}, away, true);
+      QCOMPARE(one.lostCuts, std::vector<std::size_t>{0});
+      QCOMPARE(one.ports.size(), std::size_t{2});
+      QCOMPARE(one.ports[0].name, std::string("thick"));
+      QCOMPARE(one.ports[1].name, std::string("border_1"));
+      QVERIFY(anyHas(one.origin.warnings(), "the cut 'thin' with the part that it ends"));
+      QVERIFY(portFaults(one.ports, one.mesh).empty());
+      const std::uint16_t last = *std::max_element(one.mesh.patch.begin(), one.mesh.patch.end());
+      QCOMPARE(last, std::uint16_t{2});
+    }
   }
 };
 

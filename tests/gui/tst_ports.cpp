@@ -312,6 +312,23 @@ class TestPorts : public QObject {
     QCOMPARE(c.table()->currentRow(), 0);
   }
 
+  void aCutWhosePartIsLeftOutSaysSo() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.controller().setField("segmentation.keep", std::string("all"));
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY(!noteOf(c, "inlet").contains("left out"));
+    const std::size_t openings = c.controller().ports(MeshKind::Exported).size();
+    // More than the half tube that the cut leaves, less than the other tube.
+    c.controller().setField("surface.minComponentMm3", 100.0);
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY(c.controller().meshFresh());
+    QVERIFY2(noteOf(c, "inlet").contains("left out"), qPrintable(noteOf(c, "inlet")));
+    QVERIFY(c.ports().find("inlet")->state == PortRow::State::Advised);
+    QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("the cut 'inlet' with the part"));
+    QVERIFY(c.controller().ports(MeshKind::Exported).size() < openings);
+  }
+
   void allEndsAreCutAsExplicitCuts() {
     PortCase c({}, coil());
     QCOMPARE(c.cuts(), std::size_t(0));
