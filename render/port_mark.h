@@ -30,7 +30,7 @@ struct PortMark {
   [[nodiscard]] double discRadiusMm() const { return 1.3 * radiusMm; }
 };
 
-/// Colours of ports in their order, repeating: told apart from the wall and, by most, from each
+/// Colours of ports by numbers, repeating: told apart from the wall and, by most, from each
 /// other (after Okabe & Ito 2008, "Color universal design").
 std::array<double, 3> portColour(std::size_t number);
 

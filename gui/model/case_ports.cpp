@@ -194,8 +194,10 @@ QString CasePorts::rename(const QString& name, const QString& wanted) {
     if (chosen) {
       selected_ = trimmed;  // told once, with the rows
     }
+    colourNumbers_.rename(name, trimmed);
     if (!replace(name, cut, tr("rename the cut %1 to %2").arg(name, trimmed))) {
       refusal = notice_;
+      colourNumbers_.rename(trimmed, name);
       selected_ = chosen ? name : selected_;
     }
   } catch (const Error& failure) {
@@ -352,8 +354,13 @@ void CasePorts::rebuild() {
     rows.push_back(cutRow(text));
   }
   addOpenings(rows);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].colour = portColour(i);
+  QStringList names;
+  for (const PortRow& row : rows) {
+    names << row.name;
+  }
+  colourNumbers_.use(names);
+  for (PortRow& row : rows) {
+    row.colour = portColour(colourNumbers_.of(row.name));
   }
   rows_ = std::move(rows);
   Q_EMIT changed();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gui/model/case_controller.h"
+#include "gui/model/kept_numbers.h"
 #include "gui/model/port_job.h"
 #include "render/port_mark.h"
 
@@ -122,6 +123,7 @@ class CasePorts : public QObject {
   std::shared_ptr<PortJob> job_;
   std::deque<std::shared_ptr<PortJob>> queue_;
   std::vector<PortRow> rows_;
+  KeptNumbers colourNumbers_;
   std::optional<Drag> drag_;
   QString selected_, notice_;
 };

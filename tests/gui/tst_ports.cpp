@@ -245,6 +245,21 @@ class TestPorts : public QObject {
     QCOMPARE(c.cuts(), std::size_t(0));
   }
 
+  void aColourStaysWithItsPort() {
+    PortCase c;
+    c.cutAt(0.25);
+    c.cutAt(0.75);
+    const auto colour = [&](const char* name) { return c.ports().find(name)->colour; };
+    const auto inlet = colour("inlet"), outlet = colour("outlet"), border = colour("border_1");
+    QVERIFY(inlet != outlet && outlet != border && inlet != border);
+    QVERIFY(c.ports().rename("inlet", "neck").isEmpty());
+    QVERIFY(colour("neck") == inlet && colour("outlet") == outlet);
+    c.ports().remove("neck");
+    QVERIFY(colour("outlet") == outlet && colour("border_1") == border);
+    c.undo();
+    QVERIFY(colour("neck") == inlet && colour("outlet") == outlet);
+  }
+
   void aNameBeingTypedIsNotLost() {
     PortCase c;
     c.cutAt(0.5);
