@@ -19,10 +19,11 @@ constexpr int kButtonsPerRow = 3;
 
 void MainWindow::buildPortMenu() {
   QMenu* menu = menuBar()->addMenu(tr("P&orts"));
-  const auto onSelected = [this](void (CasePorts::*edit)(const QString&)) {
+  // A copy of the name: the edit makes the rows anew.
+  const auto onSelected = [this](auto edit) {
     return [this, edit] {
       if (const PortRow* row = ports_->selected()) {
-        (ports_->*edit)(QString(row->name));
+        edit(QString(row->name));
       }
     };
   };
@@ -33,7 +34,7 @@ void MainWindow::buildPortMenu() {
                             [this] { askForEnds(); });
   menu->addSeparator();
   QAction* flip = addAction(menu, "flipPort", tr("Flip"), QKeySequence(tr("Ctrl+Shift+F")),
-                            onSelected(&CasePorts::flip));
+                            onSelected([this](const QString& name) { ports_->flip(name); }));
   flip->setToolTip(tr("Cuts away the other side (Ctrl+Shift+F)"));
   QAction* rename =
       addAction(menu, "renamePort", tr("Rename"), QKeySequence(tr("Ctrl+Shift+N")), [this] {
@@ -42,7 +43,7 @@ void MainWindow::buildPortMenu() {
         }
       });
   QAction* remove = addAction(menu, "deletePort", tr("Delete"), QKeySequence(tr("Ctrl+Del")),
-                              onSelected(&CasePorts::remove));
+                              onSelected([this](const QString& name) { ports_->remove(name); }));
   menu->addSeparator();
   QAction* write = addAction(menu, "exportPorts", tr("Export ports…"),
                              QKeySequence(tr("Ctrl+Shift+E")), [this] { exportPorts(); });
