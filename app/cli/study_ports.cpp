@@ -135,6 +135,9 @@ PortCase PortStudy::run(std::uint64_t seed, int number, const std::filesystem::p
         RunOptions options;
         options.until = rho == 0.4 ? Step::Quality : Step::Smooth;
         const RunResult result = pipeline_.run(params, options, progress);
+        if (result.surface->sectionAreasMm2.empty())
+          throw InputError("the part that the cut ends is left out", "study ports",
+                           "keep all components");
         if (result.ports.empty() || result.ports[0].name != kName) {
           ++made.nameFaults;
           continue;

@@ -88,7 +88,8 @@ class Clipper {
     return passing;
   }
 
-  // Of the strips of triangles that pass the plane, those along the section's outline.
+  // Of the strips of triangles that pass the plane, those along the section's outline; none where
+  // the plane passes them in other loops than the section has, as at a neck too thin for the mesh.
   [[nodiscard]] std::vector<std::uint32_t> groupOf(
       const std::vector<std::uint32_t>& passing) const {
     TriMesh strip;
@@ -114,15 +115,57 @@ class Clipper {
       const int high = std::max({sideOf(c[0]), sideOf(c[1]), sideOf(c[2])});
       o.passes = o.passes || low * high < 0 || (low < 0 && high == 0);
     }
+    const auto along = [&](const Off& o) {
+      return o.passes && o.count > 2 &&
+             o.sum < kMeanOffVoxels * voxel_ * static_cast<double>(o.count) &&
+             o.most < kMostOffVoxels * voxel_;
+    };
     std::vector<std::uint32_t> group;
-    for (std::size_t i = 0; i < passing.size(); ++i) {
-      const Off& o = off[parts.label[i]];
-      if (o.passes && o.count > 2 &&
-          o.sum < kMeanOffVoxels * voxel_ * static_cast<double>(o.count) &&
-          o.most < kMostOffVoxels * voxel_)
-        group.push_back(passing[i]);
-    }
+    for (std::size_t i = 0; i < passing.size(); ++i)
+      if (along(off[parts.label[i]])) group.push_back(passing[i]);
+    if (loopsOf(group) != section_->loops.size()) group.clear();
     return group;
+  }
+
+  // In how many loops the plane passes the triangles; 0 where they are not closed or touch.
+  [[nodiscard]] std::size_t loopsOf(const std::vector<std::uint32_t>& group) const {
+    using Node = std::pair<std::uint32_t, std::uint32_t>;  // a side, or a corner twice
+    std::map<Node, std::uint32_t> nodes;
+    std::vector<std::array<std::uint32_t, 2>> pieces;
+    std::map<Node, int> inPlane;  // sides in the plane: their triangles below less those not below
+    const auto nodeOf = [&](std::uint32_t v, std::uint32_t w) {
+      return nodes.try_emplace(std::minmax(v, w), static_cast<std::uint32_t>(nodes.size()))
+          .first->second;
+    };
+    for (const std::uint32_t t : group) {
+      const Corners& c = mesh_.mesh.triangles[t];
+      std::vector<std::uint32_t> ends;
+      const bool below = std::any_of(c.begin(), c.end(), [&](auto v) { return sideOf(v) < 0; });
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = c[k], w = c[(k + 1) % 3], opposite = c[(k + 2) % 3];
+        if (sideOf(v) == 0 && sideOf(w) == 0) inPlane[std::minmax(v, w)] += below ? 1 : -1;
+        if (sideOf(v) * sideOf(w) >= 0) continue;
+        ends.push_back(nodeOf(v, w));
+        if (sideOf(opposite) == 0) ends.push_back(nodeOf(opposite, opposite));
+      }
+      if (ends.size() == 2) pieces.push_back({ends[0], ends[1]});
+    }
+    for (const auto& [side, balance] : inPlane)
+      if (balance == 0)
+        pieces.push_back({nodeOf(side.first, side.first), nodeOf(side.second, side.second)});
+    std::vector<int> degree(nodes.size(), 0);
+    DisjointSets loops(nodes.size());
+    for (const auto& [a, b] : pieces) {
+      ++degree[a];
+      ++degree[b];
+      loops.join(a, b);
+    }
+    std::size_t count = 0;
+    for (std::uint32_t n = 0; n < degree.size(); ++n) {
+      if (degree[n] != 2) return 0;
+      if (loops.find(n) == n) ++count;
+    }
+    return count;
   }
 
   // Where the plane passes a triangle's sides and corners.

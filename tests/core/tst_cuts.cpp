@@ -266,6 +266,31 @@ class TestCuts : public QObject {
     }
   }
 
+  // Two vessels along x (Cassini ovals across it) that a neck of 0.16 voxels joins: a section, but
+  // no mesh, has it.
+  void aNeckThinnerThanAVoxelIsNoVessel() {
+    Geometry g;
+    g.size = {24, 34, 24};
+    const Vector3d neck(12.0, 16.5, 11.5);
+    constexpr double c = 6.0, k = 0.24;
+    const Volume<float> phi = shapes::sampled(g, [&](const Vector3d& p) {
+      const double y = p.y() - neck.y(), z = p.z() - neck.z(), square = y * y + z * z;
+      return (square * square - 2.0 * c * c * (y * y - z * z) - k) / (4.0 * c * c * c);
+    });
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
+    const Section section = sectionOf(field, {neck, Vector3d::UnitX()});
+    QCOMPARE(section.loops.size(), std::size_t{1});
+    QVERIFY(section.radiusMm > 8.0);
+    try {
+      cutAway(field, phi, {{neck, Vector3d::UnitX()}}, {"pinched"});
+      QFAIL("cut");
+    } catch (const InputError& error) {
+      const QString text = error.what();
+      QVERIFY2(text.contains("'pinched' lies where") && text.contains("all but touches another"),
+               qPrintable(text));
+    }
+  }
+
   void theResultDoesNotDependOnTheNumberOfThreads() {
     const Geometry g = shapes::obliqueGeometry({40, 36, 30});
     const Vector3d centre = analytic::centreOf(g), axis = Vector3d(0.3, -0.5, 0.8).normalized();
