@@ -52,8 +52,8 @@ std::string shortest(double value) {
 }
 
 std::size_t takenBy(const SplineField& field, const Volume<float>& phi, const CutPlane& plane,
-                    const Progress& progress) {
-  return cutAway(field, phi, {plane}, {}, progress).taken[0];
+                    const std::string& name, const Progress& progress) {
+  return cutAway(field, phi, {plane}, {name}, progress).taken[0];
 }
 
 /// Where the axis through a vessel's centre meets the plane.
@@ -149,11 +149,12 @@ CutPlane placeCut(const SplineField& field, const Volume<float>& phi, const Give
   const CutPlane forward{vessel->centreLps, vessel->axisLps};
   const CutPlane backward{vessel->centreLps, -vessel->axisLps};
   try {
-    return takenBy(field, phi, forward, progress) <= takenBy(field, phi, backward, progress)
+    return takenBy(field, phi, forward, cut.name, progress) <=
+                   takenBy(field, phi, backward, cut.name, progress)
                ? forward
                : backward;
   } catch (const InputError& error) {
-    throw InputError("the cut '" + cut.name + "' needs a normal: " + error.what(), "ports.cuts",
+    throw InputError(error.cause(), "ports.cuts",
                      "give the direction in which the vessel ends, or move the point");
   }
 }

@@ -202,6 +202,16 @@ class TestPortCuts : public QObject {
     QVERIFY(remarks.empty());
   }
 
+  // Alone each cut of a ring ends nothing, and without a direction each is tried alone.
+  void aRingAsksForDirections() {
+    const Volume<float> phi = shapes::sampled(grid(), [](const Vector3d& p) {
+      return std::hypot(std::hypot(p.x() - 32.0, p.y() - 21.0) - 13.0, p.z() - 20.0) - 3.4;
+    });
+    const std::string message = messageOf([&] { made(phi, {"45,21,20,round"}); });
+    QVERIFY2(message.find("the cut 'round' ends no vessel") == 0, message.c_str());
+    QVERIFY2(message.find("ports.cuts: give the direction") != std::string::npos, message.c_str());
+  }
+
   void aPlaceWithoutAVesselIsNamed() {
     const std::string message = messageOf([] { made(oneVessel(), {"5,5,5,nowhere"}); });
     QVERIFY(message.find("'nowhere' at L 5.0 P 5.0 S 5.0") != std::string::npos);
