@@ -118,8 +118,11 @@ MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
   }
   if (!origin.dropped.empty()) {
     made.lostCuts = dropLostPorts(made.mesh, made.ports, away.sections.size());
+    // First, so that no number of small pieces hides them from the warnings.
+    std::vector<std::string> lost;
     for (const std::size_t cut : made.lostCuts)
-      origin.dropped.push_back(away.nameOf(cut) + " with the part that it ends");
+      lost.push_back(away.nameOf(cut) + " with the part that it ends");
+    origin.dropped.insert(origin.dropped.begin(), lost.begin(), lost.end());
   }
   if (params.method == SurfaceMethod::AdvancingFront)
     origin.fromFrontPercent = fromFront(origin.components);

@@ -275,6 +275,7 @@ class TestPortCuts : public QObject {
       QCOMPARE(one.ports[0].name, std::string("thick"));
       QCOMPARE(one.ports[1].name, std::string("border_1"));
       QVERIFY(anyHas(one.origin.warnings(), "the cut 'thin' with the part that it ends"));
+      QVERIFY(anyHas({one.origin.dropped.front()}, "the cut 'thin'"));
       QVERIFY(portFaults(one.ports, one.mesh).empty());
       const std::uint16_t last = *std::max_element(one.mesh.patch.begin(), one.mesh.patch.end());
       QCOMPARE(last, std::uint16_t{2});
