@@ -19,6 +19,21 @@ using angiomesh::test::trigger;
 using angiomesh::test::twoTubes;
 using angiomesh::test::WindowCase;
 
+namespace {
+
+/// The export dialog with a format chosen; null when it does not open.
+QDialog* exportAs(PortCase& c, int format) {
+  c.trigger("export");
+  auto* dialog = c.find<QDialog>("exportDialog");
+  if (!dialog || !QTest::qWaitFor([&] { return dialog->isVisible(); })) {
+    return nullptr;
+  }
+  c.choose(dialog->findChild<QComboBox*>("exportFormat"), format);
+  return dialog;
+}
+
+}  // namespace
+
 /// Cuts and the names of ports on their way into files and back.
 class TestPortExports : public QObject {
   Q_OBJECT
@@ -43,10 +58,8 @@ class TestPortExports : public QObject {
     c.cutAt(0.5);
     c.click(c.find<QPushButton>("run"));
     c.savePath = c.folder.filePath("v");
-    c.trigger("export");
-    auto* dialog = c.find<QDialog>("exportDialog");
-    QTRY_VERIFY(dialog && dialog->isVisible());
-    c.choose(dialog->findChild<QComboBox*>("exportFormat"), format);
+    QDialog* dialog = exportAs(c, format);
+    QVERIFY(dialog);
     auto* hint = dialog->findChild<QLabel*>("exportHint");
     QCOMPARE(hint->text().contains("loses the names"), !named);
     QVERIFY(dialog->findChild<QCheckBox*>("exportPortsFile")->isChecked());
@@ -69,10 +82,8 @@ class TestPortExports : public QObject {
     c.cutAt(0.5);
     c.click(c.find<QPushButton>("run"));
     c.savePath = c.folder.filePath("foam");
-    c.trigger("export");
-    auto* dialog = c.find<QDialog>("exportDialog");
-    QTRY_VERIFY(dialog && dialog->isVisible());
-    c.choose(dialog->findChild<QComboBox*>("exportFormat"), 6);
+    QDialog* dialog = exportAs(c, 6);
+    QVERIFY(dialog);
     QVERIFY(!dialog->findChild<QComboBox*>("exportUnit")->isEnabled());
     QVERIFY(!dialog->findChild<QLabel*>("exportHint")->text().contains("not connected"));
     c.click(dialog->findChild<QPushButton*>("exportGo"));
@@ -81,10 +92,8 @@ class TestPortExports : public QObject {
     QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
     c.controller().setField("segmentation.keep", std::string("all"));
     c.click(c.find<QPushButton>("run"));
-    c.trigger("export");
-    dialog = c.find<QDialog>("exportDialog");
-    QTRY_VERIFY(dialog && dialog->isVisible());
-    c.choose(dialog->findChild<QComboBox*>("exportFormat"), 6);
+    dialog = exportAs(c, 6);
+    QVERIFY(dialog);
     QVERIFY(dialog->findChild<QLabel*>("exportHint")->text().contains("2 parts"));
   }
 
