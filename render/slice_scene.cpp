@@ -14,7 +14,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -24,6 +23,7 @@
 #include <cstdio>
 #include <string>
 
+#include "render/slice_layer.h"
 #include "render/slice_marks.h"
 #include "render/slice_overlay.h"
 
@@ -35,43 +35,14 @@ namespace {
 constexpr double roiDepth = 1.0, contourDepth = 2.0, portDepth = 2.5, crosshairDepth = 3.0,
                  seedDepth = 4.0;
 
-/// Lines or dots in the plane with their own mapper and actor.
-struct Layer {
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkActor> actor;
-
-  Layer() {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    actor->PickableOff();
-  }
-  void colour(double r, double g, double b) { actor->GetProperty()->SetColor(r, g, b); }
-};
-
-void setSegments(Layer& layer, const std::vector<std::array<Eigen::Vector2d, 2>>& segments,
-                 double depth) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> lines;
-  points->Allocate(static_cast<vtkIdType>(2 * segments.size()));
-  for (const auto& segment : segments) {
-    const vtkIdType a = points->InsertNextPoint(segment[0][0], segment[0][1], depth);
-    const vtkIdType b = points->InsertNextPoint(segment[1][0], segment[1][1], depth);
-    lines->InsertNextCell({a, b});
-  }
-  layer.data->SetPoints(points);
-  layer.data->SetLines(lines);
-}
-
 }  // namespace
 
 struct SliceScene::Parts {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkImageData> pixels;
   vtkNew<vtkImageSlice> imageProp;
-  std::vector<std::unique_ptr<Layer>> contourLayers;
-  Layer crosshair, roiLine, seedDots;
+  std::vector<std::unique_ptr<SliceLayer>> contourLayers;
+  SliceLayer crosshair, roiLine, seedDots;
   SliceMarks ports{renderer};
   std::unique_ptr<SliceOverlay> overlay;
   vtkNew<vtkCallbackCommand> beforeFrame;
@@ -128,7 +99,7 @@ SliceScene::Parts::Parts() {
   crosshair.colour(0.95, 0.85, 0.25);
   crosshair.actor->GetProperty()->SetOpacity(0.6);
   seedDots.actor->GetProperty()->RenderPointsAsSpheresOn();
-  for (Layer* layer : {&roiLine, &crosshair, &seedDots}) {
+  for (SliceLayer* layer : {&roiLine, &crosshair, &seedDots}) {
     layer->actor->VisibilityOff();
     renderer->AddActor(layer->actor);
   }
@@ -216,18 +187,18 @@ void SliceScene::Parts::showContours() {
     contourLayers.pop_back();
   }
   while (contourLayers.size() < contours.size()) {
-    contourLayers.push_back(std::make_unique<Layer>());
+    contourLayers.push_back(std::make_unique<SliceLayer>());
     renderer->AddActor(contourLayers.back()->actor);
   }
   for (std::size_t k = 0; k < contours.size(); ++k) {
-    Layer& layer = *contourLayers[k];
+    SliceLayer& layer = *contourLayers[k];
     const bool visible = image && contours[k].phi;
     layer.actor->SetVisibility(visible);
     if (!visible) continue;
     const auto& c = contours[k].colour;
     layer.colour(c[0], c[1], c[2]);
     layer.actor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixelRatio));
-    setSegments(layer, zeroContour(*contours[k].phi, plane), contourDepth);
+    layer.setSegments(zeroContour(*contours[k].phi, plane), contourDepth);
   }
 }
 
@@ -242,12 +213,12 @@ void SliceScene::Parts::showCrosshair() {
   const Eigen::Vector2d low = centre - half;
   const Eigen::Vector2d high = centre + half;
   const double gap = 10.0 * pixelRatio * mmPerPixel;  // the spot itself stays visible
-  setSegments(crosshair,
-              {{Eigen::Vector2d(std::min(low[0], c[0] - gap), c[1]), {c[0] - gap, c[1]}},
-               {Eigen::Vector2d(c[0] + gap, c[1]), {std::max(high[0], c[0] + gap), c[1]}},
-               {Eigen::Vector2d(c[0], std::min(low[1], c[1] - gap)), {c[0], c[1] - gap}},
-               {Eigen::Vector2d(c[0], c[1] + gap), {c[0], std::max(high[1], c[1] + gap)}}},
-              crosshairDepth);
+  crosshair.setSegments(
+      {{Eigen::Vector2d(std::min(low[0], c[0] - gap), c[1]), {c[0] - gap, c[1]}},
+       {Eigen::Vector2d(c[0] + gap, c[1]), {std::max(high[0], c[0] + gap), c[1]}},
+       {Eigen::Vector2d(c[0], std::min(low[1], c[1] - gap)), {c[0], c[1] - gap}},
+       {Eigen::Vector2d(c[0], c[1] + gap), {c[0], std::max(high[1], c[1] + gap)}}},
+      crosshairDepth);
 }
 
 void SliceScene::Parts::showSeeds() {
@@ -282,7 +253,7 @@ void SliceScene::Parts::showRoi() {
   std::vector<std::array<Eigen::Vector2d, 2>> sides;
   for (std::size_t k = 0; k < polygon.size(); ++k)
     sides.push_back({polygon[k], polygon[(k + 1) % polygon.size()]});
-  setSegments(roiLine, sides, roiDepth);
+  roiLine.setSegments(sides, roiDepth);
 }
 
 void SliceScene::Parts::showTexts() {
