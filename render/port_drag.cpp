@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Seen this nearly end-on (cosine), a way along the normal is no way on the screen.
+/// Seen this nearly end-on (cosine), a way along the vessel is no way on the screen.
 constexpr double kEndOn = 0.95;
 /// The centre line's direction is taken over so many points to either side.
 constexpr std::size_t kReach = 3;
@@ -59,8 +59,14 @@ PortDrag::PortDrag(const PortMark& mark, Grip grip, double arrowMm, const ViewRa
 
 CutPlane PortDrag::moved(const ViewRay& ray, bool free) {
   if (grip_ == Grip::Arrow) return tilted(ray);
-  if (free) return acrossView(ray);
+  if (grip_ == Grip::Turn) return turned(ray);
+  if (free || endOn()) return acrossView(ray);
   return mark_.path.empty() ? alongNormal(ray) : slid(ray);
+}
+
+bool PortDrag::endOn() const {
+  const Vector3d way = mark_.path.empty() ? mark_.plane.normalLps : tangent(start_);
+  return std::fabs(way.dot(first_.direction)) > kEndOn;
 }
 
 double PortDrag::distance(std::size_t point, const ViewRay& ray) const {
@@ -99,7 +105,6 @@ CutPlane PortDrag::slid(const ViewRay& ray) {
 CutPlane PortDrag::alongNormal(const ViewRay& ray) const {
   const Vector3d& normal = mark_.plane.normalLps;
   const double slope = normal.dot(first_.direction);
-  if (std::fabs(slope) > kEndOn) return acrossView(ray);
   const Vector3d way = acrossView(ray).pointLps - mark_.plane.pointLps;
   // Of the ways along the normal the one that looks as long on the screen.
   const Vector3d seen = normal - slope * first_.direction;
@@ -124,6 +129,15 @@ CutPlane PortDrag::tilted(const ViewRay& ray) const {
   }
   if (!(tip.norm() > 1e-9)) return mark_.plane;
   return {centre, tip.normalized()};
+}
+
+CutPlane PortDrag::turned(const ViewRay& ray) const {
+  const CutPlane& plane = mark_.plane;
+  const Vector3d& axis = first_.direction;
+  const Vector3d from = grabbed_ - plane.pointLps;
+  const Vector3d to = meets(ray, plane.pointLps, axis) - plane.pointLps;
+  const double angle = std::atan2(axis.dot(from.cross(to)), from.dot(to));
+  return {plane.pointLps, (Eigen::AngleAxisd(angle, axis) * plane.normalLps).normalized()};
 }
 
 }  // namespace angiomesh

@@ -13,10 +13,11 @@ struct ViewRay {
 };
 
 /// Where a disc goes while the mouse drags it. The disc follows its vessel, tilted as it is to the
-/// centre line; without one it goes along its normal. By the arrow it is tilted about its centre.
+/// centre line; without one it goes along its normal; where that way is seen end-on it goes across.
+/// By the arrow it is tilted about its centre, or turned about the line of sight.
 class PortDrag {
  public:
-  enum class Grip { Disc, Arrow };
+  enum class Grip { Disc, Arrow, Turn };
 
   /// @param arrowMm how long the arrow is shown
   PortDrag(const PortMark& mark, Grip grip, double arrowMm, const ViewRay& ray);
@@ -25,10 +26,12 @@ class PortDrag {
   [[nodiscard]] CutPlane moved(const ViewRay& ray, bool free);
 
  private:
+  [[nodiscard]] bool endOn() const;
   [[nodiscard]] CutPlane slid(const ViewRay& ray);
   [[nodiscard]] CutPlane alongNormal(const ViewRay& ray) const;
   [[nodiscard]] CutPlane acrossView(const ViewRay& ray) const;
   [[nodiscard]] CutPlane tilted(const ViewRay& ray) const;
+  [[nodiscard]] CutPlane turned(const ViewRay& ray) const;
   [[nodiscard]] double distance(std::size_t point, const ViewRay& ray) const;
   [[nodiscard]] Eigen::Vector3d tangent(std::size_t point) const;
 
@@ -38,6 +41,12 @@ class PortDrag {
   ViewRay first_;
   Eigen::Vector3d grabbed_;
   std::size_t start_ = 0, grabbedAt_ = 0, at_ = 0;  ///< points of the path
+};
+
+/// What of a mark is under the mouse.
+struct PortHit {
+  std::size_t mark = 0;
+  PortDrag::Grip grip = PortDrag::Grip::Disc;
 };
 
 }  // namespace angiomesh

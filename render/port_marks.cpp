@@ -58,13 +58,6 @@ vtkSmartPointer<vtkMatrix4x4> placement(const CutPlane& plane, double along, dou
   return matrix;
 }
 
-double fromSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d ab = b - a;
-  const double length = ab.squaredNorm();
-  const double t = length > 0.0 ? std::clamp((p - a).dot(ab) / length, 0.0, 1.0) : 0.0;
-  return (p - a - t * ab).norm();
-}
-
 /// Distance from a convex outline on the screen, 0 inside.
 double fromDisc(const Vector2d& p, const std::vector<Vector2d>& outline) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -72,7 +65,7 @@ double fromDisc(const Vector2d& p, const std::vector<Vector2d>& outline) {
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const Vector2d& a = outline[k];
     const Vector2d& b = outline[(k + 1) % outline.size()];
-    nearest = std::min(nearest, fromSegment(p, a, b));
+    nearest = std::min(nearest, distanceToSegment(p, a, b));
     const double side = (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
     left = left && side >= 0.0;
     right = right && side <= 0.0;
@@ -251,11 +244,11 @@ void PortMarks::Parts::placeNames() {
   }
 }
 
-std::optional<PortMarks::Hit> PortMarks::at(double displayX, double displayY) const {
+std::optional<PortHit> PortMarks::at(double displayX, double displayY) const {
   const Parts& p = *parts_;
   const Vector2d here(displayX, displayY);
   const double reach = kGripPixels * p.pixelRatio;
-  std::optional<Hit> hit;
+  std::optional<PortHit> hit;
   double least = reach;
   for (std::size_t i = 0; i < p.marks.size(); ++i) {
     const PortMark& mark = p.marks[i];
@@ -264,10 +257,10 @@ std::optional<PortMarks::Hit> PortMarks::at(double displayX, double displayY) co
       return displayOf(p.renderer, mark.plane.pointLps + share * arrowMm(i) * mark.plane.normalLps);
     };
     // The part by the disc belongs to the disc.
-    const double off = fromSegment(here, point(0.5), point(1.0));
+    const double off = distanceToSegment(here, point(0.5), point(1.0));
     if (off < least) {
       least = off;
-      hit = Hit{i, PortDrag::Grip::Arrow};
+      hit = PortHit{i, PortDrag::Grip::Arrow};
     }
   }
   if (hit) return hit;
@@ -286,7 +279,7 @@ std::optional<PortMarks::Hit> PortMarks::at(double displayX, double displayY) co
     const double pixel = mmPerPixelAt(p.renderer, mark.plane.pointLps);
     if (fromDisc(here, outline) > 0.5 * reach || pixel >= depth) continue;
     depth = pixel;  // grows with the distance from the eye
-    hit = Hit{i, PortDrag::Grip::Disc};
+    hit = PortHit{i, PortDrag::Grip::Disc};
   }
   return hit;
 }

@@ -25,12 +25,8 @@ class PortMarks {
   /// To be called before each frame: arrows and names keep a size on the screen.
   void follow(double pixelRatio);
 
-  struct Hit {
-    std::size_t mark = 0;
-    PortDrag::Grip grip = PortDrag::Grip::Disc;
-  };
   /// The movable mark at a display position; arrows lie before discs.
-  [[nodiscard]] std::optional<Hit> at(double displayX, double displayY) const;
+  [[nodiscard]] std::optional<PortHit> at(double displayX, double displayY) const;
   [[nodiscard]] double arrowMm(std::size_t mark) const;
 
  private:

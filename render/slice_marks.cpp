@@ -15,6 +15,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "render/surface_pick.h"
 
 namespace angiomesh {
 
@@ -28,16 +31,22 @@ constexpr double kHeadShare = 0.3;  // of the arrow's length
 
 using Segments = std::vector<std::array<Vector2d, 2>>;
 
-void addArrow(const Vector2d& from, const Vector2d& along, Segments& segments) {
+/// Of one mark on a slice: the section of its disc, and its arrow with the shaft first.
+struct MarkLines {
+  Segments disc, arrow;
+};
+
+Segments arrowOf(const Vector2d& from, const Vector2d& along) {
   const Vector2d tip = from + along;
   const Vector2d aside(-along.y(), along.x());
-  segments.push_back({from, tip});
+  Segments segments{{from, tip}};
   for (const double side : {-1.0, 1.0})
     segments.push_back({tip, tip - kHeadShare * along + side * 0.6 * kHeadShare * aside});
+  return segments;
 }
 
-/// The lines of one mark on a slice; none away from it.
-Segments linesOf(const PortMark& mark, const SlicePlane& plane) {
+/// None away from the slice.
+MarkLines linesOf(const PortMark& mark, const SlicePlane& plane) {
   const Vector3d u = mark.plane.normalLps.unitOrthogonal();
   const Vector3d v = mark.plane.normalLps.cross(u);
   const double radius = mark.discRadiusMm();
@@ -47,7 +56,7 @@ Segments linesOf(const PortMark& mark, const SlicePlane& plane) {
     rim.push_back(
         plane.fromLps(mark.plane.pointLps + radius * (std::cos(angle) * u + std::sin(angle) * v)));
   }
-  Segments segments;
+  MarkLines lines;
   std::vector<Vector2d> crossings;
   bool flat = true;
   for (std::size_t k = 0; k < rim.size(); ++k) {
@@ -61,13 +70,20 @@ Segments linesOf(const PortMark& mark, const SlicePlane& plane) {
       (plane.fromLps(mark.plane.pointLps + radius * mark.plane.normalLps) - centre).head<2>();
   if (flat) {
     for (std::size_t k = 0; k < rim.size(); ++k)
-      segments.push_back({rim[k].head<2>(), rim[(k + 1) % rim.size()].head<2>()});
+      lines.disc.push_back({rim[k].head<2>(), rim[(k + 1) % rim.size()].head<2>()});
   } else if (crossings.size() == 2) {
-    segments.push_back({crossings[0], crossings[1]});
+    lines.disc.push_back({crossings[0], crossings[1]});
     if (normal.norm() > 0.05 * radius)
-      addArrow(0.5 * (crossings[0] + crossings[1]), normal, segments);
+      lines.arrow = arrowOf(0.5 * (crossings[0] + crossings[1]), normal);
   }
-  return segments;
+  return lines;
+}
+
+double distanceTo(const Segments& segments, const Vector2d& place) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& segment : segments)
+    least = std::min(least, distanceToSegment(place, segment[0], segment[1]));
+  return least;
 }
 
 }  // namespace
@@ -76,6 +92,8 @@ struct SliceMarks::Parts {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkActor> actor;
   std::vector<PortMark> marks;
+  SlicePlane plane;
+  bool visible = false;
 };
 
 SliceMarks::SliceMarks(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
@@ -93,18 +111,25 @@ SliceMarks::~SliceMarks() = default;
 
 void SliceMarks::set(std::vector<PortMark> marks) { parts_->marks = std::move(marks); }
 
+const std::vector<PortMark>& SliceMarks::marks() const { return parts_->marks; }
+
 void SliceMarks::show(const SlicePlane& plane, bool visible, double depth, double pixelRatio) {
+  parts_->plane = plane;
+  parts_->visible = visible;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
   for (const PortMark& mark : visible ? parts_->marks : std::vector<PortMark>()) {
-    for (const auto& segment : linesOf(mark, plane)) {
-      const vtkIdType a = points->InsertNextPoint(segment[0][0], segment[0][1], depth);
-      const vtkIdType b = points->InsertNextPoint(segment[1][0], segment[1][1], depth);
-      lines->InsertNextCell({a, b});
-      colours->InsertNextTuple3(255.0 * mark.colour[0], 255.0 * mark.colour[1],
-                                255.0 * mark.colour[2]);
+    const MarkLines drawn = linesOf(mark, plane);
+    for (const Segments* segments : {&drawn.disc, &drawn.arrow}) {
+      for (const auto& segment : *segments) {
+        const vtkIdType a = points->InsertNextPoint(segment[0][0], segment[0][1], depth);
+        const vtkIdType b = points->InsertNextPoint(segment[1][0], segment[1][1], depth);
+        lines->InsertNextCell({a, b});
+        colours->InsertNextTuple3(255.0 * mark.colour[0], 255.0 * mark.colour[1],
+                                  255.0 * mark.colour[2]);
+      }
     }
   }
   parts_->data->SetPoints(points);
@@ -112,6 +137,25 @@ void SliceMarks::show(const SlicePlane& plane, bool visible, double depth, doubl
   parts_->data->GetCellData()->SetScalars(colours);
   parts_->actor->SetVisibility(lines->GetNumberOfCells() > 0);
   parts_->actor->GetProperty()->SetLineWidth(static_cast<float>(2.5 * pixelRatio));
+}
+
+std::optional<PortHit> SliceMarks::at(const Vector2d& place, double reachMm) const {
+  std::optional<PortHit> hit;
+  double least = reachMm;
+  const auto offer = [&](double distance, std::size_t mark, PortDrag::Grip grip) {
+    if (distance >= least) return;
+    least = distance;
+    hit = PortHit{mark, grip};
+  };
+  for (std::size_t i = 0; parts_->visible && i < parts_->marks.size(); ++i) {
+    if (!parts_->marks[i].movable) continue;
+    const MarkLines lines = linesOf(parts_->marks[i], parts_->plane);
+    offer(distanceTo(lines.disc, place), i, PortDrag::Grip::Disc);
+    if (lines.arrow.empty()) continue;
+    const auto& [from, tip] = lines.arrow.front();
+    offer(distanceToSegment(place, 0.5 * (from + tip), tip), i, PortDrag::Grip::Turn);
+  }
+  return hit;
 }
 
 }  // namespace angiomesh

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "render/port_drag.h"
 #include "render/port_mark.h"
 #include "render/slice_raster.h"
 
@@ -23,6 +25,10 @@ class SliceMarks {
   void set(std::vector<PortMark> marks);
   /// @param depth of the flat scene, towards the viewer
   void show(const SlicePlane& plane, bool visible, double depth, double pixelRatio);
+  [[nodiscard]] const std::vector<PortMark>& marks() const;
+  /// The movable mark nearest to a place of the slice last shown, mm, within `reachMm`: its line or
+  /// the outer half of its arrow, which turns it.
+  [[nodiscard]] std::optional<PortHit> at(const Eigen::Vector2d& place, double reachMm) const;
 
  private:
   struct Parts;

@@ -18,6 +18,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,6 +35,7 @@ namespace {
 /// Depths of the flat scene's layers, towards the viewer.
 constexpr double roiDepth = 1.0, contourDepth = 2.0, portDepth = 2.5, crosshairDepth = 3.0,
                  seedDepth = 4.0;
+constexpr double gripPixels = 8.0;  // design pixels around a port's lines
 
 }  // namespace
 
@@ -382,6 +384,21 @@ void SliceScene::setSeeds(std::vector<Eigen::Vector3d> lps) {
 void SliceScene::setPorts(std::vector<PortMark> marks) {
   parts_->ports.set(std::move(marks));
   parts_->showPorts();
+}
+
+const std::vector<PortMark>& SliceScene::ports() const { return parts_->ports.marks(); }
+
+std::optional<PortHit> SliceScene::portAt(double displayX, double displayY) const {
+  Parts& p = *parts_;
+  return p.ports.at(p.toScene(displayX, displayY), gripPixels * p.pixelRatio * p.mmPerPixel);
+}
+
+ViewRay SliceScene::rayAt(double displayX, double displayY) const {
+  const SlicePlane& plane = parts_->plane;
+  const Eigen::Vector3d corner = plane.toLps({0.0, 0.0});
+  const Eigen::Vector3d across =
+      (plane.toLps({0.0, 1.0}) - corner).cross(plane.toLps({1.0, 0.0}) - corner);
+  return {lpsAt(displayX, displayY), across.normalized()};
 }
 
 void SliceScene::setRoi(const std::optional<RoiBox>& roi) {

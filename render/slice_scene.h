@@ -9,6 +9,7 @@
 
 #include "core/image/volume.h"
 #include "render/pane_axes.h"
+#include "render/port_drag.h"
 #include "render/port_mark.h"
 #include "render/slice_raster.h"
 
@@ -60,6 +61,11 @@ class SliceScene {
   void setContours(std::vector<ContourLayer> contours);
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setPorts(std::vector<PortMark> marks);
+  [[nodiscard]] const std::vector<PortMark>& ports() const;
+  /// The movable port whose mark is seen at a display position.
+  [[nodiscard]] std::optional<PortHit> portAt(double displayX, double displayY) const;
+  /// Through the slice, across it.
+  [[nodiscard]] ViewRay rayAt(double displayX, double displayY) const;
   void setRoi(const std::optional<RoiBox>& roi);
   [[nodiscard]] const std::optional<RoiBox>& roi() const;
 

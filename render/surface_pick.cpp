@@ -58,6 +58,14 @@ double mmPerPixelAt(vtkRenderer* renderer, const Vector3d& point) {
   return std::max((point - view.eye).dot(view.forward), 1e-9) / view.pixelsPerSlope;
 }
 
+double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                         const Eigen::Vector2d& b) {
+  const Eigen::Vector2d ab = b - a;
+  const double length = ab.squaredNorm();
+  const double t = length > 0.0 ? std::clamp((p - a).dot(ab) / length, 0.0, 1.0) : 0.0;
+  return (p - a - t * ab).norm();
+}
+
 std::optional<Vector3d> firstHit(const TriMesh& mesh, const ViewRay& ray) {
   // Moeller & Trumbore 1997, "Fast, minimum storage ray-triangle intersection".
   double nearest = std::numeric_limits<double>::infinity();

@@ -20,6 +20,10 @@ Eigen::Vector2d displayOf(vtkRenderer* renderer, const Eigen::Vector3d& point);
 /// The length at a point that looks one pixel long.
 double mmPerPixelAt(vtkRenderer* renderer, const Eigen::Vector3d& point);
 
+/// Of a point from a segment, on the screen.
+double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                         const Eigen::Vector2d& b);
+
 /// Where a line of sight first meets a mesh, from either side.
 std::optional<Eigen::Vector3d> firstHit(const TriMesh& mesh, const ViewRay& ray);
 

@@ -340,7 +340,7 @@ std::optional<Eigen::Vector3d> SurfaceScene::surfaceAt(double displayX, double d
   return firstHit(*parts_->mesh, rayAt(displayX, displayY));
 }
 
-std::optional<PortMarks::Hit> SurfaceScene::portAt(double displayX, double displayY) const {
+std::optional<PortHit> SurfaceScene::portAt(double displayX, double displayY) const {
   const auto hit = gripAt(displayX, displayY);
   if (!hit) return std::nullopt;
   const auto surface = surfaceAt(displayX, displayY);
@@ -353,11 +353,11 @@ std::optional<PortMarks::Hit> SurfaceScene::portAt(double displayX, double displ
   return hit;
 }
 
-std::optional<PortMarks::Hit> SurfaceScene::gripAt(double displayX, double displayY) const {
+std::optional<PortHit> SurfaceScene::gripAt(double displayX, double displayY) const {
   return parts_->ports.at(displayX, displayY);
 }
 
-PortDrag SurfaceScene::grabPort(const PortMarks::Hit& hit, double displayX, double displayY) const {
+PortDrag SurfaceScene::grabPort(const PortHit& hit, double displayX, double displayY) const {
   return {ports()[hit.mark], hit.grip, parts_->ports.arrowMm(hit.mark), rayAt(displayX, displayY)};
 }
 

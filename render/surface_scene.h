@@ -69,11 +69,10 @@ class SurfaceScene {
   /// Where the visible surface lies under a display position.
   [[nodiscard]] std::optional<Eigen::Vector3d> surfaceAt(double displayX, double displayY) const;
   /// The movable port under a display position, unless the surface hides it.
-  [[nodiscard]] std::optional<PortMarks::Hit> portAt(double displayX, double displayY) const;
+  [[nodiscard]] std::optional<PortHit> portAt(double displayX, double displayY) const;
   /// The same whatever hides it, and fast.
-  [[nodiscard]] std::optional<PortMarks::Hit> gripAt(double displayX, double displayY) const;
-  [[nodiscard]] PortDrag grabPort(const PortMarks::Hit& hit, double displayX,
-                                  double displayY) const;
+  [[nodiscard]] std::optional<PortHit> gripAt(double displayX, double displayY) const;
+  [[nodiscard]] PortDrag grabPort(const PortHit& hit, double displayX, double displayY) const;
   /// Display position of a point.
   [[nodiscard]] Eigen::Vector2d displayAt(const Eigen::Vector3d& lps) const;
   /// Of the arrow's tip of a port, mm LPS.

@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <type_traits>
 
 #include "gui/model/case_ports.h"
 #include "gui/view/slice_view.h"
@@ -74,21 +75,20 @@ void ViewGrid::connectPorts() {
     setCrosshair({x, y, z});
     surface_->lookAt({x, y, z}, kRadiiAround * radiusMm);
   });
-  connect(surface_, &SurfaceView::portPressed, &ports_, &CasePorts::select);
-  connect(surface_, &SurfaceView::portDragged, &ports_, &CasePorts::drag);
-  connect(surface_, &SurfaceView::portDropped, &ports_, &CasePorts::drop);
-  connect(surface_, &SurfaceView::menuRequested, this, &ViewGrid::menuRequested);
-  const auto cut = [this](double x, double y, double z) {
-    ports_.cutHere({x, y, z});
-    state_.setTool(Tool::Navigate);
+  const auto link = [this](auto* view) {
+    using View = std::remove_pointer_t<decltype(view)>;
+    connect(view, &View::portPressed, &ports_, &CasePorts::select);
+    connect(view, &View::portDragged, &ports_, &CasePorts::drag);
+    connect(view, &View::portDropped, &ports_, &CasePorts::drop);
+    connect(view, &View::menuRequested, this, &ViewGrid::menuRequested);
+    connect(view, &View::cutPicked, this, [this](double x, double y, double z) {
+      ports_.cutHere({x, y, z});
+      state_.setTool(Tool::Navigate);
+    });
   };
-  connect(surface_, &SurfaceView::cutPicked, this, cut);
+  link(surface_);
   for (SliceView* view : slices_) {
-    connect(view, &SliceView::cutPicked, this, cut);
-    connect(view, &SliceView::menuRequested, this,
-            [this](const QPoint& global, double x, double y, double z) {
-              Q_EMIT menuRequested(global, Eigen::Vector3d(x, y, z), QString());
-            });
+    link(view);
   }
   refreshPorts();
 }

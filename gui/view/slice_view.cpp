@@ -15,7 +15,7 @@ namespace angiomesh {
 
 namespace {
 
-enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi };
+enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port };
 
 constexpr double clickDistance = 3.0;  // Qt pixels: a shorter way is a click, not a drag
 
@@ -31,6 +31,9 @@ struct SliceView::State {
   double contrastPerPixel = 1.0;  // change of window or level per Qt pixel of a drag
   Eigen::Vector3d roiCorner{0.0, 0.0, 0.0};
   std::optional<RoiBox> roiBefore;
+  std::optional<PortDrag> portDrag;  // of the port grabbed
+  QString grabbed;
+  bool portMoved = false, portTurned = false;
   SlabMode lastSlabMode = SlabMode::Mip;
 };
 
@@ -127,12 +130,9 @@ void SliceView::setPorts(std::vector<PortMark> marks) {
 void SliceView::setTool(Tool tool) {
   if (tool == state_->tool) return;  // a drag under way goes on
   if (state_->drag == Drag::Roi) setRoi(state_->roiBefore);
-  state_->drag = Drag::None;
+  if (state_->drag != Drag::Port) state_->drag = Drag::None;
   state_->tool = tool;
-  if (tool == Tool::Navigate)
-    unsetCursor();
-  else
-    QWidget::setCursor(Qt::CrossCursor);
+  showPointer(state_->last);
 }
 
 Tool SliceView::tool() const { return state_->tool; }
@@ -251,6 +251,8 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     s.drag = Drag::Roi;
     s.roiCorner = lpsAt(event->position());
     s.roiBefore = s.scene.roi();
+  } else if (!event->modifiers().testFlag(Qt::ControlModifier) && grabPort(event->position())) {
+    s.drag = Drag::Port;
   } else if (s.scheme == MouseScheme::Engineering && s.tool == Tool::Navigate) {
     s.drag = Drag::Crosshair;
     moveCrosshair(event->position());
@@ -269,6 +271,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     case Drag::None:
       if (event->buttons() == Qt::NoButton && event->modifiers().testFlag(Qt::ShiftModifier))
         moveCrosshair(position);
+      if (event->buttons() == Qt::NoButton) showPointer(position);
       break;
     case Drag::Contrast:
       // A seed's click may shake a little without changing the contrast.
@@ -292,18 +295,19 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
       if (!s.mayBeClick)
         if (const std::optional<RoiBox> box = roiTo(position)) setRoi(box);
       break;
+    case Drag::Port:
+      dragPort(position, event->modifiers().testFlag(Qt::ShiftModifier));
+      break;
   }
   hover(position);
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   State& s = *state_;
-  const bool leftDrag =
-      s.drag == Drag::Contrast || s.drag == Drag::Crosshair || s.drag == Drag::Roi;
-  const Qt::MouseButton held = leftDrag               ? Qt::LeftButton
+  const Qt::MouseButton held = s.drag == Drag::None   ? Qt::NoButton
                                : s.drag == Drag::Pan  ? Qt::MiddleButton
                                : s.drag == Drag::Zoom ? Qt::RightButton
-                                                      : Qt::NoButton;
+                                                      : Qt::LeftButton;
   if (event->button() != held) return;
   const Drag ended = s.drag;
   s.drag = Drag::None;
@@ -313,14 +317,65 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     else
       setRoi(s.roiBefore);
   }
+  if (ended == Drag::Port) {
+    s.portDrag.reset();
+    if (s.portMoved) Q_EMIT portDropped();
+  }
   if (!s.mayBeClick) return;
   const std::optional<Eigen::Vector3d> place = picked();
   if (!place) return;
   const Eigen::Vector3d& p = *place;
   if (ended == Drag::Contrast && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
   if (ended == Drag::Contrast && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
-  if (ended == Drag::Zoom)
-    Q_EMIT menuRequested(event->globalPosition().toPoint(), p[0], p[1], p[2]);
+  if (ended == Drag::Zoom) {
+    const std::optional<PortHit> hit = portAt(s.pressed);
+    Q_EMIT menuRequested(event->globalPosition().toPoint(), p,
+                         hit ? QString::fromStdString(s.scene.ports()[hit->mark].name) : QString());
+  }
+}
+
+std::optional<PortHit> SliceView::portAt(const QPointF& position) const {
+  const Eigen::Vector2d at = toDisplay(position);
+  const bool grabs = state_->tool == Tool::Navigate || state_->tool == Tool::CutVessel;
+  return grabs ? state_->scene.portAt(at[0], at[1]) : std::nullopt;
+}
+
+bool SliceView::grabPort(const QPointF& position) {
+  State& s = *state_;
+  const std::optional<PortHit> hit = portAt(position);
+  if (!hit) return false;
+  const Eigen::Vector2d at = toDisplay(position);
+  const PortMark& mark = s.scene.ports()[hit->mark];
+  s.portDrag.emplace(mark, hit->grip, mark.discRadiusMm(), s.scene.rayAt(at[0], at[1]));
+  s.grabbed = QString::fromStdString(mark.name);
+  s.portMoved = false;
+  s.portTurned = hit->grip == PortDrag::Grip::Turn;
+  Q_EMIT portPressed(s.grabbed);
+  return true;
+}
+
+void SliceView::dragPort(const QPointF& position, bool free) {
+  State& s = *state_;
+  if (s.mayBeClick) return;
+  const Eigen::Vector2d at = toDisplay(position);
+  const CutPlane plane = s.portDrag->moved(s.scene.rayAt(at[0], at[1]), free);
+  s.portMoved = true;
+  Q_EMIT portDragged(s.grabbed, plane);
+  if (s.portTurned) return;
+  // A vessel leaves the slice: all panes go where its disc went.
+  const Eigen::Vector3d& p = plane.pointLps;
+  setCursor(p);
+  Q_EMIT cursorMoved(p[0], p[1], p[2]);
+}
+
+void SliceView::showPointer(const QPointF& position) {
+  if (const std::optional<PortHit> hit = portAt(position))
+    QWidget::setCursor(hit->grip == PortDrag::Grip::Turn ? Qt::PointingHandCursor
+                                                         : Qt::SizeAllCursor);
+  else if (state_->tool == Tool::Navigate)
+    unsetCursor();
+  else
+    QWidget::setCursor(Qt::CrossCursor);
 }
 
 std::optional<Eigen::Vector3d> SliceView::picked() const {

@@ -24,6 +24,8 @@ enum class MouseScheme { Radiology, Engineering };
 /// (Ctrl: zooms, Alt: slab thickness), Shift with the moving mouse sets the crosshair, a double
 /// click asks to maximise, arrow keys step slices (Shift: by 10), R resets the view; Ctrl with the
 /// left drag changes window and level in fine steps; a click of the right button asks for a menu.
+/// The left button drags the disc of a port along its vessel (Shift: within the slice), and the
+/// crosshair goes with it; by the tip of its arrow it is turned in the slice.
 class SliceView : public VtkView {
   Q_OBJECT
 
@@ -75,7 +77,12 @@ class SliceView : public VtkView {
   void slabChanged(double thicknessMm);                  ///< by the user; 0: slab off
   void seedPicked(double x, double y, double z);
   void cutPicked(double x, double y, double z);
-  void menuRequested(const QPoint& global, double x, double y, double z);
+  /// `port` is empty off the ports.
+  void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
+                     const QString& port);
+  void portPressed(const QString& name);
+  void portDragged(const QString& name, const CutPlane& plane);
+  void portDropped();
   void roiDrawn(const RoiBox& roi);
   /// "value, voxel i,j,k, L 12.3 P 4.1 S 30.0 mm"; empty outside the image.
   void hovered(const QString& text);
@@ -100,6 +107,11 @@ class SliceView : public VtkView {
   /// What is under the pressed position, as the pane shows it; nothing outside the image.
   [[nodiscard]] std::optional<Eigen::Vector3d> picked() const;
   void hover(const QPointF& position);
+  /// While the tool lets ports be grabbed.
+  [[nodiscard]] std::optional<PortHit> portAt(const QPointF& position) const;
+  bool grabPort(const QPointF& position);
+  void dragPort(const QPointF& position, bool free);
+  void showPointer(const QPointF& position);
 
   struct State;
   std::unique_ptr<State> state_;

@@ -189,6 +189,114 @@ class TestPorts : public QObject {
     QCOMPARE(c.undoCount(), count);
   }
 
+  void theDiscIsDraggedAndTurnedInSlices() {
+    PortCase c;
+    c.cutAt(0.5);
+    c.ports().visit("inlet");
+    const GivenCut given = c.cut(0);
+    const Eigen::Vector3d normal = given.normalLps->normalized();
+    const int undos = c.undoCount();
+    const auto key = c.controller().parameters().ports.cuts;
+    SliceView* slice = c.window->views().slice(1);
+    slice->grabFramebuffer();
+    const QPointF centre = slice->positionOf(given.pointLps);
+    const QPointF ahead = slice->positionOf(given.pointLps - 2.5 * normal);
+
+    // Along the vessel, away from the arrow: the panes go where the disc goes.
+    QSignalSpy contrast(slice, &SliceView::windowLevelChanged);
+    c.ports().select({});
+    c.drag(slice, centre.toPoint(), ahead.toPoint());
+    QCOMPARE(c.undoCount(), undos + 1);
+    QCOMPARE(c.controller().undoStack()->undoText(), QString("move the cut inlet"));
+    QVERIFY(c.ports().selected() && c.ports().selected()->name == "inlet");
+    QVERIFY(contrast.isEmpty());
+    const Eigen::Vector3d moved = c.cut(0).pointLps - given.pointLps;
+    QVERIFY2(std::abs(moved.dot(normal) + 2.5) < 0.5, qPrintable(QString::number(moved.norm())));
+    QVERIFY(moved.cross(normal).norm() < 0.5);
+    QVERIFY((c.window->views().crosshair() - c.cut(0).pointLps).norm() < 0.01);
+    c.undo();
+    QVERIFY(c.controller().parameters().ports.cuts == key);
+
+    // By its arrow about its centre, in the plane of the slice.
+    slice->grabFramebuffer();
+    const double length = 1.3 * c.ports().selected()->radiusMm;
+    const Eigen::Vector3d aside = Eigen::Vector3d::UnitY().cross(normal);
+    const Eigen::Vector3d wanted = (normal + 0.5 * aside).normalized();
+    c.drag(slice, slice->positionOf(given.pointLps + length * normal).toPoint(),
+           slice->positionOf(given.pointLps + length * wanted).toPoint());
+    QCOMPARE(c.undoCount(), undos + 1);
+    QCOMPARE(c.controller().undoStack()->undoText(), QString("tilt the cut inlet"));
+    QVERIFY(c.cut(0).normalLps->normalized().dot(wanted) > 0.98);
+    QVERIFY((c.cut(0).pointLps - given.pointLps).norm() < 1e-9);
+    c.undo();
+
+    // Pressed without a way it is selected alone; other tools and Ctrl leave it where it is.
+    slice->grabFramebuffer();
+    c.ports().select({});
+    QTest::mouseClick(slice, Qt::LeftButton, Qt::NoModifier, centre.toPoint());
+    QVERIFY(c.ports().selected());
+    QVERIFY(c.controller().parameters().ports.cuts == key);
+    c.state().setTool(Tool::PickSeed);
+    c.drag(slice, centre.toPoint(), ahead.toPoint());
+    QVERIFY(!contrast.isEmpty());
+    QVERIFY(c.controller().parameters().ports.cuts == key);
+    c.state().setTool(Tool::Navigate);
+
+    // The tool changes while it is held: it can still be dropped.
+    QTest::mousePress(slice, Qt::LeftButton, Qt::NoModifier, centre.toPoint());
+    QMouseEvent move(QEvent::MouseMove, ahead, slice->mapToGlobal(ahead), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(slice, &move);
+    QVERIFY(c.ports().dragging());
+    c.state().setTool(Tool::DrawRoi);
+    QTest::mouseRelease(slice, Qt::LeftButton, Qt::NoModifier, ahead.toPoint());
+    QVERIFY(!c.ports().dragging());
+    QVERIFY(c.controller().parameters().ports.cuts != key);
+    c.state().setTool(Tool::Navigate);
+    c.undo();
+
+    // A right click on it offers what can be done with it.
+    c.window->views().setCrosshair(given.pointLps);
+    slice->grabFramebuffer();
+    c.rightClick(slice, centre.toPoint());
+    auto* menu = c.find<QMenu>("portMenu");
+    QVERIFY(menu && menu->actions().size() == 4);
+    menu->close();
+  }
+
+  void theDiscFollowsItsVesselOutOfTheSlice() {
+    PortCase c({}, coil());
+    c.cutAt(0.5);
+    c.ports().visit("inlet");
+    const Eigen::Vector3d from = c.cut(0).pointLps;
+    SliceView* slice = c.window->views().slice(2);
+    slice->grabFramebuffer();
+    const int before = slice->slice();
+    // Round the coil's axis, which rises.
+    const Geometry& g = c.controller().image()->geometry;
+    const Eigen::Vector3d middle = g.toPhysical({21.5, 21.5, 21.5});
+    const auto rotated = [&](double angle) {
+      const Eigen::Vector3d arm = from - middle;
+      return Eigen::Vector3d(middle + Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * arm);
+    };
+    QTest::mousePress(slice, Qt::LeftButton, Qt::NoModifier, slice->positionOf(from).toPoint());
+    for (int k = 1; k <= 12; ++k) {
+      const QPointF at = slice->positionOf(rotated(0.1 * k));
+      QMouseEvent move(QEvent::MouseMove, at, slice->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                       Qt::NoModifier);
+      QApplication::sendEvent(slice, &move);
+    }
+    QVERIFY(c.ports().dragging());
+    QVERIFY(slice->slice() != before);
+    QTest::mouseRelease(slice, Qt::LeftButton, Qt::NoModifier,
+                        slice->positionOf(rotated(1.2)).toPoint());
+    const Eigen::Vector3d there = c.cut(0).pointLps;
+    QVERIFY((there - rotated(1.2)).head<2>().norm() < 1.0);
+    QVERIFY(std::abs(there.z() - from.z()) > 1.0);
+    QVERIFY(c.ports().selected()->state != PortRow::State::Impossible);
+    QCOMPARE(slice->slice(), static_cast<int>(std::round(g.toIndex(there)[2])));
+  }
+
   void aDragElsewhereTurnsTheView() {
     PortCase c;
     c.cutAt(0.5);

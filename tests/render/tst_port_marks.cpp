@@ -158,6 +158,28 @@ class TestPortMarks : public QObject {
     QVERIFY((away.moved(alongY(3.0, 1.0), false).pointLps - Vector3d(3.0, 0.0, 1.0)).norm() < 1e-9);
   }
 
+  void aVesselSeenEndOnLetsTheDiscGoAcross() {
+    PortMark mark = markAt({1.0, 0.0, 0.0}, {0.3, 1.0, 0.0});
+    for (int k = -20; k <= 20; ++k) mark.path.emplace_back(1.0, 0.5 * k, 0.0);
+    PortDrag drag(mark, PortDrag::Grip::Disc, 5.0, alongY(1.0, 0.0));
+    const CutPlane moved = drag.moved(alongY(2.0, 0.5), false);
+    QVERIFY((moved.pointLps - Vector3d(2.0, 0.0, 0.5)).norm() < 1e-9);
+    QVERIFY((moved.normalLps - mark.plane.normalLps).norm() < 1e-12);
+  }
+
+  void theArrowTurnsAboutTheLineOfSight() {
+    const PortMark mark = markAt({1.0, 2.0, 3.0}, {0.0, -0.3, 1.0});
+    // Grabbed anywhere, it turns as the mouse does.
+    for (const double grabbed : {2.0, 10.0}) {
+      PortDrag drag(mark, PortDrag::Grip::Turn, 10.0, alongY(1.0, 3.0 + grabbed));
+      const CutPlane turned = drag.moved(alongY(6.0, 3.0), false);
+      QVERIFY((turned.pointLps - mark.plane.pointLps).norm() < 1e-12);
+      QVERIFY((turned.normalLps - Vector3d(1.0, -0.3, 0.0).normalized()).norm() < 1e-9);
+      const CutPlane none = drag.moved(alongY(1.0, 3.0), false);
+      QVERIFY((none.normalLps - mark.plane.normalLps).norm() < 1e-9);
+    }
+  }
+
   void theArrowTilts() {
     const PortMark mark = markAt({1.0, 2.0, 3.0}, {0.0, -0.1, 1.0});
     PortDrag drag(mark, PortDrag::Grip::Arrow, 10.0, alongY(1.0, 13.0));
@@ -225,6 +247,53 @@ class TestPortMarks : public QObject {
     QCOMPARE(cyanOf(window), 0);
     scene.setPorts({markAt({20.0, 20.0, 5.0}, {1.0, 0.0, 0.0}, 8.0)});
     QCOMPARE(cyanOf(window), 0);
+    window->RemoveRenderer(scene.renderer());
+  }
+
+  void slicesFindDiscsAndArrows() {
+    SliceScene scene;
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering(1);
+    window->SetSize(300, 240);
+    window->AddRenderer(scene.renderer());
+    Geometry g;
+    g.size = {41, 41, 41};
+    // Oblique, with slices thicker than pixels.
+    g.spacing = {1.0, 1.0, 2.0};
+    g.direction = Eigen::AngleAxisd(0.2, Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+    scene.setImage(std::make_shared<Volume<float>>(g));
+    scene.setSlice(20);
+    const Vector3d u = g.direction.col(0), v = g.direction.col(1), w = g.direction.col(2);
+    const Vector3d middle = g.toPhysical({20.0, 20.0, 20.0});
+    const auto hitAt = [&](const Vector3d& lps) {
+      const Vector2d at = scene.displayAt(lps);
+      return scene.portAt(at[0], at[1]);
+    };
+    QVERIFY(!hitAt(middle));
+    scene.setPorts({markAt({500.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), markAt(middle, u, 8.0)});
+    for (const double along : {-9.0, 0.0, 9.0}) {
+      const auto hit = hitAt(middle + along * v);
+      QVERIFY(hit && hit->mark == 1 && hit->grip == PortDrag::Grip::Disc);
+    }
+    const auto tip = hitAt(middle + scene.ports()[1].discRadiusMm() * u);
+    QVERIFY(tip && tip->mark == 1 && tip->grip == PortDrag::Grip::Turn);
+    QVERIFY(!hitAt(middle - 6.0 * u) && !hitAt(middle + 16.0 * v));
+    const Vector2d at = scene.displayAt(middle);
+    const ViewRay ray = scene.rayAt(at[0], at[1]);
+    QVERIFY((ray.from - middle).norm() < 1e-9 && ray.direction.cross(w).norm() < 1e-9);
+    // An opening that nobody cut stays where it is.
+    PortMark fixed = markAt(middle, u, 8.0);
+    fixed.movable = false;
+    scene.setPorts({fixed});
+    QVERIFY(!hitAt(middle));
+    // In the slice the outline is found; beside its slice nothing is.
+    scene.setPorts({markAt(middle, w, 8.0)});
+    const auto rim = hitAt(middle + scene.ports()[0].discRadiusMm() * u);
+    QVERIFY(rim && rim->grip == PortDrag::Grip::Disc && !hitAt(middle));
+    scene.setSlice(23);
+    QVERIFY(!hitAt(middle + scene.ports()[0].discRadiusMm() * u));
+    scene.setImage(nullptr);
+    QVERIFY(!hitAt(middle));
     window->RemoveRenderer(scene.renderer());
   }
 
