@@ -7,6 +7,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QStringList>
+#include <QTemporaryDir>
 
 /// What one call of angiomesh-cli did.
 struct CliResult {
@@ -55,3 +56,13 @@ inline CliResult runCliWithFileLimit(const QString& folder, const QStringList& a
 inline QStringList filesIn(const QString& folder) {
   return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
 }
+
+/// A folder that is gone after the test.
+struct CliFolder {
+  QTemporaryDir dir;
+
+  [[nodiscard]] QString at(const QString& name) const { return dir.filePath(name); }
+  [[nodiscard]] CliResult cli(const QStringList& arguments) const {
+    return runCli(dir.path(), arguments);
+  }
+};

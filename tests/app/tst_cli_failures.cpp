@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QElapsedTimer>
-#include <QTemporaryDir>
 #include <QTest>
 #include <csignal>
 #include <limits>
@@ -28,15 +27,10 @@ QByteArray metaImage(const char* dimensions, const char* size, const QByteArray&
 }  // namespace
 
 // Bad input, bad parameters, bad output places: one line, the right exit code, nothing left behind.
-class TestCliFailures : public QObject {
+class TestCliFailures : public QObject, CliFolder {
   Q_OBJECT
 
  private:
-  QTemporaryDir dir_;
-
-  QString at(const QString& name) const { return dir_.filePath(name); }
-  CliResult cli(const QStringList& arguments) const { return runCli(dir_.path(), arguments); }
-
   void verifyRefused(const CliResult& result, const QStringList& filesBefore) {
     QVERIFY2(!result.crashed, result.errors.constData());
     const QList<QByteArray> lines = result.errorLines();
@@ -44,12 +38,12 @@ class TestCliFailures : public QObject {
     QVERIFY2(lines[0].startsWith("angiomesh-cli: error: "), lines[0].constData());
     QVERIFY2(lines[0].count(": ") >= 3, "what, where: what to do");
     QCOMPARE(result.code, 2);
-    QCOMPARE(filesIn(dir_.path()), filesBefore);
+    QCOMPARE(filesIn(dir.path()), filesBefore);
   }
 
  private Q_SLOTS:
   void initTestCase() {
-    QVERIFY(dir_.isValid());
+    QVERIFY(dir.isValid());
     PhantomParams params;
     params.kind = PhantomKind::Tube;
     params.size = {32, 32, 32};
@@ -82,7 +76,7 @@ class TestCliFailures : public QObject {
     Volume<float> holed = phantom.image;
     holed.at(5, 6, 7) = std::numeric_limits<float>::quiet_NaN();
     writeVolume(holed, at("nan.nrrd").toStdString());
-    QVERIFY(QDir(dir_.path()).mkdir("folder"));
+    QVERIFY(QDir(dir.path()).mkdir("folder"));
     writeBytes(at("bad.json"), "{\"levelset\": {\"gamma\": }");
     writeBytes(at("unknown.json"), "{\"levelset\": {\"gama\": 0.5}}");
     writeBytes(at("mesh.ply"), "ply\nformat ascii 1.0\nelement vertex 3\n");
@@ -99,7 +93,7 @@ class TestCliFailures : public QObject {
 
   void badInput() {
     QFETCH(QString, input);
-    const QStringList before = filesIn(dir_.path());
+    const QStringList before = filesIn(dir.path());
     verifyRefused(cli({"run", input, "-o", "out"}), before);
     verifyRefused(cli({"info", input}), before);
     verifyRefused(cli({"vesselness", input, "-o", "v.nrrd"}), before);
@@ -165,12 +159,12 @@ class TestCliFailures : public QObject {
 
   void badCommandLine() {
     QFETCH(QStringList, arguments);
-    const QStringList before = filesIn(dir_.path());
+    const QStringList before = filesIn(dir.path());
     verifyRefused(cli(arguments), before);
   }
 
   void aRangeWithoutVesselsFindsNoSeedOrNoSurface() {
-    const QStringList before = filesIn(dir_.path());
+    const QStringList before = filesIn(dir.path());
     verifyRefused(cli({"run", "good.mha", "-o", "out", "--set", "vesselness.sigmaMinMm=25", "--set",
                        "vesselness.sigmaMaxMm=30"}),
                   before);
@@ -194,7 +188,7 @@ class TestCliFailures : public QObject {
 
   void badOutputPlace() {
     QFETCH(QStringList, arguments);
-    const QStringList before = filesIn(dir_.path());
+    const QStringList before = filesIn(dir.path());
     verifyRefused(cli(arguments), before);
   }
 
@@ -213,8 +207,8 @@ class TestCliFailures : public QObject {
 
   void aFullMediumLeavesNothingBehind() {
     QFETCH(QStringList, arguments);
-    const QStringList before = filesIn(dir_.path());
-    verifyRefused(runCliWithFileLimit(dir_.path(), arguments, 1), before);
+    const QStringList before = filesIn(dir.path());
+    verifyRefused(runCliWithFileLimit(dir.path(), arguments, 1), before);
   }
 
   void aFormerResultSurvivesAFullMedium() {
@@ -223,9 +217,9 @@ class TestCliFailures : public QObject {
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray bytes = file.readAll();
     file.close();
-    const QStringList before = filesIn(dir_.path());
-    verifyRefused(
-        runCliWithFileLimit(dir_.path(), {"convert", "noisy.mha", "-o", "former.nrrd"}, 1), before);
+    const QStringList before = filesIn(dir.path());
+    verifyRefused(runCliWithFileLimit(dir.path(), {"convert", "noisy.mha", "-o", "former.nrrd"}, 1),
+                  before);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), bytes);
   }
@@ -239,9 +233,9 @@ class TestCliFailures : public QObject {
   void interruptCancelsCleanly() {
     QFETCH(int, signal);
     QCOMPARE(cli({"phantom", "tree", "--size", "64", "--noise", "20", "-o", "long"}).code, 0);
-    const QStringList before = filesIn(dir_.path());
+    const QStringList before = filesIn(dir.path());
     QProcess process;
-    process.setWorkingDirectory(dir_.path());
+    process.setWorkingDirectory(dir.path());
     process.start(ANGIOMESH_CLI, {"--progress", "json", "run", "long/image.mha", "-o", "deep/out",
                                   "--set", "levelset.maxIterations=100000", "--set",
                                   "levelset.tolerance=1e-9", "--set", "levelset.toleranceDelta=0"});
@@ -260,7 +254,7 @@ class TestCliFailures : public QObject {
     QVERIFY(!result.crashed);
     QCOMPARE(result.code, 4);
     QVERIFY(result.errors.contains("cancelled"));
-    QCOMPARE(filesIn(dir_.path()), before);
+    QCOMPARE(filesIn(dir.path()), before);
   }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QFile>
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 
@@ -31,17 +30,13 @@ QByteArray solidsOf(const QString& path) {
 }  // namespace
 
 // Inlets and outlets from the command line to the files that a solver takes.
-class TestCliPorts : public QObject {
+class TestCliPorts : public QObject, CliFolder {
   Q_OBJECT
 
  private:
-  QTemporaryDir dir_;
   std::vector<Port> ports_;
 
-  QString at(const QString& name) const { return dir_.filePath(name); }
   std::filesystem::path place(const QString& name) const { return at(name).toStdString(); }
-  CliResult cli(const QStringList& arguments) const { return runCli(dir_.path(), arguments); }
-
   // The file holds the ports that the run wrote.
   void holdsThePorts(const QString& file) const {
     const LoadedMesh back = loadMesh(place(file));

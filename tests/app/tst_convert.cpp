@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
 
@@ -14,24 +13,22 @@ using namespace angiomesh;
 using namespace angiomesh::test;
 
 /// Meshes from one format to another on the command line.
-class TestConvert : public QObject {
+class TestConvert : public QObject, CliFolder {
   Q_OBJECT
 
  private:
-  QTemporaryDir dir_;
   const Eigen::Vector3d centre_{10, 20, 30};
 
-  CliResult cli(const QStringList& arguments) { return runCli(dir_.path(), arguments); }
-  [[nodiscard]] std::filesystem::path at(const QString& name) const {
-    return dir_.filePath(name).toStdString();
+  [[nodiscard]] std::filesystem::path place(const QString& name) const {
+    return dir.filePath(name).toStdString();
   }
   [[nodiscard]] QByteArray bytes(const QString& name) const {
-    QFile file(dir_.filePath(name));
+    QFile file(dir.filePath(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
   [[nodiscard]] Eigen::Vector3d middle(const QString& name) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    const TriMesh mesh = readMesh(at(name));
+    const TriMesh mesh = readMesh(place(name));
     for (const auto& p : mesh.points) sum += p;
     return sum / static_cast<double>(mesh.points.size());
   }
@@ -43,7 +40,7 @@ class TestConvert : public QObject {
     MeshWriteOptions write;
     write.encoding = MeshEncoding::Ascii;
     write.patchNames = {"wall", "wall_1", "roe_jane"};
-    writeMesh(mesh, at("solids.stl"), write);
+    writeMesh(mesh, place("solids.stl"), write);
   }
   static std::vector<std::uint16_t> readPatches() { return {1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2}; }
 
@@ -51,7 +48,7 @@ class TestConvert : public QObject {
   void initTestCase() {
     TriMesh ball = shapes::icosphere(2);
     for (auto& p : ball.points) p = centre_ + 5.0 * p;
-    writeMesh(ball, at("ball.ply"));
+    writeMesh(ball, place("ball.ply"));
     // The same without a word on its frame, and inside out.
     QByteArray text;
     for (const auto& p : ball.points)
@@ -61,7 +58,7 @@ class TestConvert : public QObject {
       faces += QString("f %1 %2 %3\n").arg(t[0] + 1).arg(t[1] + 1).arg(t[2] + 1).toLatin1();
       turned += QString("f %1 %3 %2\n").arg(t[0] + 1).arg(t[1] + 1).arg(t[2] + 1).toLatin1();
     }
-    QFile silent(dir_.filePath("silent.obj")), inside(dir_.filePath("inside.obj"));
+    QFile silent(dir.filePath("silent.obj")), inside(dir.filePath("inside.obj"));
     QVERIFY(silent.open(QIODevice::WriteOnly) && inside.open(QIODevice::WriteOnly));
     silent.write(text + faces);
     inside.write("# SPACE=LPS\n" + text + turned);
@@ -82,7 +79,7 @@ class TestConvert : public QObject {
     QFETCH(QStringList, more);
     const CliResult result = cli(QStringList{"convert", "ball.ply", "-o", name} + more);
     QVERIFY2(result.code == 0 && result.errors.isEmpty(), result.errors.constData());
-    const LoadedMesh mesh = loadMesh(at(name));
+    const LoadedMesh mesh = loadMesh(place(name));
     QVERIFY(isClosed(mesh.mesh));
     QVERIFY((middle(name) - centre_).norm() < 1e-5);
     QCOMPARE(mesh.hasNormals, more.contains("--normals"));
@@ -133,7 +130,7 @@ class TestConvert : public QObject {
     const CliResult result = cli({"convert", "inside.obj", "-o", "turned.vtp"});
     QCOMPARE(result.code, 0);
     QVERIFY(result.errors.contains("inside out"));
-    QVERIFY(loadMesh(at("turned.vtp")).warnings.empty());
+    QVERIFY(loadMesh(place("turned.vtp")).warnings.empty());
   }
 
   void solidsGoFromStlToStl() {
@@ -144,7 +141,7 @@ class TestConvert : public QObject {
       const CliResult result = cli(command);
       QCOMPARE(result.code, 0);
       QCOMPARE(result.errors.contains("--solid-names"), !named);
-      const LoadedMesh back = loadMesh(at("again.stl"));
+      const LoadedMesh back = loadMesh(place("again.stl"));
       QCOMPARE(back.patchNames,
                (std::vector<std::string>{"wall", "wall_1", named ? "roe_jane" : "part-2"}));
       QCOMPARE(back.mesh.patch, readPatches());
@@ -164,7 +161,7 @@ class TestConvert : public QObject {
       const CliResult result = cli(command);
       QCOMPARE(result.code, 0);
       QCOMPARE(result.errors.contains("--solid-names"), !named);
-      const LoadedMesh back = loadMesh(at(name));
+      const LoadedMesh back = loadMesh(place(name));
       QCOMPARE(back.patchNames.back(), std::string(named ? "roe_jane" : "part-2"));
       QCOMPARE(back.mesh.patch, readPatches());
     }
@@ -176,7 +173,7 @@ class TestConvert : public QObject {
     QCOMPARE(result.code, 0);
     QVERIFY(result.errors.contains("patches are lost") && result.errors.contains("VTP"));
     QVERIFY(!result.errors.contains("--solid-names"));
-    QVERIFY(loadMesh(at("lost.stl")).mesh.patch.empty());
+    QVERIFY(loadMesh(place("lost.stl")).mesh.patch.empty());
   }
 
   void eachPatchGoesToAFileOfItsOwn() {
@@ -184,29 +181,29 @@ class TestConvert : public QObject {
     const CliResult result = cli({"convert", "solids.stl", "-o", "all.ply", "--patch-files",
                                   "--solid-names", "--unit", "m"});
     QVERIFY2(result.code == 0 && result.errors.isEmpty(), result.errors.constData());
-    QCOMPARE(readMesh(at("all.ply")).triangles.size(), std::size_t{12});
-    const LoadedMesh first = loadMesh(at("all_wall_1.ply")),
-                     second = loadMesh(at("all_roe_jane.ply"));
+    QCOMPARE(readMesh(place("all.ply")).triangles.size(), std::size_t{12});
+    const LoadedMesh first = loadMesh(place("all_wall_1.ply")),
+                     second = loadMesh(place("all_roe_jane.ply"));
     QCOMPARE(first.mesh.triangles.size(), std::size_t{8});
     QCOMPARE(second.mesh.triangles.size(), std::size_t{4});
     QVERIFY(second.unit == LengthUnit::Metre);
     QVERIFY(std::abs(surfaceAreaMm2(first.mesh) - 4.0) < 1e-9);
     QVERIFY(std::abs(surfaceAreaMm2(second.mesh) - 2.0) < 1e-9);
-    QVERIFY(!std::filesystem::exists(at("all_wall.ply")));
+    QVERIFY(!std::filesystem::exists(place("all_wall.ply")));
     const CliResult none = cli({"convert", "ball.ply", "-o", "none.ply", "--patch-files"});
     QCOMPARE(none.code, 2);
-    QVERIFY(none.errors.contains("no patches") && !std::filesystem::exists(at("none.ply")));
+    QVERIFY(none.errors.contains("no patches") && !std::filesystem::exists(place("none.ply")));
   }
 
   void aCaseForOpenFoamIsWritten() {
     MeshWriteOptions write;
     write.patchNames = {"wall", "inlet_1", "roe_jane"};
-    writeMesh(cappedTube(24, 9, 2.0), at("tube.vtp"), write);
+    writeMesh(cappedTube(24, 9, 2.0), place("tube.vtp"), write);
     const QStringList command{"convert", "tube.vtp", "-o", "foam", "--openfoam"};
     const CliResult result = cli(command);
     QCOMPARE(result.code, 0);
     QVERIFY(result.errors.contains("--solid-names"));
-    const LoadedMesh surface = loadMesh(at("foam/constant/triSurface/vessel.stl"));
+    const LoadedMesh surface = loadMesh(place("foam/constant/triSurface/vessel.stl"));
     QCOMPARE(surface.patchNames, (std::vector<std::string>{"wall", "inlet_1", "part-2"}));
     QVERIFY(surface.unit == LengthUnit::Metre);
     QVERIFY(bytes("foam/system/snappyHexMeshDict").contains("part-2 { name part-2; }"));
@@ -225,7 +222,7 @@ class TestConvert : public QObject {
     const CliResult result =
         cli({"smooth", "solids.stl", "-o", "smooth.vtp", "--set", "smooth.method=taubin"});
     QVERIFY2(result.code == 0, result.errors.constData());
-    const LoadedMesh back = loadMesh(at("smooth.vtp"));
+    const LoadedMesh back = loadMesh(place("smooth.vtp"));
     QCOMPARE(back.mesh.patch, readPatches());
     QCOMPARE(back.patchNames.back(), std::string("part-2"));
   }
@@ -243,11 +240,11 @@ class TestConvert : public QObject {
   }
   void whatTheOutputHasNotIsRefused() {
     QFETCH(QString, line);
-    const QStringList before = filesIn(dir_.path());
+    const QStringList before = filesIn(dir.path());
     const CliResult result = cli(line.split(' '));
     QCOMPARE(result.code, 2);
     QCOMPARE(result.errorLines().size(), 1);
-    QCOMPARE(filesIn(dir_.path()), before);
+    QCOMPARE(filesIn(dir.path()), before);
   }
 };
 

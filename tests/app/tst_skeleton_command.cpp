@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 
@@ -12,27 +11,22 @@
 using namespace angiomesh;
 
 // angiomesh-cli skeleton: of a level set function and of a mask, into files and as JSON.
-class TestSkeletonCommand : public QObject {
+class TestSkeletonCommand : public QObject, CliFolder {
   Q_OBJECT
 
  private:
-  QTemporaryDir dir_;
-
-  QString at(const QString& name) const { return dir_.filePath(name); }
-  CliResult cli(const QStringList& arguments) const { return runCli(dir_.path(), arguments); }
-
   void verifyRefused(const QStringList& arguments, const char* what) {
-    const QStringList before = filesIn(dir_.path());
+    const QStringList before = filesIn(dir.path());
     const CliResult result = cli(arguments);
     QCOMPARE(result.code, 2);
     QVERIFY2(result.errorLines().size() == 1, result.errors.constData());
     QVERIFY2(result.errors.contains(what), result.errors.constData());
-    QCOMPARE(filesIn(dir_.path()), before);
+    QCOMPARE(filesIn(dir.path()), before);
   }
 
  private Q_SLOTS:
   void initTestCase() {
-    QVERIFY(dir_.isValid());
+    QVERIFY(dir.isValid());
     PhantomParams params;
     params.kind = PhantomKind::Bifurcation;
     params.size = {48, 48, 48};

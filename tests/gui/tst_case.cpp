@@ -2,68 +2,22 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QPlainTextEdit>
-#include <QProcess>
 #include <QSignalSpy>
-#include <cstdio>
 
 #include "io/case_file.h"
 #include "io/case_journal.h"
-#include "io/image_io.h"
-#include "window_case.h"
+#include "study_case.h"
 
 using namespace angiomesh;
+using angiomesh::test::action;
 using angiomesh::test::kPatienceMs;
+using angiomesh::test::kPatient;
+using angiomesh::test::makeCase;
+using angiomesh::test::Study;
 using angiomesh::test::twoTubes;
 using angiomesh::test::WindowCase;
 
 namespace {
-
-/// In the paths of the sources; nothing of it may get into a case.
-const char* const kPatient = "Doe_Jane";
-
-const char* const kEditAndWait = "--edit-and-wait";
-
-/// A folder with a volume in a place that tells a name.
-struct Study {
-  Study() {
-    QDir(folder.path()).mkpath(QString("%1/scans").arg(kPatient));
-    QDir(folder.path()).mkpath("cases");
-    volume = folder.filePath(QString("%1/scans/%1_tubes.mha").arg(kPatient));
-    writeVolume(*twoTubes().image, volume.toStdString());
-    saved = folder.filePath("cases/vessels.angiomesh");
-    recovery = folder.filePath("recovery").toStdString();
-  }
-  /// Another volume on the same grid.
-  QString otherVolume() const {
-    QString path = folder.filePath("other.mha");
-    Volume<float> image = *twoTubes().image;
-    image.voxels[5] += 1.0F;
-    writeVolume(image, path.toStdString());
-    return path;
-  }
-  [[nodiscard]] int recoveries() const {
-    return static_cast<int>(QDir(QString::fromStdString(recovery.string()))
-                                .entryList(QDir::Dirs | QDir::NoDotAndDotDot)
-                                .size());
-  }
-
-  QTemporaryDir folder;
-  QString volume, saved;
-  std::filesystem::path recovery;
-};
-
-QAction* action(WindowCase& c, const char* name) {
-  return c.window->findChild<QAction*>(QLatin1String(name));
-}
-
-/// Opens the study's volume, edits and saves.
-void makeCase(WindowCase& c, const Study& study) {
-  c.window->open(study.volume);
-  c.controller().setField("levelset.xi", 31.0);
-  c.controller().addSeed({1.0, 2.0, 3.0});
-  c.answers.savePath = study.saved;
-  action(c, "saveCase")->trigger();
-}
 
 void verifyNoName(const QString& folder) {
   QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
@@ -309,72 +263,6 @@ class TestCase : public QObject {
     QVERIFY(c.answers.asked.isEmpty());
   }
 
-  void aCrashLosesNothingOfAnUnsavedCase() {
-    const Study study;
-    {
-      WindowCase c(makeInlineJobRunner, study.recovery);
-      c.window->open(study.volume);
-      c.controller().setField("levelset.xi", 30.0);
-      c.controller().setField("levelset.xi", 31.0, true);
-      c.controller().addSeed({1.0, 2.0, 3.0});
-      QVERIFY(findRecoveries(study.recovery).empty());  // a running window holds it
-    }
-    WindowCase c(makeInlineJobRunner, study.recovery);
-    QVERIFY(!c.window->offerRestore());
-    QCOMPARE(study.recoveries(), 1);
-    c.answers.restore = RestoreAnswer::Restore;
-    QVERIFY(c.window->offerRestore());
-    QVERIFY2(c.answers.asked.last().startsWith("restoreAtStart 2 changes of"),
-             qPrintable(c.answers.asked.last()));
-    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
-    QCOMPARE(c.controller().seeds().size(), std::size_t(1));
-    QVERIFY(c.window->isWindowModified());
-    QCOMPARE(c.controller().undoStack()->count(), 2);
-    c.clickTool("undo");
-    QVERIFY(c.controller().seeds().empty());
-    QVERIFY(c.controller().caseFolder().isEmpty());
-    c.answers.save = SaveAnswer::Discard;
-    QVERIFY(c.window->close());
-    QTRY_COMPARE(study.recoveries(), 0);
-  }
-
-  void theLockOfAKilledProgramDoesNotCount() {
-    const Study study;
-    QByteArray lock;
-    {
-      WindowCase c;
-      makeCase(c, study);
-      QFile file(study.saved + "/case.lock");
-      QVERIFY(file.open(QIODevice::ReadOnly));
-      lock = file.readAll();
-    }
-    // No process has the largest number.
-    lock = "4194304" + lock.mid(lock.indexOf('\n'));
-    QFile file(study.saved + "/case.lock");
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(lock);
-    file.close();
-    WindowCase c;
-    c.window->open(study.saved);
-    QCOMPARE(c.controller().caseFolder(), study.saved);
-  }
-
-  void aKilledWindowLosesNothing() {
-    const Study study;
-    QProcess child;
-    child.start(QCoreApplication::applicationFilePath(),
-                {kEditAndWait, QString::fromStdString(study.recovery.string())});
-    QVERIFY(child.waitForReadyRead(kPatienceMs));
-    QVERIFY(findRecoveries(study.recovery).empty());
-    child.kill();
-    QVERIFY(child.waitForFinished(kPatienceMs));
-    WindowCase c(makeInlineJobRunner, study.recovery);
-    c.answers.restore = RestoreAnswer::Restore;
-    QVERIFY(c.window->offerRestore());
-    QCOMPARE(c.controller().parameters().levelset.xi, 34.0);
-    QCOMPARE(c.controller().image()->geometry.size[0], 128);
-  }
-
   void aMissingVolumeLeavesTheRunAlone() {
     const Study study;
     {
@@ -393,51 +281,6 @@ class TestCase : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(c.answers.asked.size() == 2, kPatienceMs);
     QVERIFY(c.controller().running());
     QCOMPARE(c.controller().caseName(), QString("tree"));
-  }
-
-  void aCrashLosesNothingOfASavedCase() {
-    const Study study;
-    for (const bool atStart : {true, false}) {
-      {
-        WindowCase c;
-        makeCase(c, study);
-        c.controller().setField("levelset.xi", 37.0);
-      }
-      QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
-      WindowCase c;
-      c.answers.restore = RestoreAnswer::Restore;
-      if (atStart) {
-        QVERIFY(c.window->offerRestore());
-      } else {
-        c.window->open(study.saved);
-      }
-      QTRY_COMPARE(c.controller().parameters().levelset.xi, 37.0);
-      QCOMPARE(c.answers.asked.size(), 1);
-      QVERIFY(c.window->isWindowModified());
-      action(c, "saveCase")->trigger();
-      QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 37.0);
-      QVERIFY(readJournal(study.saved.toStdString(), 0).empty());
-      QVERIFY(c.window->close());
-      QVERIFY(!QFile::exists(study.saved + "/case.lock"));
-      WindowCase next;
-      QVERIFY(!next.window->offerRestore());
-      QVERIFY(QDir(study.saved).removeRecursively());
-    }
-  }
-
-  void editsThatAreNotWantedGo() {
-    const Study study;
-    {
-      WindowCase c;
-      makeCase(c, study);
-      c.controller().setField("levelset.xi", 37.0);
-    }
-    WindowCase c;
-    c.answers.restore = RestoreAnswer::Discard;
-    c.window->open(study.saved);
-    QTRY_COMPARE(c.answers.asked.size(), 1);
-    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
-    QTRY_VERIFY(readJournal(study.saved.toStdString(), 0).empty());
   }
 
   void closingAsksAboutUnsavedChanges() {
@@ -521,44 +364,7 @@ class TestCase : public QObject {
     QCOMPARE(steps.size(), std::size_t(1));
     QCOMPARE(steps.front().params.levelset.xi, 90.0);
   }
-
-  void aJournalThatCannotBeWrittenIsSaidOnce() {
-    const Study study;
-    QFile file(QString::fromStdString(study.recovery.string()));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    WindowCase c(makeInlineJobRunner, study.recovery);
-    c.window->open(study.volume);
-    c.controller().setField("levelset.xi", 30.0);
-    c.controller().setField("levelset.xi", 33.0);
-    auto* log = c.find<QPlainTextEdit>("log");
-    QTRY_VERIFY(log->toPlainText().contains("not kept"));
-    QTRY_VERIFY(!c.controller().busy());
-    QCOMPARE(log->toPlainText().count("not kept"), 1);
-    QVERIFY(!log->toPlainText().contains(study.folder.path()));
-    makeCase(c, study);
-    QVERIFY(!c.window->isWindowModified());
-  }
 };
 
-namespace {
-
-/// The child of aKilledWindowLosesNothing(): says when its edit is on the disk, and waits.
-int editAndWait(const QString& recovery) {
-  CaseController controller(makeInlineJobRunner, nullptr, recovery.toStdString());
-  controller.openSample();
-  controller.setField("levelset.xi", 34.0);
-  std::puts("ready");
-  std::fflush(stdout);
-  return QCoreApplication::exec();
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc > 2 && QLatin1String(argv[1]) == QLatin1String(kEditAndWait)) {
-    const QCoreApplication application(argc, argv);
-    return editAndWait(QString::fromLocal8Bit(argv[2]));
-  }
-  return test::runWindowTests<TestCase>(argc, argv);
-}
+int main(int argc, char** argv) { return test::runWindowTests<TestCase>(argc, argv); }
 #include "tst_case.moc"

@@ -18,6 +18,7 @@ using angiomesh::test::coil;
 using angiomesh::test::cutAt;
 using angiomesh::test::kPatienceMs;
 using angiomesh::test::PortCase;
+using angiomesh::test::sendMouse;
 using angiomesh::test::twoTubes;
 using angiomesh::test::WindowCase;
 
@@ -148,10 +149,8 @@ class TestPorts : public QObject {
         QPointF(centre - tip) / std::hypot(centre.x() - tip.x(), centre.y() - tip.y());
     QTest::mousePress(c.view(), Qt::LeftButton, Qt::NoModifier, centre);
     for (int i = 1; i <= 5; ++i) {
-      QMouseEvent move(QEvent::MouseMove, centre + 6.0 * i * away,
-                       c.view()->mapToGlobal(centre + 6.0 * i * away), Qt::NoButton, Qt::LeftButton,
-                       Qt::NoModifier);
-      QApplication::sendEvent(c.view(), &move);
+      sendMouse(*c.view(), QEvent::MouseMove, (centre + 6.0 * i * away).toPoint(), Qt::NoButton,
+                Qt::LeftButton);
     }
     QVERIFY(c.ports().dragging());
     QVERIFY(c.controller().parameters().ports.cuts == key);
@@ -244,9 +243,7 @@ class TestPorts : public QObject {
 
     // The tool changes while it is held: it can still be dropped.
     QTest::mousePress(slice, Qt::LeftButton, Qt::NoModifier, centre.toPoint());
-    QMouseEvent move(QEvent::MouseMove, ahead, slice->mapToGlobal(ahead), Qt::NoButton,
-                     Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(slice, &move);
+    sendMouse(*slice, QEvent::MouseMove, ahead.toPoint(), Qt::NoButton, Qt::LeftButton);
     QVERIFY(c.ports().dragging());
     c.state().setTool(Tool::DrawRoi);
     QTest::mouseRelease(slice, Qt::LeftButton, Qt::NoModifier, ahead.toPoint());
@@ -281,10 +278,8 @@ class TestPorts : public QObject {
     };
     QTest::mousePress(slice, Qt::LeftButton, Qt::NoModifier, slice->positionOf(from).toPoint());
     for (int k = 1; k <= 12; ++k) {
-      const QPointF at = slice->positionOf(rotated(0.1 * k));
-      QMouseEvent move(QEvent::MouseMove, at, slice->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                       Qt::NoModifier);
-      QApplication::sendEvent(slice, &move);
+      const QPoint at = slice->positionOf(rotated(0.1 * k)).toPoint();
+      sendMouse(*slice, QEvent::MouseMove, at, Qt::NoButton, Qt::LeftButton);
     }
     QVERIFY(c.ports().dragging());
     QVERIFY(slice->slice() != before);

@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
-#include <QMouseEvent>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,6 +19,7 @@
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 #include "small_case.h"
+#include "view_events.h"
 
 namespace angiomesh::test {
 
@@ -118,17 +118,7 @@ struct WindowCase {
     }
   }
   void drag(QWidget* widget, const QPoint& from, const QPoint& to) {
-    const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button,
-                          Qt::MouseButtons buttons) {
-      QMouseEvent event(type, at, widget->mapToGlobal(QPointF(at)), button, buttons,
-                        Qt::NoModifier);
-      QApplication::sendEvent(widget, &event);
-    };
-    send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
-    for (int i = 1; i <= 6; ++i) {
-      send(QEvent::MouseMove, from + (to - from) * i / 6, Qt::NoButton, Qt::LeftButton);
-    }
-    send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+    test::drag(*widget, Qt::LeftButton, from, to);
   }
 
   QTemporaryDir folder;

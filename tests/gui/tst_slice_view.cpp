@@ -1,83 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <vtkCamera.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
 
-#include <Eigen/Geometry>
-#include <QApplication>
-#include <QHBoxLayout>
-#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
-#include <QWheelEvent>
 #include <cmath>
 
 #include "gui/view/open_gl.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
+#include "view_events.h"
 
 using namespace angiomesh;
+using angiomesh::test::drag;
+using angiomesh::test::litShare;
+using angiomesh::test::makeImage;
+using angiomesh::test::sendMouse;
+using angiomesh::test::wheel;
 
 namespace {
 
-std::shared_ptr<Volume<float>> makeImage() {
-  Geometry g;
-  g.size = {40, 44, 36};
-  g.spacing = {0.9, 1.0, 1.2};
-  g.direction = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  g.origin = {-20.0, 15.0, 130.0};
-  auto image = std::make_shared<Volume<float>>(g);
-  for (std::size_t p = 0; p < image->voxels.size(); ++p) {
-    const Index3 v = g.indexOf(p);
-    const double r = (Eigen::Vector3d(v[0], v[1], v[2]) - Eigen::Vector3d(20, 22, 18)).norm();
-    image->voxels[p] = static_cast<float>(r < 10.0 ? 1000.0 : 5.0 * (p % 7));
-  }
-  return image;
-}
-
-std::shared_ptr<TriMesh> makeTetrahedron(const Eigen::Vector3d& centre, double size) {
-  auto mesh = std::make_shared<TriMesh>();
-  mesh->points = {
-      centre + size * Eigen::Vector3d(1, 1, 1), centre + size * Eigen::Vector3d(1, -1, -1),
-      centre + size * Eigen::Vector3d(-1, 1, -1), centre + size * Eigen::Vector3d(-1, -1, 1)};
-  mesh->triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
-  return mesh;
-}
-
-void sendMouse(QWidget& widget, QEvent::Type type, const QPoint& at, Qt::MouseButton button,
-               Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-  QMouseEvent event(type, at, widget.mapToGlobal(QPointF(at)), button, buttons, modifiers);
-  QApplication::sendEvent(&widget, &event);
-}
-
-void drag(QWidget& widget, Qt::MouseButton button, const QPoint& from, const QPoint& to,
-          Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-  sendMouse(widget, QEvent::MouseButtonPress, from, button, button, modifiers);
-  for (int step = 1; step <= 5; ++step)
-    sendMouse(widget, QEvent::MouseMove, from + (to - from) * step / 5, Qt::NoButton, button,
-              modifiers);
-  sendMouse(widget, QEvent::MouseButtonRelease, to, button, Qt::NoButton, modifiers);
-}
-
-void wheel(QWidget& widget, const QPoint& at, const QPoint& delta,
-           Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-  QWheelEvent event(at, widget.mapToGlobal(QPointF(at)), QPoint(), delta, Qt::NoButton, modifiers,
-                    Qt::NoScrollPhase, false);
-  QApplication::sendEvent(&widget, &event);
-}
-
 Eigen::Vector3d position(const QList<QVariant>& arguments) {
   return {arguments[0].toDouble(), arguments[1].toDouble(), arguments[2].toDouble()};
-}
-
-/// Share of the pixels that are not nearly black.
-double litShare(const QImage& picture) {
-  int lit = 0;
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x)
-      if (qGray(picture.pixel(x, y)) > 60) ++lit;
-  return static_cast<double>(lit) / (picture.width() * picture.height());
 }
 
 /// Middle of the nearly white pixels.
@@ -95,7 +38,7 @@ QPointF brightSpot(const QImage& picture) {
 
 }  // namespace
 
-class TestViews : public QObject {
+class TestSliceView : public QObject {
   Q_OBJECT
 
  private:
@@ -411,117 +354,6 @@ class TestViews : public QObject {
     QVERIFY(litShare(view.grabFramebuffer()) > 0.02);
   }
 
-  void surfaceTurnsAndNewOnesKeepTheCamera() {
-    SurfaceView view;
-    view.resize(300, 260);
-    view.setImage(image_);
-    view.setMipVisible(false);
-    const Eigen::Vector3d centre = image_->geometry.toPhysical({20, 22, 18});
-    view.setSurface(makeTetrahedron(centre, 12.0));
-    view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
-    QVERIFY(litShare(view.grabFramebuffer()) > 0.03);
-    vtkCamera* camera = view.renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
-    const Eigen::Vector3d start(camera->GetPosition());
-    drag(view, Qt::LeftButton, {100, 100}, {170, 130});
-    const Eigen::Vector3d turned(camera->GetPosition());
-    QVERIFY((turned - start).norm() > 5.0);
-    view.setSurface(makeTetrahedron(centre, 3.0));
-    view.grabFramebuffer();
-    QVERIFY((Eigen::Vector3d(camera->GetPosition()) - turned).norm() < 1e-9);
-    const double distance = camera->GetDistance();
-    wheel(view, {100, 100}, {0, 120});
-    QVERIFY(camera->GetDistance() < distance);
-    const std::array<std::pair<char, Eigen::Vector3d>, 6> sides{{{'A', {0, -1, 0}},
-                                                                 {'P', {0, 1, 0}},
-                                                                 {'L', {1, 0, 0}},
-                                                                 {'R', {-1, 0, 0}},
-                                                                 {'S', {0, 0, 1}},
-                                                                 {'I', {0, 0, -1}}}};
-    for (const auto& [side, from] : sides) {
-      view.viewFrom(side);
-      Eigen::Vector3d forward;
-      camera->GetDirectionOfProjection(forward.data());
-      QVERIFY((forward + from).norm() < 1e-9);
-    }
-    QTest::keyClick(&view, Qt::Key_L);
-    Eigen::Vector3d forward;
-    camera->GetDirectionOfProjection(forward.data());
-    QVERIFY((forward - Eigen::Vector3d(-1, 0, 0)).norm() < 1e-9);
-    for (const char key : {'q', 'e', 'w', 'p', '3'}) QTest::keyClick(&view, key);
-    QVERIFY(litShare(view.grabFramebuffer()) > 0.001);
-  }
-
-  void twoViewsCanShareACamera() {
-    SurfaceView first;
-    SurfaceView second;
-    for (SurfaceView* view : {&first, &second}) {
-      view->resize(240, 220);
-      view->setSurface(makeTetrahedron({10, 20, 30}, 8.0));
-      view->show();
-      QVERIFY(QTest::qWaitForWindowExposed(view));
-    }
-    connect(&first, &SurfaceView::cameraMoved, &second, [&] { second.takeCameraOf(first); });
-    connect(&second, &SurfaceView::cameraMoved, &first, [&] { first.takeCameraOf(second); });
-    const auto camera = [](SurfaceView& view) {
-      return view.renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
-    };
-    const Eigen::Vector3d start(camera(second)->GetPosition());
-    drag(first, Qt::LeftButton, {100, 100}, {150, 120});
-    const Eigen::Vector3d moved(camera(second)->GetPosition());
-    QVERIFY((moved - start).norm() > 1.0);
-    QVERIFY((moved - Eigen::Vector3d(camera(first)->GetPosition())).norm() < 1e-9);
-    wheel(second, {100, 100}, {0, 120});
-    QVERIFY(std::abs(camera(first)->GetDistance() - camera(second)->GetDistance()) < 1e-9);
-  }
-
-  void manySnapshotsMakeFewFrames() {
-    SurfaceView view;
-    view.resize(300, 260);
-    view.setImage(image_);
-    view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
-    QTest::qWait(100);
-    QSignalSpy frames(&view, &VtkView::rendered);
-    const Eigen::Vector3d centre = image_->geometry.toPhysical({20, 22, 18});
-    for (int k = 0; k < 50; ++k) view.setSurface(makeTetrahedron(centre, 1.0 + 0.2 * k));
-    QTRY_VERIFY(frames.count() >= 1);
-    QVERIFY(frames.count() < 10);
-  }
-
-  void viewsComeAndGo() {
-    for (int round = 0; round < 4; ++round) {
-      auto window = std::make_unique<QWidget>();
-      auto* layout = new QHBoxLayout(window.get());
-      std::vector<SliceView*> slices;
-      for (int plane = 0; plane < 3; ++plane) {
-        slices.push_back(new SliceView);
-        slices.back()->setPlane(plane);
-        slices.back()->setImage(image_);
-        layout->addWidget(slices.back());
-      }
-      auto* surface = new SurfaceView;
-      surface->setImage(image_);
-      surface->setSurface(makeTetrahedron(image_->geometry.origin, 20.0));
-      layout->addWidget(surface);
-      window->resize(900, 240);
-      if (round % 2 == 0) {  // some are destroyed without ever having been shown
-        window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
-        QVERIFY(litShare(slices[0]->grabFramebuffer()) > 0.02);
-        // To another top level and back: a new OpenGL context each time.
-        surface->setParent(nullptr);
-        surface->show();
-        QVERIFY(QTest::qWaitForWindowExposed(surface));
-        QVERIFY(litShare(surface->grabFramebuffer()) > 0.01);
-        layout->addWidget(surface);
-        surface->show();
-        QTest::qWait(50);
-        QVERIFY(litShare(surface->grabFramebuffer()) > 0.01);
-      }
-    }
-  }
-
   void pixelRatioReachesTheScene() {
     const auto view = sliceView(2);
     const int* size = view->renderWindow()->GetSize();
@@ -533,7 +365,7 @@ class TestViews : public QObject {
 int main(int argc, char** argv) {
   prepareOpenGl();
   QApplication application(argc, argv);
-  TestViews test;
+  TestSliceView test;
   return QTest::qExec(&test, argc, argv);
 }
-#include "tst_views.moc"
+#include "tst_slice_view.moc"

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QFile>
+#include <QPlainTextEdit>
+#include <QProcess>
+#include <cstdio>
+
+#include "io/case_file.h"
+#include "io/case_journal.h"
+#include "study_case.h"
+
+using namespace angiomesh;
+using angiomesh::test::action;
+using angiomesh::test::kPatienceMs;
+using angiomesh::test::makeCase;
+using angiomesh::test::Study;
+using angiomesh::test::WindowCase;
+
+namespace {
+
+const char* const kEditAndWait = "--edit-and-wait";
+
+/// The child of aKilledWindowLosesNothing(): says when its edit is on the disk, and waits.
+int editAndWait(const QString& recovery) {
+  CaseController controller(makeInlineJobRunner, nullptr, recovery.toStdString());
+  controller.openSample();
+  controller.setField("levelset.xi", 34.0);
+  std::puts("ready");
+  std::fflush(stdout);
+  return QCoreApplication::exec();
+}
+
+}  // namespace
+
+class TestCaseRecovery : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() { QSettings().clear(); }
+
+  void aCrashLosesNothingOfAnUnsavedCase() {
+    const Study study;
+    {
+      WindowCase c(makeInlineJobRunner, study.recovery);
+      c.window->open(study.volume);
+      c.controller().setField("levelset.xi", 30.0);
+      c.controller().setField("levelset.xi", 31.0, true);
+      c.controller().addSeed({1.0, 2.0, 3.0});
+      QVERIFY(findRecoveries(study.recovery).empty());  // a running window holds it
+    }
+    WindowCase c(makeInlineJobRunner, study.recovery);
+    QVERIFY(!c.window->offerRestore());
+    QCOMPARE(study.recoveries(), 1);
+    c.answers.restore = RestoreAnswer::Restore;
+    QVERIFY(c.window->offerRestore());
+    QVERIFY2(c.answers.asked.last().startsWith("restoreAtStart 2 changes of"),
+             qPrintable(c.answers.asked.last()));
+    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QCOMPARE(c.controller().seeds().size(), std::size_t(1));
+    QVERIFY(c.window->isWindowModified());
+    QCOMPARE(c.controller().undoStack()->count(), 2);
+    c.clickTool("undo");
+    QVERIFY(c.controller().seeds().empty());
+    QVERIFY(c.controller().caseFolder().isEmpty());
+    c.answers.save = SaveAnswer::Discard;
+    QVERIFY(c.window->close());
+    QTRY_COMPARE(study.recoveries(), 0);
+  }
+
+  void theLockOfAKilledProgramDoesNotCount() {
+    const Study study;
+    QByteArray lock;
+    {
+      WindowCase c;
+      makeCase(c, study);
+      QFile file(study.saved + "/case.lock");
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      lock = file.readAll();
+    }
+    // No process has the largest number.
+    lock = "4194304" + lock.mid(lock.indexOf('\n'));
+    QFile file(study.saved + "/case.lock");
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(lock);
+    file.close();
+    WindowCase c;
+    c.window->open(study.saved);
+    QCOMPARE(c.controller().caseFolder(), study.saved);
+  }
+
+  void aKilledWindowLosesNothing() {
+    const Study study;
+    QProcess child;
+    child.start(QCoreApplication::applicationFilePath(),
+                {kEditAndWait, QString::fromStdString(study.recovery.string())});
+    QVERIFY(child.waitForReadyRead(kPatienceMs));
+    QVERIFY(findRecoveries(study.recovery).empty());
+    child.kill();
+    QVERIFY(child.waitForFinished(kPatienceMs));
+    WindowCase c(makeInlineJobRunner, study.recovery);
+    c.answers.restore = RestoreAnswer::Restore;
+    QVERIFY(c.window->offerRestore());
+    QCOMPARE(c.controller().parameters().levelset.xi, 34.0);
+    QCOMPARE(c.controller().image()->geometry.size[0], 128);
+  }
+
+  void aCrashLosesNothingOfASavedCase() {
+    const Study study;
+    for (const bool atStart : {true, false}) {
+      {
+        WindowCase c;
+        makeCase(c, study);
+        c.controller().setField("levelset.xi", 37.0);
+      }
+      QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+      WindowCase c;
+      c.answers.restore = RestoreAnswer::Restore;
+      if (atStart) {
+        QVERIFY(c.window->offerRestore());
+      } else {
+        c.window->open(study.saved);
+      }
+      QTRY_COMPARE(c.controller().parameters().levelset.xi, 37.0);
+      QCOMPARE(c.answers.asked.size(), 1);
+      QVERIFY(c.window->isWindowModified());
+      action(c, "saveCase")->trigger();
+      QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 37.0);
+      QVERIFY(readJournal(study.saved.toStdString(), 0).empty());
+      QVERIFY(c.window->close());
+      QVERIFY(!QFile::exists(study.saved + "/case.lock"));
+      WindowCase next;
+      QVERIFY(!next.window->offerRestore());
+      QVERIFY(QDir(study.saved).removeRecursively());
+    }
+  }
+
+  void editsThatAreNotWantedGo() {
+    const Study study;
+    {
+      WindowCase c;
+      makeCase(c, study);
+      c.controller().setField("levelset.xi", 37.0);
+    }
+    WindowCase c;
+    c.answers.restore = RestoreAnswer::Discard;
+    c.window->open(study.saved);
+    QTRY_COMPARE(c.answers.asked.size(), 1);
+    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QTRY_VERIFY(readJournal(study.saved.toStdString(), 0).empty());
+  }
+
+  void aJournalThatCannotBeWrittenIsSaidOnce() {
+    const Study study;
+    QFile file(QString::fromStdString(study.recovery.string()));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    WindowCase c(makeInlineJobRunner, study.recovery);
+    c.window->open(study.volume);
+    c.controller().setField("levelset.xi", 30.0);
+    c.controller().setField("levelset.xi", 33.0);
+    auto* log = c.find<QPlainTextEdit>("log");
+    QTRY_VERIFY(log->toPlainText().contains("not kept"));
+    QTRY_VERIFY(!c.controller().busy());
+    QCOMPARE(log->toPlainText().count("not kept"), 1);
+    QVERIFY(!log->toPlainText().contains(study.folder.path()));
+    makeCase(c, study);
+    QVERIFY(!c.window->isWindowModified());
+  }
+};
+
+int main(int argc, char** argv) {
+  if (argc > 2 && QLatin1String(argv[1]) == QLatin1String(kEditAndWait)) {
+    const QCoreApplication application(argc, argv);
+    return editAndWait(QString::fromLocal8Bit(argv[2]));
+  }
+  return test::runWindowTests<TestCaseRecovery>(argc, argv);
+}
+#include "tst_case_recovery.moc"
