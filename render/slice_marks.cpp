@@ -2,12 +2,9 @@
 #include "render/slice_marks.h"
 
 #include <vtkActor.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -17,6 +14,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/slice_layer.h"
 #include "render/surface_pick.h"
 
 namespace angiomesh {
@@ -89,54 +87,43 @@ double distanceTo(const Segments& segments, const Vector2d& place) {
 }  // namespace
 
 struct SliceMarks::Parts {
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkActor> actor;
+  SliceLayer layer;
   std::vector<PortMark> marks;
-  SlicePlane plane;
-  bool visible = false;
+  std::vector<MarkLines> lines;  ///< of the marks on the slice last shown; none before
 };
 
 SliceMarks::SliceMarks(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(parts_->data);
-  mapper->SetScalarModeToUseCellData();
-  parts_->actor->SetMapper(mapper);
-  parts_->actor->GetProperty()->LightingOff();
-  parts_->actor->PickableOff();
-  parts_->actor->VisibilityOff();
-  renderer->AddActor(parts_->actor);
+  parts_->layer.actor->VisibilityOff();
+  renderer->AddActor(parts_->layer.actor);
 }
 
 SliceMarks::~SliceMarks() = default;
 
-void SliceMarks::set(std::vector<PortMark> marks) { parts_->marks = std::move(marks); }
+void SliceMarks::set(std::vector<PortMark> marks) {
+  parts_->marks = std::move(marks);
+  parts_->lines.clear();
+}
 
 const std::vector<PortMark>& SliceMarks::marks() const { return parts_->marks; }
 
 void SliceMarks::show(const SlicePlane& plane, bool visible, double depth, double pixelRatio) {
-  parts_->plane = plane;
-  parts_->visible = visible;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> lines;
+  Parts& p = *parts_;
+  p.lines.clear();
+  Segments all;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
-  for (const PortMark& mark : visible ? parts_->marks : std::vector<PortMark>()) {
-    const MarkLines drawn = linesOf(mark, plane);
-    for (const Segments* segments : {&drawn.disc, &drawn.arrow}) {
-      for (const auto& segment : *segments) {
-        const vtkIdType a = points->InsertNextPoint(segment[0][0], segment[0][1], depth);
-        const vtkIdType b = points->InsertNextPoint(segment[1][0], segment[1][1], depth);
-        lines->InsertNextCell({a, b});
-        colours->InsertNextTuple3(255.0 * mark.colour[0], 255.0 * mark.colour[1],
-                                  255.0 * mark.colour[2]);
-      }
-    }
+  for (std::size_t i = 0; visible && i < p.marks.size(); ++i) {
+    p.lines.push_back(linesOf(p.marks[i], plane));
+    for (const Segments* segments : {&p.lines[i].disc, &p.lines[i].arrow})
+      all.insert(all.end(), segments->begin(), segments->end());
+    const auto& c = p.marks[i].colour;
+    while (colours->GetNumberOfTuples() < static_cast<vtkIdType>(all.size()))
+      colours->InsertNextTuple3(255.0 * c[0], 255.0 * c[1], 255.0 * c[2]);
   }
-  parts_->data->SetPoints(points);
-  parts_->data->SetLines(lines);
-  parts_->data->GetCellData()->SetScalars(colours);
-  parts_->actor->SetVisibility(lines->GetNumberOfCells() > 0);
-  parts_->actor->GetProperty()->SetLineWidth(static_cast<float>(2.5 * pixelRatio));
+  p.layer.setSegments(all, depth);
+  p.layer.data->GetCellData()->SetScalars(colours);
+  p.layer.actor->SetVisibility(!all.empty());
+  p.layer.actor->GetProperty()->SetLineWidth(static_cast<float>(2.5 * pixelRatio));
 }
 
 std::optional<PortHit> SliceMarks::at(const Vector2d& place, double reachMm) const {
@@ -147,9 +134,9 @@ std::optional<PortHit> SliceMarks::at(const Vector2d& place, double reachMm) con
     least = distance;
     hit = PortHit{mark, grip};
   };
-  for (std::size_t i = 0; parts_->visible && i < parts_->marks.size(); ++i) {
+  for (std::size_t i = 0; i < parts_->lines.size(); ++i) {
     if (!parts_->marks[i].movable) continue;
-    const MarkLines lines = linesOf(parts_->marks[i], parts_->plane);
+    const MarkLines& lines = parts_->lines[i];
     offer(distanceTo(lines.disc, place), i, PortDrag::Grip::Disc);
     if (lines.arrow.empty()) continue;
     const auto& [from, tip] = lines.arrow.front();
