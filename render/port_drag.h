@@ -22,6 +22,7 @@ class PortDrag {
   /// @param arrowMm how long the arrow is shown
   PortDrag(const PortMark& mark, Grip grip, double arrowMm, const ViewRay& ray);
 
+  [[nodiscard]] Grip grip() const { return grip_; }
   /// @param free a disc is moved in the plane of the screen instead
   [[nodiscard]] CutPlane moved(const ViewRay& ray, bool free);
 

@@ -393,6 +393,11 @@ std::optional<PortHit> SliceScene::portAt(double displayX, double displayY) cons
   return p.ports.at(p.toScene(displayX, displayY), gripPixels * p.pixelRatio * p.mmPerPixel);
 }
 
+PortDrag SliceScene::grabPort(const PortHit& hit, double displayX, double displayY) const {
+  const PortMark& mark = ports()[hit.mark];
+  return {mark, hit.grip, mark.discRadiusMm(), rayAt(displayX, displayY)};
+}
+
 ViewRay SliceScene::rayAt(double displayX, double displayY) const {
   const SlicePlane& plane = parts_->plane;
   const Eigen::Vector3d corner = plane.toLps({0.0, 0.0});

@@ -64,6 +64,7 @@ class SliceScene {
   [[nodiscard]] const std::vector<PortMark>& ports() const;
   /// The movable port whose mark is seen at a display position.
   [[nodiscard]] std::optional<PortHit> portAt(double displayX, double displayY) const;
+  [[nodiscard]] PortDrag grabPort(const PortHit& hit, double displayX, double displayY) const;
   /// Through the slice, across it.
   [[nodiscard]] ViewRay rayAt(double displayX, double displayY) const;
   void setRoi(const std::optional<RoiBox>& roi);

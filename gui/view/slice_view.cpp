@@ -33,7 +33,6 @@ struct SliceView::State {
   std::optional<RoiBox> roiBefore;
   std::optional<PortDrag> portDrag;  // of the port grabbed
   QString grabbed;
-  bool portMoved = false, portTurned = false;
   SlabMode lastSlabMode = SlabMode::Mip;
 };
 
@@ -319,7 +318,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   }
   if (ended == Drag::Port) {
     s.portDrag.reset();
-    if (s.portMoved) Q_EMIT portDropped();
+    if (!s.mayBeClick) Q_EMIT portDropped();
   }
   if (!s.mayBeClick) return;
   const std::optional<Eigen::Vector3d> place = picked();
@@ -329,9 +328,12 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   if (ended == Drag::Contrast && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
   if (ended == Drag::Zoom) {
     const std::optional<PortHit> hit = portAt(s.pressed);
-    Q_EMIT menuRequested(event->globalPosition().toPoint(), p,
-                         hit ? QString::fromStdString(s.scene.ports()[hit->mark].name) : QString());
+    Q_EMIT menuRequested(event->globalPosition().toPoint(), p, hit ? nameOf(*hit) : QString());
   }
+}
+
+QString SliceView::nameOf(const PortHit& hit) const {
+  return QString::fromStdString(state_->scene.ports()[hit.mark].name);
 }
 
 std::optional<PortHit> SliceView::portAt(const QPointF& position) const {
@@ -345,11 +347,8 @@ bool SliceView::grabPort(const QPointF& position) {
   const std::optional<PortHit> hit = portAt(position);
   if (!hit) return false;
   const Eigen::Vector2d at = toDisplay(position);
-  const PortMark& mark = s.scene.ports()[hit->mark];
-  s.portDrag.emplace(mark, hit->grip, mark.discRadiusMm(), s.scene.rayAt(at[0], at[1]));
-  s.grabbed = QString::fromStdString(mark.name);
-  s.portMoved = false;
-  s.portTurned = hit->grip == PortDrag::Grip::Turn;
+  s.portDrag = s.scene.grabPort(*hit, at[0], at[1]);
+  s.grabbed = nameOf(*hit);
   Q_EMIT portPressed(s.grabbed);
   return true;
 }
@@ -359,9 +358,8 @@ void SliceView::dragPort(const QPointF& position, bool free) {
   if (s.mayBeClick) return;
   const Eigen::Vector2d at = toDisplay(position);
   const CutPlane plane = s.portDrag->moved(s.scene.rayAt(at[0], at[1]), free);
-  s.portMoved = true;
   Q_EMIT portDragged(s.grabbed, plane);
-  if (s.portTurned) return;
+  if (s.portDrag->grip() == PortDrag::Grip::Turn) return;
   // A vessel leaves the slice: all panes go where its disc went.
   const Eigen::Vector3d& p = plane.pointLps;
   setCursor(p);

@@ -109,6 +109,7 @@ class SliceView : public VtkView {
   void hover(const QPointF& position);
   /// While the tool lets ports be grabbed.
   [[nodiscard]] std::optional<PortHit> portAt(const QPointF& position) const;
+  [[nodiscard]] QString nameOf(const PortHit& hit) const;
   bool grabPort(const QPointF& position);
   void dragPort(const QPointF& position, bool free);
   void showPointer(const QPointF& position);

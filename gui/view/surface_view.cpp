@@ -48,7 +48,7 @@ struct SurfaceView::State {
   std::optional<PortDrag> drag;  // of the port grabbed
   QString grabbed;
   QPointF pressed;
-  bool mayBeClick = false, portMoved = false;
+  bool mayBeClick = false;
 };
 
 SurfaceView::SurfaceView(QWidget* parent) : VtkView(parent), state_(std::make_unique<State>()) {
@@ -213,7 +213,6 @@ bool SurfaceView::grabPort(const QPointF& position) {
   if (!hit) return false;
   state_->grabbed = QString::fromStdString(state_->scene.ports()[hit->mark].name);
   state_->drag = state_->scene.grabPort(*hit, at[0], at[1]);
-  state_->portMoved = false;
   Q_EMIT portPressed(state_->grabbed);
   return true;
 }
@@ -221,7 +220,6 @@ bool SurfaceView::grabPort(const QPointF& position) {
 void SurfaceView::dragPort(const QPointF& position, bool free) {
   if (state_->mayBeClick) return;
   const Eigen::Vector2d at = toDisplay(position);
-  state_->portMoved = true;
   Q_EMIT portDragged(state_->grabbed, state_->drag->moved(state_->scene.rayAt(at[0], at[1]), free));
 }
 
@@ -266,7 +264,7 @@ void SurfaceView::mouseReleaseEvent(QMouseEvent* event) {
   if (s.drag) {
     if (event->button() != Qt::LeftButton) return;
     s.drag.reset();
-    if (s.portMoved) Q_EMIT portDropped();
+    if (!s.mayBeClick) Q_EMIT portDropped();
   } else {
     VtkView::mouseReleaseEvent(event);
   }
