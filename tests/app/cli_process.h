@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <QDir>
+#include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -55,6 +56,16 @@ inline CliResult runCliWithFileLimit(const QString& folder, const QStringList& a
 
 inline QStringList filesIn(const QString& folder) {
   return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+/// Nothing where the file is not there.
+inline QByteArray readBytes(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+inline QJsonObject readJson(const QString& path) {
+  return QJsonDocument::fromJson(readBytes(path)).object();
 }
 
 /// A folder that is gone after the test.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QFile>
 #include <QTest>
 
 #include "tests/app/cli_process.h"
@@ -9,17 +8,6 @@
 /// A few iterations are enough where not the result but the files matter.
 inline const QStringList kQuick{"--set", "levelset.maxIterations=150", "--set",
                                 "levelset.checkEvery=50"};
-
-inline QJsonObject readJson(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  return QJsonDocument::fromJson(file.readAll()).object();
-}
-
-inline QByteArray readBytes(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 inline std::string nativePath(const QString& path) { return path.toStdString(); }
 

@@ -19,10 +19,8 @@ const QStringList kCuts{"--cut", "27.5,27.5,10,0,0,-1,renal_left", "--cut", "18,
                         "--cut", "37,27.5,41.5,0.8,0,0.7,outlet-2"};
 
 QByteArray solidsOf(const QString& path) {
-  QFile file(path);
   QByteArray names;
-  if (!file.open(QIODevice::ReadOnly)) return names;
-  for (const QByteArray& line : file.readAll().split('\n'))
+  for (const QByteArray& line : readBytes(path).split('\n'))
     if (line.startsWith("solid ")) names += line.mid(6).trimmed() + ' ';
   return names;
 }

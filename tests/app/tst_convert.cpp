@@ -20,11 +20,7 @@ class TestConvert : public QObject, CliFolder {
   const Eigen::Vector3d centre_{10, 20, 30};
 
   [[nodiscard]] std::filesystem::path place(const QString& name) const {
-    return dir.filePath(name).toStdString();
-  }
-  [[nodiscard]] QByteArray bytes(const QString& name) const {
-    QFile file(dir.filePath(name));
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    return at(name).toStdString();
   }
   [[nodiscard]] Eigen::Vector3d middle(const QString& name) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -58,7 +54,7 @@ class TestConvert : public QObject, CliFolder {
       faces += QString("f %1 %2 %3\n").arg(t[0] + 1).arg(t[1] + 1).arg(t[2] + 1).toLatin1();
       turned += QString("f %1 %3 %2\n").arg(t[0] + 1).arg(t[1] + 1).arg(t[2] + 1).toLatin1();
     }
-    QFile silent(dir.filePath("silent.obj")), inside(dir.filePath("inside.obj"));
+    QFile silent(at("silent.obj")), inside(at("inside.obj"));
     QVERIFY(silent.open(QIODevice::WriteOnly) && inside.open(QIODevice::WriteOnly));
     silent.write(text + faces);
     inside.write("# SPACE=LPS\n" + text + turned);
@@ -86,9 +82,10 @@ class TestConvert : public QObject, CliFolder {
     QCOMPARE(mesh.hasQuality, more.contains("--quality"));
     QVERIFY(mesh.unit == (more.contains("m") ? LengthUnit::Metre : LengthUnit::Millimetre));
     QVERIFY(mesh.frame == (more.contains("ras") ? Frame::Ras : Frame::Lps));
-    if (name == "b.ply") QVERIFY(bytes(name).startsWith("ply\nformat ascii 1.0\n"));
-    if (name == "b.stl") QVERIFY(bytes(name).startsWith("solid surface SPACE=LPS UNIT=m\n"));
-    if (name == "a.stl") QVERIFY(!bytes(name).startsWith("solid"));
+    if (name == "b.ply") QVERIFY(readBytes(at(name)).startsWith("ply\nformat ascii 1.0\n"));
+    if (name == "b.stl")
+      QVERIFY(readBytes(at(name)).startsWith("solid surface SPACE=LPS UNIT=m\n"));
+    if (name == "a.stl") QVERIFY(!readBytes(at(name)).startsWith("solid"));
   }
 
   void theFrameOfASilentMeshIsAskedFor() {
@@ -206,15 +203,15 @@ class TestConvert : public QObject, CliFolder {
     const LoadedMesh surface = loadMesh(place("foam/constant/triSurface/vessel.stl"));
     QCOMPARE(surface.patchNames, (std::vector<std::string>{"wall", "inlet_1", "part-2"}));
     QVERIFY(surface.unit == LengthUnit::Metre);
-    QVERIFY(bytes("foam/system/snappyHexMeshDict").contains("part-2 { name part-2; }"));
-    QVERIFY(!bytes("foam/system/snappyHexMeshDict").contains("roe_jane"));
+    QVERIFY(readBytes(at("foam/system/snappyHexMeshDict")).contains("part-2 { name part-2; }"));
+    QVERIFY(!readBytes(at("foam/system/snappyHexMeshDict")).contains("roe_jane"));
 
     const CliResult again = cli(command);
     QCOMPARE(again.code, 2);
     QVERIFY(again.errors.contains("--force"));
     const CliResult forced = cli(command + QStringList{"--force", "--solid-names"});
     QVERIFY2(forced.code == 0 && forced.errors.isEmpty(), forced.errors.constData());
-    QVERIFY(bytes("foam/system/snappyHexMeshDict").contains("roe_jane { name roe_jane; }"));
+    QVERIFY(readBytes(at("foam/system/snappyHexMeshDict")).contains("roe_jane { name roe_jane; }"));
   }
 
   void smoothingKeepsThePatches() {

@@ -21,12 +21,6 @@ QJsonObject panel(const QJsonObject& json, const QString& figure, qsizetype numb
   return {};
 }
 
-QJsonObject jsonOf(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  return QJsonDocument::fromJson(file.readAll()).object();
-}
-
 double triangles(const QJsonObject& panel) { return panel["triangles"].toDouble(); }
 
 }  // namespace
@@ -86,7 +80,7 @@ class TestStudy : public QObject {
                               "--cases", "1"};
     const CliResult result = runCli(dir.path(), command);
     QVERIFY2(result.code == 0, result.errors.constData());
-    const QJsonArray rows = jsonOf(dir.filePath("panel/panel.json"))["rows"].toArray();
+    const QJsonArray rows = readJson(dir.filePath("panel/panel.json"))["rows"].toArray();
     QCOMPARE(rows.size(), 2);
     const QJsonObject tube = rows[0]["measures"].toObject();
     QVERIFY(tube["overlap_percent"].toDouble() > 95.0);
@@ -119,7 +113,7 @@ class TestStudy : public QObject {
     const CliResult result = runCli(dir.path(), {"study", "ablation", "-o", "ablation", "--rows",
                                                  "tube-r3-n20-axis", "--cases", "1"});
     QVERIFY2(result.code == 0, result.errors.constData());
-    const QJsonArray groups = jsonOf(dir.filePath("ablation/ablation.json"))["groups"].toArray();
+    const QJsonArray groups = readJson(dir.filePath("ablation/ablation.json"))["groups"].toArray();
     QVERIFY(groups.size() >= 8);
     const auto bias = [&](const QString& name) {
       for (const QJsonValue& group : groups)

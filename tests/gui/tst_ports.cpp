@@ -229,12 +229,16 @@ class TestPorts : public QObject {
     QVERIFY((c.cut(0).pointLps - given.pointLps).norm() < 1e-9);
     c.undo();
 
-    // Pressed without a way it is selected alone; other tools and Ctrl leave it where it is.
+    // Pressed without a way it is selected alone; Ctrl and other tools leave it where it is.
     slice->grabFramebuffer();
     c.ports().select({});
     QTest::mouseClick(slice, Qt::LeftButton, Qt::NoModifier, centre.toPoint());
     QVERIFY(c.ports().selected());
     QVERIFY(c.controller().parameters().ports.cuts == key);
+    test::drag(*slice, Qt::LeftButton, centre.toPoint(), ahead.toPoint(), Qt::ControlModifier);
+    QVERIFY(!contrast.isEmpty());
+    QVERIFY(c.controller().parameters().ports.cuts == key);
+    contrast.clear();
     c.state().setTool(Tool::PickSeed);
     c.drag(slice, centre.toPoint(), ahead.toPoint());
     QVERIFY(!contrast.isEmpty());

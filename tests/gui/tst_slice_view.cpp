@@ -5,10 +5,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "gui/view/open_gl.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
-#include "view_events.h"
+#include "window_events.h"
 
 using namespace angiomesh;
 using angiomesh::test::drag;
@@ -362,10 +361,5 @@ class TestSliceView : public QObject {
   }
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  TestSliceView test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return test::runWindowTests<TestSliceView>(argc, argv); }
 #include "tst_slice_view.moc"

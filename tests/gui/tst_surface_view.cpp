@@ -9,10 +9,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "gui/view/open_gl.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
-#include "view_events.h"
+#include "window_events.h"
 
 using namespace angiomesh;
 using angiomesh::test::drag;
@@ -152,10 +151,5 @@ class TestSurfaceView : public QObject {
   }
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  TestSurfaceView test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return test::runWindowTests<TestSurfaceView>(argc, argv); }
 #include "tst_surface_view.moc"

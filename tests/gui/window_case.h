@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
@@ -15,11 +14,10 @@
 #include "gui/main_window.h"
 #include "gui/model/view_state.h"
 #include "gui/panel/view_grid.h"
-#include "gui/view/open_gl.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 #include "small_case.h"
-#include "view_events.h"
+#include "window_events.h"
 
 namespace angiomesh::test {
 
@@ -132,18 +130,5 @@ struct WindowCase {
   CaseAnswers answers;
   std::unique_ptr<MainWindow> window;
 };
-
-/// main() of a test program with windows: settings go to a folder that vanishes.
-template <class T>
-int runWindowTests(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  QCoreApplication::setOrganizationName("AngiomeshTest");
-  QCoreApplication::setApplicationName("AngiomeshTest");
-  const QTemporaryDir settings;
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-  T test;
-  return QTest::qExec(&test, argc, argv);
-}
 
 }  // namespace angiomesh::test

@@ -5,11 +5,15 @@
 #include <QApplication>
 #include <QImage>
 #include <QMouseEvent>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
 #include <QWheelEvent>
 #include <QWidget>
 #include <memory>
 
 #include "core/image/volume.h"
+#include "gui/view/open_gl.h"
 
 namespace angiomesh::test {
 
@@ -58,6 +62,19 @@ inline double litShare(const QImage& picture) {
     for (int x = 0; x < picture.width(); ++x)
       if (qGray(picture.pixel(x, y)) > 60) ++lit;
   return static_cast<double>(lit) / (picture.width() * picture.height());
+}
+
+/// main() of a test program with windows: settings go to a folder that vanishes.
+template <class T>
+int runWindowTests(int argc, char** argv) {
+  prepareOpenGl();
+  QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName("AngiomeshTest");
+  QCoreApplication::setApplicationName("AngiomeshTest");
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  T test;
+  return QTest::qExec(&test, argc, argv);
 }
 
 }  // namespace angiomesh::test
