@@ -15,10 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 fs::path noteOf(const fs::path& folder) { return folder / "cache" / "evolve.json"; }
 fs::path phiOf(const fs::path& folder) { return folder / "cache" / "evolve.nrrd"; }
+fs::path voxelwiseOf(const fs::path& folder) { return folder / "cache" / "voxelwise.nrrd"; }
 
 /// Numbers that NRRD's text may round.
 Json toJson(const Geometry& g) {
@@ -65,6 +66,9 @@ Json toJson(const CachedEvolve& evolve) {
     json["label"] = {{"voxels", r.label->voxels},
                      {"largestShiftVoxels", r.label->largestShiftVoxels},
                      {"maskVolumeMm3", r.label->maskVolumeMm3}};
+  if (r.wall)
+    json["wall"] = {{"spreadVoxels", r.wall->spreadVoxels}, {"heldVoxels", r.wall->heldVoxels}};
+  if (r.voxelwise) json["voxelwise"] = contentHash(*r.voxelwise);
   return json;
 }
 
@@ -85,12 +89,26 @@ CachedEvolve fromJson(const Json& json) {
     r.label = {label.at("voxels").get<std::size_t>(), label.at("largestShiftVoxels").get<double>(),
                label.at("maskVolumeMm3").get<double>()};
   }
+  if (json.contains("wall")) {
+    const Json& wall = json.at("wall");
+    r.wall = {wall.at("spreadVoxels").get<double>(), wall.at("heldVoxels").get<std::size_t>()};
+  }
   evolve.report.step = Step::Evolve;
   evolve.report.key = json.at("key").get<std::string>();
   evolve.report.seconds = json.at("seconds").get<double>();
   evolve.report.cpuSeconds = json.at("cpuSeconds").get<double>();
   evolve.report.warnings = json.at("warnings").get<std::vector<std::string>>();
   return evolve;
+}
+
+/// A volume of the cache. @throws InputError when it is not the one that the note tells of
+std::shared_ptr<const Volume<float>> readVolume(const fs::path& path, const Json& note,
+                                                const char* hash) {
+  Volume<float> volume = readImage(path).image;
+  volume.geometry = geometryFrom(note.at("geometry"), volume.geometry.size);
+  if (contentHash(volume) != note.at(hash).get<std::string>())
+    throw InputError("the cache holds another volume", path.filename().string(), "compute it anew");
+  return std::make_shared<const Volume<float>>(std::move(volume));
 }
 
 /// The note of another format, or of none, is a null.
@@ -112,6 +130,7 @@ void writeCache(const fs::path& folder, const CachedEvolve& evolve) {
   // Whatever happens in between, a note never goes with another volume than its own.
   fs::remove(noteOf(folder), error);
   writeVolume(*evolve.result.phi, phiOf(folder));
+  if (evolve.result.voxelwise) writeVolume(*evolve.result.voxelwise, voxelwiseOf(folder));
   writeText(noteOf(folder), toJson(evolve).dump(2) + "\n");
 }
 
@@ -120,10 +139,9 @@ std::optional<CachedEvolve> readCache(const fs::path& folder, const std::string&
     const Json note = readNote(folder);
     if (!note.is_object() || note.value("key", std::string()) != key) return std::nullopt;
     CachedEvolve evolve = fromJson(note);
-    Volume<float> phi = readImage(phiOf(folder)).image;
-    phi.geometry = geometryFrom(note.at("geometry"), phi.geometry.size);
-    if (contentHash(phi) != note.at("phi").get<std::string>()) return std::nullopt;
-    evolve.result.phi = std::make_shared<const Volume<float>>(std::move(phi));
+    evolve.result.phi = readVolume(phiOf(folder), note, "phi");
+    if (note.contains("voxelwise"))
+      evolve.result.voxelwise = readVolume(voxelwiseOf(folder), note, "voxelwise");
     return evolve;
   } catch (const std::exception&) {
     // A cache that cannot be read is no cache.

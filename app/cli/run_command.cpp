@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/image/projection.h"
 #include "core/pipeline/report.h"
+#include "core/pipeline/segmentation_mask.h"
 #include "core/quality/overlap.h"
 #include "io/files.h"
 #include "io/image_io.h"
@@ -103,7 +104,7 @@ void writeVolumes(const RunResult& result, Step until, const OutputFolder& folde
   if (const Volume<float>* phi = finalPhi(result)) {
     const Geometry& grid = result.source.image->geometry;
     addVolume(folder, "phi.nrrd", *phi);
-    addVolume(folder, "mask.nrrd", maskOnGrid(*phi, grid, maskLevelMm(result, grid)));
+    addVolume(folder, "mask.nrrd", segmentationMask(result, grid));
   }
 }
 
@@ -158,8 +159,7 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   writing.phase("write");
   std::optional<OverlapMeasures> measures;
   if (truth) {
-    const Geometry& grid = truth->geometry;
-    measures = compareMasks(maskOnGrid(*finalPhi(result), grid, maskLevelMm(result, grid)), *truth);
+    measures = compareMasks(segmentationMask(result, truth->geometry), *truth);
   }
   writing.report(0.2);
   writeVolumes(result, runOptions.until, folder);

@@ -7,6 +7,7 @@
 #include "app/cli/study_panel.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/segmentation_mask.h"
 #include "core/pipeline/segments.h"
 #include "core/quality/best_threshold.h"
 #include "core/quality/overlap.h"
@@ -27,10 +28,10 @@ struct Segmented {
   std::shared_ptr<const Volume<float>> phi;     ///< of the kept components
   std::shared_ptr<const Volume<float>> seeded;  ///< of those that hold a seed by hand
   double seconds = 0.0;
-  double maskLevelMm = 0.0;  ///< see maskLevelMm()
+  RunResult run;  ///< up to the evolution
 
   [[nodiscard]] Volume<std::uint8_t> mask(const Volume<float>& which, const Geometry& grid) const {
-    return maskOnGrid(which, grid, maskLevelMm);
+    return segmentationMask(run, which, grid);
   }
 };
 
@@ -48,10 +49,10 @@ Segmented segment(const Phantom& phantom, Parameters params, const Progress& pro
     RunOptions options;
     options.until = Step::Evolve;
     options.keepResults = false;
-    const RunResult result = pipeline.run(params, options, progress);
-    evolved = result.evolve->phi;
-    out.seconds = result.totalSeconds;
-    out.maskLevelMm = maskLevelMm(result, phantom.truth.geometry);
+    out.run = pipeline.run(params, options, progress);
+    out.run.preprocessed = nullptr;
+    evolved = out.run.evolve->phi;
+    out.seconds = out.run.totalSeconds;
   }
   const auto kept = [&](const SegmentationParams& which) {
     return withoutDropped(

@@ -10,6 +10,7 @@
 #include "app/cli/figure_pictures.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/segmentation_mask.h"
 #include "core/quality/overlap.h"
 
 namespace angiomesh::cli {
@@ -39,12 +40,12 @@ class Segmenter {
     preprocessed_ = pipeline_.run(params, until, part.sub(0.0, 0.5)).preprocessed;
     until.until = Step::Evolve;
     Found found;
-    double level = 0.0;
+    Volume<std::uint8_t> mask;
     try {
       const RunResult run = pipeline_.run(params, until, part.sub(0.5, 1.0));
       found.phi = run.evolve->phi;
       found.panel.iterations = run.evolve->iterations;
-      if (truth_) level = maskLevelMm(run, truth_->geometry);
+      if (truth_) mask = segmentationMask(run, truth_->geometry);
     } catch (const NumericError&) {
       // The front shrank to nothing: a panel like any other.
       found.phi = std::make_shared<const Volume<float>>(preprocessed_->geometry, 1.0F);
@@ -52,9 +53,10 @@ class Segmenter {
     const auto sizes = connectedComponents(insideMask(*found.phi)).sizes;
     found.panel.components = sizes.size();
     for (const std::size_t size : sizes) found.panel.insideVoxels += size;
-    if (truth_)
-      found.panel.overlap =
-          voxelRatios(maskOnGrid(*found.phi, truth_->geometry, level), *truth_).overlap;
+    if (truth_) {
+      if (mask.voxels.empty()) mask = Volume<std::uint8_t>(truth_->geometry);
+      found.panel.overlap = voxelRatios(mask, *truth_).overlap;
+    }
     return made_.emplace(key, std::move(found)).first->second;
   }
 

@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/segmentation_mask.h"
 #include "core/quality/overlap.h"
 #include "io/files.h"
 
@@ -59,8 +60,7 @@ std::vector<Row> rowsOf(const Phantom& tree, Parameters params, const Progress& 
         Volume<std::uint8_t> found(tree.truth.geometry);
         try {
           const RunResult run = pipeline.run(params, until, part);
-          const Geometry& grid = tree.truth.geometry;
-          found = maskOnGrid(*run.evolve->phi, grid, maskLevelMm(run, grid));
+          found = segmentationMask(run, tree.truth.geometry);
         } catch (const NumericError&) {
           // The front shrank to nothing: a row like any other.
         }

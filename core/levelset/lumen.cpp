@@ -74,7 +74,7 @@ class Refiner {
       core_[c] = static_cast<char>(found.voxels[band_.voxel[c]] > 1);
   }
 
-  Volume<float> run(const Progress& progress) {
+  Volume<float> run(const Progress& progress, WallEvidence* evidence) {
     axes_ = vesselAxes(image_, band_, progress);
     value_.resize(band_.size());
     for (std::size_t c = 0; c < band_.size(); ++c)
@@ -91,8 +91,10 @@ class Refiner {
     part_ = joined_ = {};
     releaseFreedMemory();
     fillCavities();
+    Volume<float> phi = result();
+    if (evidence != nullptr) tell(*evidence);
     progress.report(1.0);
-    return result();
+    return phi;
   }
 
  private:
@@ -372,6 +374,31 @@ class Refiner {
       if (outside[c] == 0) inside_[c] = 1;
   }
 
+  /// The lumen's brightness from the image itself, without regard to which voxels are brighter than
+  /// others: weights that follow the brightness take noise for lumen.
+  void tell(WallEvidence& evidence) {
+    std::vector<float> inner(band_.size(), 0.0F);
+    for (std::size_t c = 0; c < band_.size(); ++c) {
+      if (inside_[c] == 0) continue;
+      inner[c] = 1.0F;
+      for (std::size_t k = 0; k < 6; ++k)
+        if (const std::uint32_t n = band_.neighbour(c, k); n != CellBand::none && inside_[n] == 0) {
+          const float s = std::clamp(share(c), 0.0F, 1.0F);
+          inner[c] = kWallShare * s * s * s * s;
+          break;
+        }
+    }
+    for (std::size_t c = 0; c < band_.size(); ++c)
+      value_[c] = sign_ * image_.voxels[band_.voxel[c]];
+    averageLumen(inner);
+    evidence.noise = noiseBeside();
+    evidence.value = value_;
+    evidence.lumen = lumen_;
+    evidence.around = around_;
+    evidence.meanSteps = params_.meanSteps;
+    evidence.band = std::move(band_);
+  }
+
   [[nodiscard]] Volume<float> result() const {
     Volume<float> phi(image_.geometry, kFar);
     constexpr float hair = 1e-3F, gap = 0.1F;
@@ -400,10 +427,11 @@ class Refiner {
 }  // namespace
 
 Volume<float> refineLumen(const Volume<float>& image, const Volume<std::uint8_t>& found,
-                          const LumenParams& params, Polarity polarity, const Progress& progress) {
+                          const LumenParams& params, Polarity polarity, const Progress& progress,
+                          WallEvidence* evidence) {
   if (std::all_of(found.voxels.begin(), found.voxels.end(), [](std::uint8_t f) { return f == 0; }))
     return Volume<float>(image.geometry, kFar);
-  return Refiner(image, found, params, polarity, progress).run(progress);
+  return Refiner(image, found, params, polarity, progress).run(progress, evidence);
 }
 
 Volume<float> floodStart(const Volume<float>& vesselness, double b,

@@ -5,6 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/lumen/wall_profile.h"
 #include "core/vesselness/vesselness.h"
 
 namespace angiomesh {
@@ -29,10 +30,11 @@ struct LumenParams {
 /// between the local brightness of the lumen and that of the surroundings, in the image smoothed
 /// along the vessels as much as its noise asks for. Cores that meet end to end, or in full
 /// brightness, are joined; those that lie side by side stay apart.
+/// @param evidence if given: what the image tells about the wall in the band that was looked at
 /// @return negative inside, about the distance to the wall in working voxels near it
 Volume<float> refineLumen(const Volume<float>& image, const Volume<std::uint8_t>& found,
                           const LumenParams& params, Polarity polarity,
-                          const Progress& progress = {});
+                          const Progress& progress = {}, WallEvidence* evidence = nullptr);
 
 /// The voxels where v >= b, in 26-connected parts of at least `leastVoxels` or that hold a voxel in
 /// a sphere around a seed (mm LPS, radius in working voxels), and those voxels: 1, or 2 where v >=

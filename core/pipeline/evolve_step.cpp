@@ -10,6 +10,7 @@
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/mask_distance.h"
 #include "core/levelset/redistance.h"
+#include "core/lumen/smooth_wall.h"
 
 namespace angiomesh {
 namespace {
@@ -80,6 +81,18 @@ EvolveResult evolveOtherwise(const Volume<float>& image, const SeedsResult& seed
   return result;
 }
 
+/// Completes a result by the wall that was placed voxel by voxel, made smooth if that is asked for.
+void placeWall(Volume<float> phi, WallEvidence* evidence, const SmoothWallParams& params,
+               EvolveResult& result, const Progress& progress) {
+  result.phi = std::make_shared<const Volume<float>>(std::move(phi));
+  if (!params.enabled) return;
+  result.voxelwise = result.phi;
+  SmoothWall wall = smoothWall(*result.voxelwise, evidence, params, progress.sub(0.0, 0.6));
+  result.wall = {wall.spreadVoxels, wall.heldVoxels};
+  result.phi = std::make_shared<const Volume<float>>(
+      redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0)));
+}
+
 }  // namespace
 
 EvolveResult makeSegmentation(const Volume<float>& image,
@@ -135,12 +148,14 @@ EvolveResult makeSegmentation(const Volume<float>& image,
       if (phi.voxels[i] < 0.0F && found.voxels[i] == 0) found.voxels[i] = 1;
   phi = {};
   releaseFreedMemory();
-  Volume<float> wall =
-      refineLumen(image, found, params.lumen, params.vesselness.polarity, rest.sub(0.0, 0.5));
+  WallEvidence evidence;
+  WallEvidence* const told = params.wall.enabled ? &evidence : nullptr;
+  phi =
+      refineLumen(image, found, params.lumen, params.vesselness.polarity, rest.sub(0.0, 0.4), told);
   found = {};
   releaseFreedMemory();
-  result.phi =
-      std::make_shared<const Volume<float>>(redistance(std::move(wall), 5.0, rest.sub(0.5, 1.0)));
+  phi = redistance(std::move(phi), 5.0, rest.sub(0.4, 0.6));
+  placeWall(std::move(phi), told, params.wall, result, rest.sub(0.6, 1.0));
   return result;
 }
 
@@ -157,12 +172,12 @@ EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
     throw InputError(voxels == 0 ? "no voxel has this value" : "all voxels have this value",
                      "segmentation.label = " + std::to_string(params.segmentation.label),
                      "choose another label, or another segmentation.method for a scan");
-  MaskDistance made = distanceOfMask(mask, progress);
+  MaskDistance made = distanceOfMask(mask, progress.sub(0.0, 0.6));
   EvolveResult result;
   result.label = {voxels, made.largestShiftVoxels, made.maskVolumeMm3};
   result.converged = true;
   result.stopReason = StopReason::Converged;
-  result.phi = std::make_shared<const Volume<float>>(std::move(made.phi));
+  placeWall(std::move(made.phi), nullptr, params.wall, result, progress.sub(0.6, 1.0));
   return result;
 }
 

@@ -181,6 +181,36 @@ void addLevelSet(FieldTable& t) {
       .idle = idle;
 }
 
+void addWall(FieldTable& t) {
+  const auto ofWalls = [](const Parameters& p) -> std::string {
+    if (isSegmented(p)) return "";
+    if (p.segmentation.method != SegmentationMethod::LevelSet)
+      return idleUnless(p, SegmentationMethod::LevelSet);
+    return p.lumen.enabled ? "" : "of levelset.refine alone";
+  };
+  Field& smooth = t.boolean(
+      "wall.smooth", ANGIOMESH_MEMBER(wall.enabled),
+      "make the wall as smooth as the vessel is, within what noise and contrast leave open");
+  smooth.main = true;
+  smooth.idle = ofWalls;
+  const auto ofSmooth = [ofWalls](const Parameters& p) {
+    return p.wall.enabled ? ofWalls(p) : "of wall.smooth alone";
+  };
+  Field& reach =
+      t.real("wall.reach", ANGIOMESH_MEMBER(wall.reach), 2.0, 30.0, "",
+             "how far around each place of the wall is looked at: times the fourth root of the "
+             "vessel's radius times the wall's uncertainty, voxels; more is smoother");
+  reach.main = true;
+  reach.idle = ofSmooth;
+  Field& spread =
+      t.real("wall.spreadVoxels", ANGIOMESH_MEMBER(wall.spreadVoxels), 0.2, 3.0, "voxels",
+             "standard deviation of the image's point spread; auto: measured at the walls");
+  spread.emptyWord = "auto";
+  spread.idle = [ofSmooth](const Parameters& p) {
+    return isSegmented(p) ? std::string("of scans alone") : ofSmooth(p);
+  };
+}
+
 /// The methods that ours is compared with, in the order of the step evolve.
 void addComparison(FieldTable& t) {
   const auto of = [](SegmentationMethod method) {
@@ -250,6 +280,7 @@ const std::vector<Field>& parameterFields() {
     addPreprocess(table);
     addVesselness(table);
     addLevelSet(table);
+    addWall(table);
     addComparison(table);
     addSurfaceFields(table);
     std::vector<Field> all = table.take();

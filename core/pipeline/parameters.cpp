@@ -350,6 +350,7 @@ Parameters preset(std::string_view name) {
   params.levelset.checkEvery = 100;
   params.levelset.bRule = ThresholdRule::Average;
   params.lumen.enabled = false;
+  params.wall.enabled = false;
   params.surface.spline = SplineKind::Bspline;
   params.surface.sizing.etaCompensated = false;
   params.surface.sizing.edgesAround = 0;

@@ -12,6 +12,7 @@
 #include "core/levelset/evolution.h"
 #include "core/levelset/lumen.h"
 #include "core/levelset/seeds.h"
+#include "core/lumen/smooth_wall.h"
 #include "core/pipeline/cuts.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/sizing.h"
@@ -48,6 +49,7 @@ struct Parameters {
   SeedParams seeds;
   LevelSetParams levelset;
   LumenParams lumen;
+  SmoothWallParams wall;
   ComparisonParams comparison;
   SegmentationParams segmentation;
   PortParams ports;

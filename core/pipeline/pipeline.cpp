@@ -24,7 +24,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 2, 2, 5, 3, 3, 2};
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 2, 2, 6, 3, 3, 2};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -32,7 +32,7 @@ const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
      {"preprocess."},
      {"vesselness."},
      {"seeds."},
-     {"segmentation.method", "levelset.", "comparison."},
+     {"segmentation.method", "levelset.", "wall.", "comparison."},
      {"segmentation.keep", "segmentation.minVolumeMm3", "segmentation.drop", "ports.", "surface."},
      {"smooth."},
      {}}};
@@ -43,7 +43,7 @@ const std::array<std::vector<std::string_view>, kStepCount> kLabelParams{
      {"segmentation.method", "preprocess.roi"},
      {},
      {"seeds.points"},  // for segmentation.keep
-     {"segmentation.label"},
+     {"segmentation.label", "wall."},
      kStepParams[static_cast<std::size_t>(Step::Surface)],
      kStepParams[static_cast<std::size_t>(Step::Smooth)],
      {}}};
@@ -373,14 +373,6 @@ Source makeSource(Volume<float> image, const std::string& name) {
   source.image = std::make_shared<const Volume<float>>(std::move(image));
   source.name = name;
   return source;
-}
-
-double maskLevelMm(const RunResult& result, const Geometry& grid) {
-  const Parameters& p = result.params;
-  const Geometry& g = result.preprocessed->geometry;
-  const bool placed = p.segmentation.method == SegmentationMethod::LevelSet && p.lumen.enabled;
-  const bool same = g.spacing.isApprox(grid.spacing, 1e-6);
-  return placed && !same ? std::max(0.5 - p.lumen.level, 0.0) * g.voxelMm() : 0.0;
 }
 
 Thresholds thresholdsFor(const VesselnessResult& vessels, const LevelSetParams& params) {

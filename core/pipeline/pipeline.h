@@ -61,11 +61,21 @@ struct LabelFacts {
   double largestShiftVoxels = 0.0, maskVolumeMm3 = 0.0;
 };
 
+/// What came of making the wall smooth, see SmoothWall.
+struct WallFacts {
+  double spreadVoxels = 0.0;
+  std::size_t heldVoxels = 0;
+};
+
 struct EvolveResult {
   std::shared_ptr<const Volume<float>> phi;  ///< redistanced, mm, clamped at +-5 working voxels
-  Thresholds thresholds;                     ///< of the level set method alone
-  std::optional<double> lower, upper;        ///< intensities, of the methods that go by them
-  std::optional<LabelFacts> label;           ///< of the method label alone
+  /// The same before the wall was made smooth, whose sign is the segmentation voxel by voxel; empty
+  /// where it was not.
+  std::shared_ptr<const Volume<float>> voxelwise;
+  Thresholds thresholds;               ///< of the level set method alone
+  std::optional<double> lower, upper;  ///< intensities, of the methods that go by them
+  std::optional<LabelFacts> label;     ///< of the method label alone
+  std::optional<WallFacts> wall;       ///< where the wall was made smooth
   int iterations = 0;
   bool converged = false;
   StopReason stopReason = StopReason::Running;
@@ -190,10 +200,6 @@ class Pipeline {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// For maskOnGrid(), mm: on another grid than the working one a voxel that levelset.refineLevel
-/// counts among the vessel may have its centre so far outside the wall; on the same grid 0.
-double maskLevelMm(const RunResult& result, const Geometry& grid);
 
 /// a and b as the evolve step takes them.
 Thresholds thresholdsFor(const VesselnessResult& vessels, const LevelSetParams& params);

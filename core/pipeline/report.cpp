@@ -129,6 +129,10 @@ Json segmentationBlock(const RunResult& result) {
                            {"b", evolve.thresholds.b},
                            {"v_avg", evolve.thresholds.vAverage},
                            {"clamped", evolve.thresholds.clamped}};
+  if (evolve.wall) {
+    Json& wall = block["wall"] = {{"held_voxels", evolve.wall->heldVoxels}};
+    if (evolve.wall->spreadVoxels > 0.0) wall["spread_voxels"] = evolve.wall->spreadVoxels;
+  }
   if (evolve.label)
     block["label"] = {{"value", result.params.segmentation.label},
                       {"voxels", evolve.label->voxels},

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/segmentation_mask.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/quality/overlap.h"
+
+namespace angiomesh {
+namespace {
+
+/// What phi rises by where a component was left out or a cut ends a vessel, at least, working
+/// voxels.
+constexpr float kTaken = 0.05F;
+
+double levelMm(const RunResult& result, const Geometry& grid) {
+  const Parameters& p = result.params;
+  const Geometry& g = result.evolve->phi->geometry;
+  const bool placed = p.segmentation.method == SegmentationMethod::LevelSet && p.lumen.enabled;
+  const bool same = g.spacing.isApprox(grid.spacing, 1e-6);
+  return placed && !same ? std::max(0.5 - p.lumen.level, 0.0) * g.voxelMm() : 0.0;
+}
+
+}  // namespace
+
+Volume<std::uint8_t> segmentationMask(const RunResult& result, const Volume<float>& phi,
+                                      const Geometry& grid) {
+  if (!result.evolve)
+    throw InputError("there is no segmentation yet", "mask", "run the step evolve first");
+  const double level = levelMm(result, grid);
+  if (!result.evolve->voxelwise) return maskOnGrid(phi, grid, level);
+  const Volume<float>& smooth = *result.evolve->phi;
+  Volume<float> mask = *result.evolve->voxelwise;
+  const float taken = kTaken * static_cast<float>(phi.geometry.voxelMm());
+  parallelFor(0, mask.voxels.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      if (phi.voxels[i] > smooth.voxels[i] + taken)
+        mask.voxels[i] = std::max(mask.voxels[i], phi.voxels[i]);
+  });
+  return maskOnGrid(mask, grid, level);
+}
+
+Volume<std::uint8_t> segmentationMask(const RunResult& result, const Geometry& grid) {
+  if (!result.evolve)
+    throw InputError("there is no segmentation yet", "mask", "run the step evolve first");
+  return segmentationMask(result, result.surface ? *result.surface->phi : *result.evolve->phi,
+                          grid);
+}
+
+}  // namespace angiomesh
