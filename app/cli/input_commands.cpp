@@ -10,7 +10,7 @@
 #include "app/cli/options.h"
 #include "app/cli/output_folder.h"
 #include "core/base/error.h"
-#include "core/phantom/phantom.h"
+#include "core/phantom/truth_json.h"
 #include "io/files.h"
 #include "io/image_io.h"
 #include "io/label_image.h"
@@ -186,7 +186,7 @@ int info(const InfoOptions& options, const Progress& progress) {
 
 struct PhantomOptions {
   std::string kind, output, size = "128", spacing = "1,1,1", axis = "0,0,1", offset = "0,0,0";
-  std::string radiusRange, noiseModel = "gaussian";
+  std::string radiusRange, noiseModel = "gaussian", psf = "gaussian:0.5";
   PhantomParams params;
   bool force = false;
 };
@@ -224,6 +224,7 @@ int phantom(PhantomOptions options, const Progress& progress) {
     params.radiusMin = range[0];
     params.radiusMax = range[1];
   }
+  params.psf = pointSpreadFromText(options.psf);
   params.noiseModel = options.noiseModel == "rician" ? NoiseModel::Rician : NoiseModel::Gaussian;
   // A former phantom is known by its truth.json; other images of these names are the user's.
   const bool former = fs::exists(fs::path(options.output) / "truth.json");
@@ -274,6 +275,12 @@ void addPhantom(CLI::App& program, Session& session) {
   command->add_option("--radius", params.radius, "Vessel radius in voxels");
   command->add_option("--radius-range", options->radiusRange, "tree: radii a,b in voxels");
   command->add_option("--gap", params.gap, "kissing: distance of the walls in voxels");
+  command->add_option("--stenosis", params.stenosisPercent,
+                      "stenosis: narrowing in percent of the diameter, 50 unless given");
+  command->add_option("--psf", options->psf,
+                      "Point spread: gaussian:SIGMA (voxels of the smallest spacing, 0.5 unless "
+                      "given), mr or mr:ZEROFILLING (an MR acquisition), or subvoxels (2x2x2, as "
+                      "in the literature)");
   command->add_option("--noise", params.noiseSigma, "Sigma of the noise, of 255")
       ->check(CLI::Range(0.0, 10000.0));
   command->add_option("--noise-model", options->noiseModel, "gaussian or rician")

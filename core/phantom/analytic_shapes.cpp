@@ -2,13 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <optional>
-#include <string>
 
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
-#include "core/phantom/shape.h"
+#include "core/phantom/shape_frame.h"
+#include "core/phantom/vessel_tree.h"
 
 namespace angiomesh {
 namespace {
@@ -16,120 +14,11 @@ namespace {
 constexpr double kDaughterAngle = 35.0 / 360.0;  // turns, between parent axis and each daughter
 constexpr double kKissingAngle = 35.0 / 360.0;   // turns, by which each tube bends away
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-/// What the builders need to know about the volume; lengths in mm.
-struct Frame {
-  double unit = 1.0;                    // the smallest spacing
-  Eigen::Vector3d centre;               // of the volume, moved by the sub-voxel offset
-  Eigen::Vector3d first, second, axis;  // right-handed, orthonormal
-  Eigen::Vector3d low, high;            // the volume's corners
-  double halfSide = 0.0;                // half the shortest side
-  double through = 0.0;                 // a length that leaves the volume from anywhere
-  double radius = 0.0;                  // of the vessel
-
-  [[nodiscard]] Eigen::Vector3d at(double u, double v, double w) const {
-    return centre + u * first + v * second + w * axis;
-  }
-};
-
-Frame makeFrame(const PhantomParams& params, const Geometry& g) {
-  const double norm = std::sqrt(params.axis.dot(params.axis));
-  if (!std::isfinite(norm) || norm < 1e-9)
-    throw InputError("the axis has no direction", "phantom axis",
-                     "give three numbers that are not all 0");
-  if (!params.offset.allFinite() || params.offset.cwiseAbs().maxCoeff() > 4.0)
-    throw InputError("the shift is too large", "phantom offset", "give at most 4 voxels");
-  if (!std::isfinite(params.radius) || params.radius < 0.5)
-    throw InputError("a vessel radius of " + number(params.radius) + " voxels cannot be drawn",
-                     "phantom radius", "give at least 0.5 voxel");
-  Frame frame;
-  frame.unit = g.voxelMm();
-  frame.radius = params.radius * frame.unit;
-  frame.axis = params.axis / norm;
-  const Eigen::Vector3d magnitude = frame.axis.cwiseAbs();
-  int least = 0;
-  for (int a = 1; a < 3; ++a)
-    if (magnitude[a] < magnitude[least]) least = a;
-  Eigen::Vector3d side = Eigen::Vector3d::Unit(least);
-  side -= side.dot(frame.axis) * frame.axis;
-  frame.first = side / std::sqrt(side.dot(side));
-  frame.second = Eigen::Vector3d(frame.axis[1] * frame.first[2] - frame.axis[2] * frame.first[1],
-                                 frame.axis[2] * frame.first[0] - frame.axis[0] * frame.first[2],
-                                 frame.axis[0] * frame.first[1] - frame.axis[1] * frame.first[0]);
-  const Eigen::Vector3d size(g.size[0], g.size[1], g.size[2]);
-  frame.low = -0.5 * g.spacing;
-  frame.high = (size - Eigen::Vector3d::Constant(0.5)).cwiseProduct(g.spacing);
-  frame.centre = 0.5 * (frame.low + frame.high) + params.offset * frame.unit;
-  const Eigen::Vector3d extent = frame.high - frame.low;
-  frame.halfSide = 0.5 * extent.minCoeff();
-  frame.through = std::sqrt(extent.dot(extent));
-  return frame;
-}
-
-/// @param halfWidth largest distance of the wall from the volume's centre that has to fit, mm
-void requireRoom(const Frame& frame, double halfWidth, const char* kind) {
-  const double room = frame.halfSide - frame.unit;
-  if (halfWidth <= room) return;
-  const double radius = frame.radius / frame.unit;
-  throw InputError(
-      "a " + std::string(kind) + " of radius " + number(radius) + " voxels does not fit",
-      "phantom of " + number(2.0 * frame.halfSide / frame.unit) + " voxels in its shortest side",
-      "give a radius of about " + number(std::max(0.5, radius * room / halfWidth)) +
-          " voxels or a size of " + number(std::ceil(2.0 * (halfWidth / frame.unit + 1.0))));
-}
-
-/// The part of a segment inside the volume (Liang and Barsky 1984).
-std::optional<std::array<double, 2>> clip(const Frame& frame, const Eigen::Vector3d& from,
-                                          const Eigen::Vector3d& to) {
-  double enter = 0.0;
-  double leave = 1.0;
-  for (int a = 0; a < 3; ++a) {
-    const double step = to[a] - from[a];
-    if (step == 0.0) {
-      if (from[a] < frame.low[a] || from[a] > frame.high[a]) return std::nullopt;
-      continue;
-    }
-    const double t0 = (frame.low[a] - from[a]) / step;
-    const double t1 = (frame.high[a] - from[a]) / step;
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
-  }
-  if (enter >= leave) return std::nullopt;
-  return std::array<double, 2>{enter, leave};
-}
-
-/// Appends what lies in the volume of the line through `points`. @return the last piece's number,
-/// -1 where nothing was inside
-int addCentreLine(Shape& shape, const Frame& frame, const std::vector<Eigen::Vector3d>& points,
-                  const std::vector<double>& radii, int parent = -1) {
-  int last = parent;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto part = clip(frame, points[i - 1], points[i]);
-    if (!part) {
-      last = -1;
-      continue;
-    }
-    const Eigen::Vector3d step = points[i] - points[i - 1];
-    const double grow = radii[i] - radii[i - 1];
-    const auto [enter, leave] = *part;
-    shape.centreLines.push_back({points[i - 1] + enter * step, points[i - 1] + leave * step,
-                                 radii[i - 1] + enter * grow, radii[i - 1] + leave * grow,
-                                 enter > 0.0 ? -1 : last});
-    last = static_cast<int>(shape.centreLines.size()) - 1;
-  }
-  return last;
-}
-
 void addCone(Shape& shape, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) {
   shape.solids.emplace_back(RoundCone(from, to, radius, radius));
 }
 
-void buildTube(Shape& shape, const Frame& f) {
+void buildTube(Shape& shape, const ShapeFrame& f) {
   requireRoom(f, f.radius, "tube");
   const Eigen::Vector3d from = f.at(0, 0, -f.through);
   const Eigen::Vector3d to = f.at(0, 0, f.through);
@@ -137,7 +26,7 @@ void buildTube(Shape& shape, const Frame& f) {
   addCentreLine(shape, f, {from, to}, {f.radius, f.radius});
 }
 
-void buildTorus(Shape& shape, const Frame& f) {
+void buildTorus(Shape& shape, const ShapeFrame& f) {
   const double major = 0.5 * f.halfSide;
   requireRoom(f, major + f.radius, "torus");
   requireRoom(f, 2.0 * (f.radius + f.unit), "torus");  // leaves the hole open
@@ -154,7 +43,7 @@ void buildTorus(Shape& shape, const Frame& f) {
   addCentreLine(shape, f, points, std::vector<double>(points.size(), f.radius));
 }
 
-void buildHelix(Shape& shape, const Frame& f) {
+void buildHelix(Shape& shape, const ShapeFrame& f) {
   HelixTube helix{f.centre, f.first, f.second, f.axis};
   helix.coilRadius = 0.5 * f.halfSide;
   helix.radius = f.radius;
@@ -172,7 +61,7 @@ void buildHelix(Shape& shape, const Frame& f) {
   addCentreLine(shape, f, points, std::vector<double>(points.size(), f.radius));
 }
 
-void buildBifurcation(Shape& shape, const Frame& f) {
+void buildBifurcation(Shape& shape, const ShapeFrame& f) {
   requireRoom(f, 2.0 * f.radius, "bifurcation");
   const double daughter = f.radius * portableExp(-portableLog(2.0) / 3.0);  // Murray's law
   const Eigen::Vector3d from = f.at(0, 0, -f.through);
@@ -188,7 +77,7 @@ void buildBifurcation(Shape& shape, const Frame& f) {
   shape.blendMm = 0.5 * f.radius;
 }
 
-void buildKissing(Shape& shape, const Frame& f, double gapVoxels) {
+void buildKissing(Shape& shape, const ShapeFrame& f, double gapVoxels) {
   if (!std::isfinite(gapVoxels) || gapVoxels < 0.0)
     throw InputError("the gap between the walls is negative", "phantom gap",
                      "give 0 or more voxels");
@@ -230,11 +119,14 @@ void buildKissing(Shape& shape, const Frame& f, double gapVoxels) {
   }
 }
 
-void buildStenosis(Shape& shape, const Frame& f) {
+void buildStenosis(Shape& shape, const ShapeFrame& f, double percent) {
+  if (!(percent > 0.0 && percent <= 95.0))
+    throw InputError("the stenosis has no usable narrowing", "phantom stenosis",
+                     "give a percentage of the diameter above 0 and up to 95");
   requireRoom(f, f.radius, "stenosis");
   WaistedTube tube{f.centre, f.axis};
   tube.radius = f.radius;
-  tube.throat = 0.5 * f.radius;
+  tube.throat = (1.0 - 0.01 * percent) * f.radius;
   tube.halfLength = 3.0 * f.radius;
   shape.solids.emplace_back(tube);
   std::vector<Eigen::Vector3d> points{f.at(0, 0, -f.through)};
@@ -250,7 +142,7 @@ void buildStenosis(Shape& shape, const Frame& f) {
   addCentreLine(shape, f, points, radii);
 }
 
-void buildAneurysm(Shape& shape, const Frame& f) {
+void buildAneurysm(Shape& shape, const ShapeFrame& f) {
   const double sac = 2.0 * f.radius;
   const double away = 2.5 * f.radius;
   requireRoom(f, sac + away, "aneurysm");
@@ -260,9 +152,62 @@ void buildAneurysm(Shape& shape, const Frame& f) {
   shape.blendMm = 0.5 * f.radius;
 }
 
+void buildNeckAneurysm(Shape& shape, const ShapeFrame& f) {
+  const double sac = 2.0 * f.radius;
+  const double away = 3.6 * f.radius;
+  requireRoom(f, sac + away, "aneurysm on a neck");
+  buildTube(shape, f);
+  const Eigen::Vector3d centre = f.at(away, 0, 0);
+  addCone(shape, f.centre, centre, 0.8 * f.radius);
+  addCone(shape, centre, centre, sac);
+  shape.centreLines.push_back({f.centre, centre, 0.8 * f.radius, sac, 0});
+  shape.blendMm = 0.5 * f.radius;
+}
+
+void buildBentTube(Shape& shape, const ShapeFrame& f) {
+  requireRoom(f, 2.0 * f.radius, "bent tube");
+  constexpr double halfTurns = 0.125;  // of the arc, on either side of its middle
+  ArcTube arc{f.centre + 4.0 * f.radius * f.first, -f.first, f.axis};
+  arc.majorRadius = 4.0 * f.radius;
+  arc.cosHalf = portableCosTurns(halfTurns);
+  arc.sinHalf = portableSinTurns(halfTurns);
+  arc.radius = f.radius;
+  shape.solids.emplace_back(arc);
+  const auto onArc = [&](double turns) -> Eigen::Vector3d {
+    return arc.centre + arc.majorRadius * (portableCosTurns(turns) * arc.toMiddle +
+                                           portableSinTurns(turns) * arc.side);
+  };
+  std::vector<Eigen::Vector3d> points;
+  constexpr int pieces = 32;
+  for (int i = 0; i <= pieces; ++i) points.push_back(onArc(halfTurns * (2.0 * i / pieces - 1.0)));
+  const Eigen::Vector3d aside = arc.sinHalf * f.first;
+  points.insert(points.begin(), points.front() + 2.0 * f.through * (aside - arc.cosHalf * f.axis));
+  points.push_back(points.back() + 2.0 * f.through * (aside + arc.cosHalf * f.axis));
+  addCone(shape, points[0], points[1], f.radius);
+  addCone(shape, points[points.size() - 2], points.back(), f.radius);
+  addCentreLine(shape, f, points, std::vector<double>(points.size(), f.radius));
+}
+
+void buildCone(Shape& shape, const ShapeFrame& f) {
+  requireRoom(f, 1.5 * f.radius, "cone");
+  const Eigen::Vector3d start = f.at(0, 0, -f.through);
+  const Eigen::Vector3d way = 2.0 * f.through * f.axis;
+  const auto part = clipToVolume(f, start, start + way);
+  if (!part) return;
+  const auto [enter, leave] = *part;
+  // A quarter longer at either end, so that the volume holds neither.
+  const double beyond = 0.25 * (leave - enter);
+  const Eigen::Vector3d from = start + (enter - beyond) * way;
+  const Eigen::Vector3d to = start + (leave + beyond) * way;
+  const double radiusFrom = 1.75 * f.radius;
+  const double radiusTo = 0.25 * f.radius;
+  shape.solids.emplace_back(RoundCone(from, to, radiusFrom, radiusTo));
+  addCentreLine(shape, f, {from, to}, {radiusFrom, radiusTo});
+}
+
 /// Ten tapering capsules in a ball of radius 27 (lengths for a radius of 4): a trunk, two branches
 /// that fork again, two tips, and a bridge between the inner twigs.
-void buildCapsuleTree(Shape& shape, const Frame& f) {
+void buildCapsuleTree(Shape& shape, const ShapeFrame& f) {
   struct Capsule {
     int from, to, parent;
     double radiusFrom, radiusTo;
@@ -292,31 +237,8 @@ void buildCapsuleTree(Shape& shape, const Frame& f) {
 
 }  // namespace
 
-Geometry phantomGeometry(const PhantomParams& params) {
-  Geometry g;
-  g.size = params.size;
-  g.spacing = params.spacingMm;
-  double voxels = 1.0;
-  for (int a = 0; a < 3; ++a) {
-    if (g.size[a] < 8 || g.size[a] > 4096)
-      throw InputError("a side of " + std::to_string(g.size[a]) + " voxels makes no phantom",
-                       "phantom size", "give 8 to 4096 voxels in each direction");
-    if (!std::isfinite(g.spacing[a]) || g.spacing[a] < 1e-3 || g.spacing[a] > 1e3)
-      throw InputError("a spacing of " + number(g.spacing[a]) + " mm makes no phantom",
-                       "phantom spacing", "give 0.001 to 1000 mm in each direction");
-    voxels *= g.size[a];
-  }
-  if (voxels > 1024.0 * 1024.0 * 1024.0)
-    throw InputError("a phantom of " + number(voxels) + " voxels is too large", "phantom size",
-                     "give at most 1024 x 1024 x 1024 voxels");
-  if (g.spacing.maxCoeff() > 20.0 * g.spacing.minCoeff())
-    throw InputError("the spacing differs by more than 20 times between the axes",
-                     "phantom spacing", "give spacings that are closer to one another");
-  return g;
-}
-
 Shape analyticShape(const PhantomParams& params) {
-  const Frame frame = makeFrame(params, phantomGeometry(params));
+  const ShapeFrame frame = makeShapeFrame(params, phantomGeometry(params));
   Shape shape;
   switch (params.kind) {
     case PhantomKind::Tree:
@@ -338,13 +260,25 @@ Shape analyticShape(const PhantomParams& params) {
       buildHelix(shape, frame);
       break;
     case PhantomKind::Stenosis:
-      buildStenosis(shape, frame);
+      buildStenosis(shape, frame, params.stenosisPercent);
       break;
     case PhantomKind::Aneurysm:
       buildAneurysm(shape, frame);
       break;
     case PhantomKind::CapsuleTree:
       buildCapsuleTree(shape, frame);
+      break;
+    case PhantomKind::BentTube:
+      buildBentTube(shape, frame);
+      break;
+    case PhantomKind::Cone:
+      buildCone(shape, frame);
+      break;
+    case PhantomKind::NeckAneurysm:
+      buildNeckAneurysm(shape, frame);
+      break;
+    case PhantomKind::VesselTree:
+      buildVesselTree(shape, frame, params.randomSeed);
       break;
   }
   return shape;

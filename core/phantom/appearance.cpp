@@ -45,7 +45,8 @@ void checkAppearance(const PhantomParams& params) {
 
 VesselFade::VesselFade(const PhantomParams& params, const Shape& shape)
     : lines_(shape.centreLines), least_(0.01 * params.fadePercent) {
-  if (params.kind == PhantomKind::Tree || params.kind == PhantomKind::CapsuleTree) {
+  if (params.kind == PhantomKind::Tree || params.kind == PhantomKind::CapsuleTree ||
+      params.kind == PhantomKind::VesselTree) {
     alongTree();
   } else if (const auto* torus = std::get_if<ArcTube>(&shape.solids.front());
              torus != nullptr && params.kind == PhantomKind::Torus) {

@@ -15,9 +15,9 @@ namespace angiomesh {
 void checkAppearance(const PhantomParams& params);
 
 /// The vessels' brightness, 1 at the proximal end down to fadePercent / 100 at every distal end.
-/// Tree and CapsuleTree: along the centre lines from the roots, continuous at the bifurcations and
-/// linear along the longest way; the remaining kinds: linear along the axis, over the length of
-/// the centre lines (Torus: along a diameter, from wall to wall).
+/// Tree, CapsuleTree and VesselTree: along the centre lines from the roots, continuous at the
+/// bifurcations and linear along the longest way; the remaining kinds: linear along the axis, over
+/// the length of the centre lines (Torus: along a diameter, from wall to wall).
 class VesselFade {
  public:
   VesselFade(const PhantomParams& params, const Shape& shape);

@@ -258,7 +258,7 @@ bool drawn(const Body& solid, const Placement& placement, const Vector3d& p) {
   return solid.distance(p) < 0.0 && placement.toVessels(p) > solid.clearance;
 }
 
-void draw(Phantom& phantom, Volume<std::uint8_t>& taken, const Body& solid,
+void draw(Phantom& phantom, Volume<float>& bright, Volume<std::uint8_t>& taken, const Body& solid,
           const Placement& placement, const Progress& progress) {
   const Geometry& g = phantom.image.geometry;
   const Vector3d quarter = 0.25 * g.spacing;
@@ -289,7 +289,7 @@ void draw(Phantom& phantom, Volume<std::uint8_t>& taken, const Body& solid,
           count = std::min(count, 8 - used);
           if (count == 0) continue;
           used = static_cast<std::uint8_t>(used + count);
-          phantom.image.at(i, j, k) += static_cast<float>(solid.piece.intensity * count / 8.0);
+          bright.at(i, j, k) += static_cast<float>(solid.piece.intensity * count / 8.0);
           if (count >= 4 && phantom.truth.at(i, j, k) == 0)
             phantom.clutter.at(i, j, k) = solid.piece.label;
         }
@@ -332,10 +332,14 @@ void addClutter(Phantom& phantom, const PhantomParams& params, const Shape& shap
   Placement placement(params, shape, g, progress.sub(0.0, 0.5));
   Volume<std::uint8_t> taken = countSubvoxels(shape, g, progress.sub(0.5, 0.7));
   phantom.clutter = Volume<std::uint8_t>(g);
+  Volume<float> bright(g);
   for (const Body& solid : placement.all()) {
-    draw(phantom, taken, solid, placement, progress);
+    draw(phantom, bright, taken, solid, placement, progress);
     phantom.pieces.push_back(solid.piece);
   }
+  blurVoxels(bright, params.psf, progress);
+  for (std::size_t i = 0; i < bright.voxels.size(); ++i)
+    phantom.image.voxels[i] += bright.voxels[i];
   addSlabs(phantom);
   progress.report(1.0);
 }

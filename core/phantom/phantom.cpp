@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/phantom/appearance.h"
 #include "core/phantom/clutter.h"
 #include "core/phantom/rasterise.h"
+#include "core/phantom/scan.h"
 #include "core/phantom/shape.h"
 #include "core/phantom/vascular_tree.h"
 
@@ -19,13 +20,6 @@ namespace angiomesh {
 namespace {
 
 constexpr std::uint8_t kSubvoxelsOfTruth = 4;  // 4 * 32 = 128 is more than 127
-
-Shape makeShape(const PhantomParams& params, const Progress& progress) {
-  progress.phase("phantom: shape");
-  if (params.kind == PhantomKind::Tree)
-    return vascularTree(params, phantomGeometry(params), progress);
-  return analyticShape(params);
-}
 
 void fadeVessels(Phantom& phantom, const PhantomParams& params, const Shape& shape,
                  const Progress& progress) {
@@ -41,6 +35,38 @@ void fadeVessels(Phantom& phantom, const PhantomParams& params, const Shape& sha
       value = static_cast<float>(static_cast<double>(value) * fade.at(point));
     }
   });
+}
+
+/// The literature's phantom: a staircase.
+void drawSubvoxels(Phantom& phantom, const PhantomParams& params, const Shape& shape,
+                   const Geometry& geometry, const Progress& progress) {
+  phantom.truth = countSubvoxels(shape, geometry, progress);
+  phantom.image = Volume<float>(geometry);
+  for (std::size_t i = 0; i < phantom.truth.voxels.size(); ++i) {
+    const std::uint8_t count = phantom.truth.voxels[i];
+    phantom.image.voxels[i] = static_cast<float>(std::min(255, 32 * count));
+    phantom.truth.voxels[i] = count >= kSubvoxelsOfTruth ? 1 : 0;
+  }
+  if (params.fadePercent < 100.0) fadeVessels(phantom, params, shape, progress);
+}
+
+void scanVessels(Phantom& phantom, const PhantomParams& params, const Shape& shape,
+                 const Geometry& geometry, const Progress& progress) {
+  const PartialVolumes volumes =
+      partialVolumes(shape, withMargin(geometry, params.psf), progress.sub(0.0, 0.7));
+  phantom.truth = Volume<std::uint8_t>(geometry);
+  Index3 margin;
+  for (std::size_t a = 0; a < 3; ++a) margin[a] = (volumes.grid.size[a] - geometry.size[a]) / 2;
+  for (std::size_t i = 0; i < phantom.truth.voxels.size(); ++i) {
+    const Index3 at = geometry.indexOf(i);
+    const std::size_t voxel =
+        volumes.grid.offset(at[0] + margin[0], at[1] + margin[1], at[2] + margin[2]);
+    phantom.truth.voxels[i] = volumes.share(voxel) >= 0.5 ? 1 : 0;
+  }
+  std::optional<VesselFade> fade;
+  if (params.fadePercent < 100.0) fade.emplace(params, shape);
+  phantom.image =
+      seenThrough(params.psf, volumes, fade ? &*fade : nullptr, geometry, progress.sub(0.7, 1.0));
 }
 
 /// Number of insertions, deletions and replacements between two words (Levenshtein 1966).
@@ -59,35 +85,27 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-nlohmann::json toJson(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
-
-nlohmann::json toJson(const ClutterPiece& piece) {
-  nlohmann::json json = {{"kind", piece.kind},
-                         {"intensity", piece.intensity},
-                         {"from_mm", toJson(piece.from)},
-                         {"to_mm", toJson(piece.to)}};
-  if (piece.label > 0) json["label"] = piece.label;
-  if (piece.segment >= 0) json["centre_line"] = piece.segment;
-  return json;
-}
-
 }  // namespace
+
+Shape makeShape(const PhantomParams& params, const Progress& progress) {
+  progress.phase("phantom: shape");
+  if (params.kind == PhantomKind::Tree)
+    return vascularTree(params, phantomGeometry(params), progress);
+  return analyticShape(params);
+}
 
 Phantom makePhantom(const PhantomParams& params, const Progress& progress) {
   const Geometry geometry = phantomGeometry(params);
   checkAppearance(params);
+  checkPointSpread(params.psf);
   const Shape shape = makeShape(params, progress.sub(0.0, 0.6));
   progress.phase("phantom: voxels");
   Phantom phantom;
   phantom.centreLines = shape.centreLines;
-  phantom.truth = countSubvoxels(shape, geometry, progress.sub(0.6, 0.9));
-  phantom.image = Volume<float>(geometry);
-  for (std::size_t i = 0; i < phantom.truth.voxels.size(); ++i) {
-    const std::uint8_t count = phantom.truth.voxels[i];
-    phantom.image.voxels[i] = static_cast<float>(std::min(255, 32 * count));
-    phantom.truth.voxels[i] = count >= kSubvoxelsOfTruth ? 1 : 0;
-  }
-  if (params.fadePercent < 100.0) fadeVessels(phantom, params, shape, progress);
+  if (params.psf.kind == PointSpread::Kind::Subvoxels)
+    drawSubvoxels(phantom, params, shape, geometry, progress.sub(0.6, 0.9));
+  else
+    scanVessels(phantom, params, shape, geometry, progress.sub(0.6, 0.9));
   if (params.clutter) addClutter(phantom, params, shape, progress.sub(0.9, 0.98));
   if (params.driftPercent > 0.0) addDrift(phantom.image, params, progress);
   if (params.noiseSigma > 0.0) addNoise(phantom.image, params, progress);
@@ -105,52 +123,11 @@ std::function<double(const Eigen::Vector3d&)> phantomDistance(const PhantomParam
   return [shape](const Eigen::Vector3d& point) { return shape->signedDistance(point); };
 }
 
-std::string truthJson(const PhantomParams& params, const Phantom& phantom) {
-  const auto voxels = static_cast<std::size_t>(
-      std::count(phantom.truth.voxels.begin(), phantom.truth.voxels.end(), std::uint8_t{1}));
-  nlohmann::json json;
-  json["schema"] = 1;
-  json["kind"] = phantomKindNames()[static_cast<std::size_t>(params.kind)];
-  json["size"] = params.size;
-  json["spacing_mm"] = toJson(params.spacingMm);
-  nlohmann::json& values = json["parameters"];
-  values["random_seed"] = params.randomSeed;
-  values["noise_sigma"] = params.noiseSigma;
-  values["noise_model"] = params.noiseModel == NoiseModel::Rician ? "rician" : "gaussian";
-  values["drift_percent"] = params.driftPercent;
-  values["fade_percent"] = params.fadePercent;
-  values["clutter"] = params.clutter;
-  if (params.kind == PhantomKind::Tree) {
-    values["radius_range_voxels"] = {params.radiusMin, params.radiusMax};
-    values["volume_percent"] = params.volumePercent;
-    if (params.terminals > 0) values["terminals"] = params.terminals;
-  } else {
-    values["radius_voxels"] = params.radius;
-    values["axis"] = toJson(params.axis);
-    values["offset_voxels"] = toJson(params.offset);
-    if (params.kind == PhantomKind::Kissing) values["gap_voxels"] = params.gap;
-  }
-  json["truth"] = {{"voxels", voxels},
-                   {"percent", 100.0 * static_cast<double>(voxels) /
-                                   static_cast<double>(phantom.truth.voxels.size())}};
-  json["frame"] = "LPS";
-  nlohmann::json& lines = json["centre_lines"] = nlohmann::json::array();
-  for (const CentreLineSegment& s : phantom.centreLines) {
-    nlohmann::json line = {{"from_mm", toJson(s.from)},
-                           {"to_mm", toJson(s.to)},
-                           {"radius_from_mm", s.radiusFromMm},
-                           {"radius_to_mm", s.radiusToMm}};
-    if (s.parent >= 0) line["parent"] = s.parent;
-    lines.push_back(std::move(line));
-  }
-  for (const ClutterPiece& piece : phantom.pieces) json["clutter"].push_back(toJson(piece));
-  return json.dump(1) + "\n";
-}
-
 const std::vector<std::string>& phantomKindNames() {
-  static const std::vector<std::string> names{"tree",        "tube",     "torus",
-                                              "bifurcation", "kissing",  "helix",
-                                              "stenosis",    "aneurysm", "capsule-tree"};
+  static const std::vector<std::string> names{
+      "tree",  "tube",          "torus",      "bifurcation",  "kissing",
+      "helix", "stenosis",      "aneurysm",   "capsule-tree", "bent-tube",
+      "cone",  "neck-aneurysm", "vessel-tree"};
   return names;
 }
 

@@ -9,18 +9,22 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/phantom/point_spread.h"
 
 namespace angiomesh {
 
 /// Tree: see vascular_tree.h. The others: `radius` = r, a = half the volume's shortest side, all
-/// centred in the volume along `axis`. Tube, Stenosis, Aneurysm, Bifurcation and Kissing leave the
-/// volume at their ends. Stenosis: narrows to r/2 within 3 r on either side of the centre.
-/// Aneurysm: a ball of radius 2 r at 2.5 r beside the axis, blended over r/2. Bifurcation:
-/// daughters of equal radius by Murray's law at 35 degrees, blended over r/2. Kissing: parallel
-/// along 4 r, then bent away by 35 degrees at radius 6 r. Torus: centre circle of radius a/2 around
-/// the axis. Helix: coil radius a/2, pitch 5 r, ball ends inside the volume. CapsuleTree: ten
-/// tapering capsules, radii 1.5 r to 0.375 r, blended over 2 voxels, one of them a bridge (genus
-/// 1), inside the volume.
+/// centred in the volume along `axis`. Tube, BentTube, Cone, Stenosis, Aneurysm, NeckAneurysm,
+/// Bifurcation and Kissing leave the volume at their ends. Stenosis: its diameter falls by
+/// `stenosisPercent` within 3 r on either side of the centre. Aneurysm: a ball of radius 2 r at
+/// 2.5 r beside the axis, blended over r/2. NeckAneurysm: a ball of radius 2 r at 3.6 r beside the
+/// axis on a neck of radius 0.8 r, blended over r/2. Bifurcation: daughters of equal radius by
+/// Murray's law at 35 degrees, blended over r/2. Kissing: parallel along 4 r, then bent away by 35
+/// degrees at radius 6 r. Torus: centre circle of radius a/2 around the axis. Helix: coil radius
+/// a/2, pitch 5 r, ball ends inside the volume. CapsuleTree: ten tapering capsules, radii 1.5 r to
+/// 0.375 r, blended over 2 voxels, one of them a bridge (genus 1), inside the volume. BentTube: a
+/// quarter of a circle of radius 4 r between straight halves. Cone: the radius falls from 1.5 r to
+/// r/2 along the axis' part in the volume. VesselTree: see vessel_tree.h.
 enum class PhantomKind {
   Tree,
   Tube,
@@ -30,7 +34,11 @@ enum class PhantomKind {
   Helix,
   Stenosis,
   Aneurysm,
-  CapsuleTree
+  CapsuleTree,
+  BentTube,
+  Cone,
+  NeckAneurysm,
+  VesselTree
 };
 
 enum class NoiseModel { Gaussian, Rician };
@@ -46,6 +54,8 @@ struct PhantomParams {
   double radiusMin = 0.8, radiusMax = 8.0;  ///< tree
   double volumePercent = 0.77;              ///< tree: share of the volume that is vessel
   double gap = 1.0;                         ///< kissing: distance between the two walls
+  double stenosisPercent = 50.0;            ///< stenosis: of the diameter
+  PointSpread psf;                          ///< of vessels and clutter
   double noiseSigma = 0.0;                  ///< unclipped, in intensities of 0..255
   NoiseModel noiseModel = NoiseModel::Gaussian;
   double driftPercent = 0.0;   ///< +-, smooth factor on vessels, clutter and background
@@ -72,10 +82,12 @@ struct ClutterPiece {
 };
 
 struct Phantom {
-  /// 0..255 from 2x2x2 subvoxels at 32 each, min(255, 32 n), times the fade; clutter alike, added;
-  /// then drift and noise.
+  /// The vessels, 255 inside and 0 outside, times the fade, seen through the point spread, see
+  /// PointSpread; clutter alike, added; then drift and noise.
   Volume<float> image;
-  Volume<std::uint8_t> truth;    ///< 1 where the vessels alone, without fade, are more than 127
+  /// 1 where a voxel is inside by half of its volume and more: exactly, or with the point spread
+  /// Subvoxels by its count.
+  Volume<std::uint8_t> truth;
   Volume<std::uint8_t> clutter;  ///< labels of the pieces; without voxels unless asked for
   std::vector<CentreLineSegment> centreLines;
   std::vector<ClutterPiece> pieces;
@@ -90,9 +102,6 @@ Volume<float> phantomField(const PhantomParams& params);
 
 /// The same at any point in LPS mm; may be called from several threads.
 std::function<double(const Eigen::Vector3d&)> phantomDistance(const PhantomParams& params);
-
-/// `truth.json`: kind, parameters, centre lines and radii, pieces of clutter.
-std::string truthJson(const PhantomParams& params, const Phantom& phantom);
 
 PhantomKind phantomKindFromName(
     const std::string& name);  ///< @throws InputError naming the nearest kind

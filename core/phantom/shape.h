@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/phantom/curve_tube.h"
 #include "core/phantom/phantom.h"
 
 // Solids with a signed distance in closed form, negative inside. All lengths in mm. The results are
@@ -55,7 +56,7 @@ struct WaistedTube {
   [[nodiscard]] double radiusAt(double s) const;
 };
 
-using Solid = std::variant<RoundCone, ArcTube, HelixTube, WaistedTube>;
+using Solid = std::variant<RoundCone, ArcTube, HelixTube, WaistedTube, CurveTube>;
 double signedDistance(const Solid& solid, const Eigen::Vector3d& point);
 
 /// The union of solids; with blendMm = k > 0 a smooth union: min(a, b) - k/6 max(1 - |a - b|/k,
@@ -72,6 +73,9 @@ struct Shape {
 
 /// Origin 0, identity direction. @throws InputError for a size or spacing that makes no sense
 Geometry phantomGeometry(const PhantomParams& params);
+
+/// Of any kind. @throws as makePhantom()
+Shape makeShape(const PhantomParams& params, const Progress& progress = {});
 
 /// Every kind except the tree. @throws InputError when the shape does not fit into the volume
 Shape analyticShape(const PhantomParams& params);

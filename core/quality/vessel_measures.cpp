@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/phantom/wall_truth.h"
 
 namespace angiomesh {
 namespace {
@@ -17,22 +18,6 @@ using Eigen::Vector3d;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPi = 3.14159265358979323846;
-
-double nearestRadius(const std::vector<CentreLineSegment>& lines, const Vector3d& point) {
-  double nearest = std::numeric_limits<double>::max();
-  double found = 0.0;
-  for (const CentreLineSegment& s : lines) {
-    const Vector3d step = s.to - s.from;
-    const double square = step.squaredNorm();
-    const double t = square > 0.0 ? std::clamp((point - s.from).dot(step) / square, 0.0, 1.0) : 0.0;
-    const double radius = s.radiusFromMm + t * (s.radiusToMm - s.radiusFromMm);
-    const double distance = (point - s.from - t * step).norm() - radius;
-    if (distance >= nearest) continue;
-    nearest = distance;
-    found = radius;
-  }
-  return found;
-}
 
 /// Where phi changes sign between two neighbouring voxels, index space.
 void addCrossings(const SplineField& phi, int k, std::vector<Vector3d>& crossings) {
@@ -164,7 +149,7 @@ std::vector<WallSample> wallSamples(const SplineField& phi,
         Vector3d moved = sample.point;
         if (phi.projectToZero(moved, 1.0)) sample.point = moved;
         sample.signedDistanceMm = distanceMm(sample.point);
-        if (!centreLines.empty()) sample.radiusMm = nearestRadius(centreLines, sample.point);
+        if (!centreLines.empty()) sample.radiusMm = nearestVesselRadius(centreLines, sample.point);
         slices[k].push_back(sample);
       }
     }
