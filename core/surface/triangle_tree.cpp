@@ -105,6 +105,56 @@ TriangleTree::Closest TriangleTree::closest(const Eigen::Vector3d& point) const 
   return best;
 }
 
+double TriangleTree::firstExit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                               double least) const {
+  double best = std::numeric_limits<double>::infinity();
+  if (nodes_.empty()) return best;
+  const Eigen::Array3d inverse = direction.array().inverse();
+  const auto misses = [&](const Box& box) {
+    const Eigen::Array3d a = (box.min() - origin).array() * inverse;
+    const Eigen::Array3d b = (box.max() - origin).array() * inverse;
+    double enter = least;
+    double leave = best;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      if (direction[axis] == 0.0) {
+        if (origin[axis] < box.min()[axis] || origin[axis] > box.max()[axis]) return true;
+        continue;
+      }
+      enter = std::max(enter, std::min(a[axis], b[axis]));
+      leave = std::min(leave, std::max(a[axis], b[axis]));
+    }
+    return enter > leave;
+  };
+  std::array<std::uint32_t, 64> stack{};
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const std::uint32_t at = stack[--depth];
+    const Node& node = nodes_[at];
+    if (misses(node.box)) continue;
+    if (node.count == 0) {
+      stack[depth++] = node.start;
+      stack[depth++] = at + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.start; i < node.start + node.count; ++i) {
+      const auto corners = cornersOf(mesh_, order_[i]);
+      const Eigen::Vector3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+      const Eigen::Vector3d normal = ab.cross(ac);
+      const double facing = normal.dot(direction);
+      if (!(facing > 0.0)) continue;
+      // Moeller and Trumbore 1997.
+      const Eigen::Vector3d from = origin - corners[0];
+      const Eigen::Vector3d turned = direction.cross(from);
+      const double u = -ac.dot(turned), v = ab.dot(turned);
+      if (u < 0.0 || v < 0.0 || u + v > facing) continue;
+      const double distance = -normal.dot(from) / facing;
+      if (distance > least && distance < best) best = distance;
+    }
+  }
+  return best;
+}
+
 Eigen::Vector3d closestWeights(const std::array<Eigen::Vector3d, 3>& triangle,
                                const Eigen::Vector3d& point) {
   const Eigen::Vector3d &a = triangle[0], &b = triangle[1], &c = triangle[2];

@@ -53,6 +53,11 @@ class TriangleTree {
   /// The point of the surface closest to `point`; the mesh must not be empty.
   [[nodiscard]] Closest closest(const Eigen::Vector3d& point) const;
 
+  /// The distance from `origin` along `direction` (of length 1) to the first triangle that it
+  /// leaves the inside through, beyond `least`; infinity where there is none.
+  [[nodiscard]] double firstExit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                                 double least) const;
+
  private:
   struct Node {
     Box box;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/tri_mesh.h"
+
+namespace angiomesh {
+
+/// How rough a mesh is, without knowing the true wall: 0 on balls and tubes of any size and
+/// fineness, and on what bends slowly along its own radius.
+///
+/// Around a vertex, the vertices within one local radius (half the way through the vessel, against
+/// the normal), at least 24 of them and two rings, are fitted by a quadric (see LocalQuadric; the
+/// graph's terms and those that balls and tubes need). From there
+/// - spread: the root mean square distance of these vertices from it, over n - 9 degrees of
+///   freedom;
+/// - angle: of each edge at the vertex, by how much the angle between its two triangles differs
+///   from the one that they have with all four corners moved onto the quadric: what neither the
+///   triangles' size nor the wall's curvature explains.
+/// Each is taken at up to 20,000 vertices spread evenly over the list, weighted by area.
+struct Roughness {
+  double spreadMm = 0.0;    ///< median
+  double spread95Mm = 0.0;  ///< 95th percentile; branchings and tips count as well
+  double angleDeg = 0.0;    ///< median
+  std::size_t places = 0;   ///< vertices where it was measured
+};
+
+/// @param wall of each triangle: 0 for one that does not count, such as a cap; empty: patches alone
+/// do not count
+/// Nothing when no place has enough vertices around it.
+/// @throws InputError (see checkMesh), Cancelled
+std::optional<Roughness> measureRoughness(const TriMesh& mesh, const std::vector<char>& wall = {},
+                                          const Progress& progress = {});
+
+}  // namespace angiomesh
