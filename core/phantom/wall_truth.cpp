@@ -113,8 +113,11 @@ WallFoot WallTruth::footOf(const Vector3d& pointLps) const {
   Vector3d aside = Vector3d::Zero();
   for (int step = 0; step < kFootSteps; ++step) {
     const Vector3d gradient = gradientAt(foot.point);
-    const double steepness = gradient.norm();
-    if (steepness > 1e-3) foot.normal = gradient / steepness;  // else on an axis: any way out
+    double steepness = gradient.norm();
+    if (steepness > 1e-3)
+      foot.normal = gradient / steepness;
+    else
+      steepness = 1.0;  // on an axis: any way out
     if (step > 0) {
       const Vector3d back = pointLps - foot.point;
       aside = back - back.dot(foot.normal) * foot.normal;

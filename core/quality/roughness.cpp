@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/quality/local_quadric.h"
+#include "core/quality/local_wall.h"
 #include "core/quality/triangle_shape.h"
 #include "core/surface/triangle_tree.h"
 
@@ -18,8 +18,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kMostPlaces = 20000.0;
-constexpr double kMostVisits = 3e6;  // vertices in all windows together
-constexpr std::size_t kLeastVertices = 24;
+constexpr double kMostVisits = 4e5;  // vertices in all windows together
+constexpr std::size_t kLeastVertices = 32, kMostFitted = 128;
 constexpr double kPi = 3.14159265358979323846;
 
 /// A value and how much of the surface it stands for.
@@ -145,14 +145,15 @@ class Measure {
   void measureAt(std::uint32_t v, double radius, std::vector<char>& marks,
                  std::vector<std::uint32_t>& found, Place& place) const {
     rings_.around(v, radius, kLeastVertices, 2, marks, found);
-    const auto quadric = LocalQuadric::fit(mesh_, found, rings_.normalAt(v), false);
-    if (!quadric) return;
-    double sum = 0.0;
-    for (const std::uint32_t n : found) {
-      const double d = quadric->distanceOf(mesh_.points[n]);
-      sum += d * d;
+    if (found.size() > kMostFitted) {  // ring by ring, so every n-th of them covers the window
+      const std::size_t every = (found.size() + kMostFitted - 1) / kMostFitted;
+      std::size_t kept = 0;
+      for (std::size_t n = 0; n < found.size(); n += every) found[kept++] = found[n];
+      found.resize(kept);
     }
-    place.spread = std::sqrt(sum / (static_cast<double>(found.size()) - LocalQuadric::kTerms));
+    const auto fitted = LocalWall::fit(mesh_, found, rings_.normalAt(v), false);
+    if (!fitted) return;
+    place.spread = fitted->spreadMm();
     const auto triangles = rings_.trianglesAt(v);
     for (const std::uint32_t left : triangles)
       for (const std::uint32_t right : triangles) {
@@ -161,7 +162,7 @@ class Measure {
         const std::array<Vector3d, 4> corners{mesh_.points[v], mesh_.points[a[0]],
                                               mesh_.points[a[1]], mesh_.points[b[0]]};
         std::array<Vector3d, 4> moved;
-        for (std::size_t i = 0; i < 4; ++i) moved[i] = quadric->foot(corners[i]);
+        for (std::size_t i = 0; i < 4; ++i) moved[i] = fitted->foot(corners[i]);
         place.angles.push_back(
             std::fabs(ridgeAngle(corners[0], corners[1], corners[2], corners[3]) -
                       ridgeAngle(moved[0], moved[1], moved[2], moved[3])));

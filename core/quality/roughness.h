@@ -14,14 +14,15 @@ namespace angiomesh {
 /// fineness, and on what bends slowly along its own radius.
 ///
 /// Around a vertex, the vertices within one local radius (half the way through the vessel, against
-/// the normal), at least 24 of them and two rings, are fitted by a quadric (see LocalQuadric; the
-/// graph's terms and those that balls and tubes need). From there
-/// - spread: the root mean square distance of these vertices from it, over n - 9 degrees of
+/// the normal), at least 32 of them and two rings, are fitted by a smooth wall of few terms (see
+/// LocalWall). From there
+/// - spread: the root mean square distance of these vertices from it, over n - 16 degrees of
 ///   freedom;
 /// - angle: of each edge at the vertex, by how much the angle between its two triangles differs
-///   from the one that they have with all four corners moved onto the quadric: what neither the
-///   triangles' size nor the wall's curvature explains.
-/// Each is taken at up to 20,000 vertices spread evenly over the list, weighted by area.
+///   from the one that they have with all four corners moved onto the fitted wall: what
+///   neither the triangles' size nor the wall's curvature explains.
+/// Each is taken at up to 20,000 vertices spread evenly over the list, fewer where a vessel has
+/// very many of them around it, weighted by area.
 struct Roughness {
   double spreadMm = 0.0;    ///< median
   double spread95Mm = 0.0;  ///< 95th percentile; branchings and tips count as well

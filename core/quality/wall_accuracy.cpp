@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/quality/local_quadric.h"
+#include "core/quality/local_wall.h"
 #include "core/quality/triangle_shape.h"
 #include "core/quality/wall_triangles.h"
 
@@ -91,7 +91,7 @@ std::vector<Place> measureVertices(const TriMesh& mesh, const std::vector<char>&
     std::vector<std::uint32_t> found;
     for (std::size_t n = first; n < last; ++n) {
       const auto v = static_cast<std::uint32_t>(n);
-      if (capped[n] != 0 || rings.trianglesAt(v).size() == 0) continue;
+      if (capped[n] != 0 || rings.trianglesAt(v).empty()) continue;
       const auto foot = footThatCounts(mesh.points[n], truth);
       if (!foot) continue;
       Place& place = places[n];
@@ -99,10 +99,10 @@ std::vector<Place> measureVertices(const TriMesh& mesh, const std::vector<char>&
       place.distance = foot->signedDistanceMm;
       place.radius = truth.radiusAt(foot->point);
       rings.around(v, 0.0, 0, 2, marks, found);
-      const auto quadric = LocalQuadric::fit(mesh, found, rings.normalAt(v), true);
-      if (!quadric || !(place.radius > 0.0)) continue;
+      const auto fitted = LocalWall::fit(mesh, found, rings.normalAt(v), true);
+      if (!fitted || !(place.radius > 0.0)) continue;
       const double curvature = truth.curvatureAt(*foot).mean();
-      place.curvatureError = std::fabs(quadric->meanCurvature() - curvature) /
+      place.curvatureError = std::fabs(fitted->meanCurvature() - curvature) /
                              std::max(std::fabs(curvature), 0.25 / place.radius);
     }
   });

@@ -22,7 +22,7 @@ struct WallAgreement {
   double normalMeanDeg = kNone;  ///< triangle's normal to the wall's at the centroid's foot
   double normal95Deg = kNone;
   /// Median of |H - H'| / max(|H'|, 1 / 4r): H' the true mean curvature at the vertex' foot, r the
-  /// vessel's radius there, H that of a quadratic height (LocalQuadric, a graph) over the vertex'
+  /// vessel's radius there, H that of a quadratic height (LocalWall, a graph) over the vertex'
   /// normal fitted to its two rings. 1 / 2r is a tube's; where the wall is saddle-shaped H' may be
   /// 0.
   double curvatureErrorMedian = kNone;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -22,11 +23,10 @@ class MeshRings {
     const std::uint32_t* last;
     [[nodiscard]] const std::uint32_t* begin() const { return first; }
     [[nodiscard]] const std::uint32_t* end() const { return last; }
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(last - first); }
+    [[nodiscard]] bool empty() const { return first == last; }
   };
-  [[nodiscard]] Range trianglesAt(std::uint32_t vertex) const { return range(triangles_, vertex); }
-  [[nodiscard]] Range neighboursOf(std::uint32_t vertex) const {
-    return range(neighbours_, vertex);
+  [[nodiscard]] Range trianglesAt(std::uint32_t vertex) const {
+    return {items_.data() + start_[vertex], items_.data() + start_[vertex + 1]};
   }
 
   /// The mean of the triangles' normals at a vertex by area, of length 1; zero without triangles.
@@ -38,41 +38,34 @@ class MeshRings {
   void around(std::uint32_t vertex, double reachMm, std::size_t least, int rings,
               std::vector<char>& marks, std::vector<std::uint32_t>& found) const;
 
-  [[nodiscard]] const TriMesh& mesh() const { return mesh_; }
-
  private:
-  struct Lists {
-    std::vector<std::size_t> start;
-    std::vector<std::uint32_t> items;
-  };
-  static Range range(const Lists& lists, std::uint32_t v) {
-    return {lists.items.data() + lists.start[v], lists.items.data() + lists.start[v + 1]};
-  }
-
   const TriMesh& mesh_;
-  Lists triangles_, neighbours_;
+  std::vector<std::size_t> start_;  ///< of each vertex in items_
+  std::vector<std::uint32_t> items_;
 };
 
-/// A quadric near a vertex: F(x, y, z) = z - c . (1, x, y, x^2, xy, y^2, z^2, xz, yz) in a frame
-/// whose z is the wall's normal. Balls and tubes are among them exactly, whatever share of them the
-/// points cover.
-class LocalQuadric {
+/// The wall near a vertex, F(x, y, z) = 0 with F = z - c . (1, x, y, x^2, xy, y^2, x^3, x^2 y, x
+/// y^2, y^3, z^2, xz, yz, x^2 z, xyz, y^2 z) in a frame whose z is the wall's normal: a cubic
+/// height with what makes balls and tubes exact, whatever share of them the points cover, and a
+/// tube that bends to second order of its bend. A graph ends with the sixth term: a quadratic
+/// height.
+class LocalWall {
  public:
   /// By least squares of F over the points `found`, the first of which is the frame's origin.
-  /// @param graph a height z over the tangent plane alone, without the last three terms
+  /// @param graph the first six terms alone
   /// Nothing when there are too few points for the terms, or they lie in a line.
-  static std::optional<LocalQuadric> fit(const TriMesh& mesh,
-                                         const std::vector<std::uint32_t>& found,
-                                         const Eigen::Vector3d& normal, bool graph);
+  static std::optional<LocalWall> fit(const TriMesh& mesh, const std::vector<std::uint32_t>& found,
+                                      const Eigen::Vector3d& normal, bool graph);
 
-  /// Signed distance of a point near the surface, to first order, mm.
-  [[nodiscard]] double distanceOf(const Eigen::Vector3d& point) const;
+  /// Root mean square distance of the points from it (to first order), over their number less that
+  /// of the terms, mm.
+  [[nodiscard]] double spreadMm() const { return spreadMm_; }
   /// The point of the surface near a point close to it.
   [[nodiscard]] Eigen::Vector3d foot(const Eigen::Vector3d& point) const;
   /// Of a graph at the origin, 1/mm, positive where the wall is convex seen from outside.
   [[nodiscard]] double meanCurvature() const;
 
-  static constexpr int kTerms = 9, kGraphTerms = 6;
+  static constexpr int kTerms = 16, kGraphTerms = 6;
 
  private:
   using Terms = Eigen::Matrix<double, kTerms, 1>;
@@ -87,6 +80,7 @@ class LocalQuadric {
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
   double scale_ = 1.0;  ///< the farthest point's distance, mm
   Terms terms_ = Terms::Zero();
+  double spreadMm_ = 0.0;
 };
 
 }  // namespace angiomesh
