@@ -9,12 +9,15 @@
 #include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "app/cli/summary.h"
+#include "app/cli/wall_text.h"
 #include "core/base/error.h"
+#include "core/phantom/truth_json.h"
 #include "core/pipeline/report.h"
 #include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/spline_field.h"
+#include "io/files.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh::cli {
@@ -79,7 +82,7 @@ std::vector<std::string> failures(const Gate& gate, const MeshQuality& q) {
 
 struct QualityOptions {
   ParameterOptions settings;
-  std::string mesh, phi, label, spline, against, gate, frame, unit;
+  std::string mesh, phi, label, spline, against, truth, gate, frame, unit;
   bool json = false;
 
   /// The interpolant of phi and the wanted edge length, by --set surface.* and --spline.
@@ -167,6 +170,11 @@ int quality(const QualityOptions& options, const Progress& progress) {
   const MeshQuality mine = measureQuality(mesh, field, progress.sub(0.0, 0.4));
   std::optional<WallMeasures> wall;
   if (phi) wall = measureWall(mesh, *phi, surface.sizing, progress.sub(0.4, 0.7));
+  std::optional<WallTruth> truth;
+  if (!options.truth.empty())
+    truth.emplace(phantomFromTruthJson(readText(options.truth), options.truth));
+  std::optional<WallAccuracy> accuracy;
+  if (truth) accuracy = wallAccuracy(mesh, *truth, progress.sub(0.65, 0.7));
   std::optional<MeshQuality> other;
   if (!options.against.empty())
     other = measureQuality(againstMesh(options), field, progress.sub(0.7, 1.0));
@@ -176,6 +184,7 @@ int quality(const QualityOptions& options, const Progress& progress) {
   if (options.json) {
     Json report = Json::parse(meshQualityJson(mine));
     if (wall) report.update(wallBlocks(*wall, mine));
+    if (accuracy) report["wall"] = wallJson(*accuracy, truth->grid().voxelMm());
     if (other) report["against"] = Json::parse(meshQualityJson(*other))["mesh"];
     if (gate != nullptr)
       report["gate"] = {{"name", gate->name}, {"passed", failed.empty()}, {"failures", failed}};
@@ -185,6 +194,7 @@ int quality(const QualityOptions& options, const Progress& progress) {
     if (other) columns.push_back({"against", &*other});
     printQualities(columns);
     if (wall) printWall(*wall, mine);
+    if (accuracy) printWallAccuracy(*accuracy, truth->grid().voxelMm());
   }
   if (failed.empty()) return Done;
   std::string list;
@@ -206,6 +216,9 @@ void addQuality(CLI::App& program, Session& session) {
   command->add_option("--spline", options->spline,
                       "Interpolant of phi: interpolating-bspline, bspline or catmull-rom");
   command->add_option("--against", options->against, "Another mesh, to be measured beside it");
+  command->add_option("--truth", options->truth,
+                      "truth.json of the phantom that the mesh was made from: distance, normals "
+                      "and curvature against its exact wall");
   command
       ->add_option("--frame", options->frame, "Of the mesh, whatever its header says: lps or ras")
       ->check(CLI::IsMember({"lps", "ras"}));

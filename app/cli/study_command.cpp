@@ -12,6 +12,7 @@
 #include "app/cli/study_figures.h"
 #include "app/cli/study_panel_command.h"
 #include "app/cli/study_segmentation.h"
+#include "app/cli/study_surface_command.h"
 #include "app/cli/study_table.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
@@ -207,6 +208,7 @@ void addStudy(CLI::App& program, Session& session) {
   addTableA(*study, session);
   addStudyPanel(*study, session);
   addStudyPorts(*study, session);
+  addStudySurface(*study, session);
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command =
       study->add_subcommand("figures",

@@ -140,6 +140,12 @@ void printQualities(const std::vector<NamedQuality>& columns) {
   printRow("volume (mm3)", columns,
            [](Q q) { return q.closed ? text("%.6g", q.volumeMm3) : std::string("-"); });
   printShape(columns);
+  printRow("roughness (mm)", columns, [](Q q) {
+    return q.roughness ? text("%.4g", q.roughness->spreadMm) : std::string("-");
+  });
+  printRow("  between neighbours (deg)", columns, [](Q q) {
+    return q.roughness ? text("%.2f", q.roughness->angleDeg) : std::string("-");
+  });
   const auto largest = [](const std::optional<DeviationStats>& d) {
     return d ? text("%.4g", d->maxMm) : std::string("-");
   };

@@ -52,6 +52,10 @@ Json meshBlock(const MeshQuality& q) {
     block["below_20_deg_percent"] = q.below20Percent;
     block["below_30_deg_percent"] = q.below30Percent;
   }
+  if (q.roughness)
+    block["roughness"] = {{"spread_mm", q.roughness->spreadMm},
+                          {"spread_p95_mm", q.roughness->spread95Mm},
+                          {"angle_deg", q.roughness->angleDeg}};
   if (q.fromFrontPercent) block["from_front_percent"] = *q.fromFrontPercent;
   if (q.vertexDeviation) block["deviation"]["vertex"] = deviationBlock(*q.vertexDeviation);
   if (q.centroidDeviation) block["deviation"]["centroid"] = deviationBlock(*q.centroidDeviation);

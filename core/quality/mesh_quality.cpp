@@ -245,7 +245,10 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Pr
   progress.report(0.2);
   measureShapes(mesh, q);
   progress.report(0.3);
-  q.intersectingPairs = selfIntersections(mesh, progress.sub(0.3, phi == nullptr ? 1.0 : 0.6));
+  q.roughness = measureRoughness(
+      mesh, phi == nullptr ? std::vector<char>{} : wallTriangles(mesh, phi->geometry()),
+      progress.sub(0.3, 0.4));
+  q.intersectingPairs = selfIntersections(mesh, progress.sub(0.4, phi == nullptr ? 1.0 : 0.6));
   q.selfIntersections = q.intersectingPairs.size();
   if (q.intersectingPairs.size() > listedPairs) q.intersectingPairs.resize(listedPairs);
   if (phi != nullptr) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/quality/roughness.h"
 #include "core/surface/spline_field.h"
 #include "core/surface/tri_mesh.h"
 
@@ -52,6 +53,7 @@ struct MeshQuality {
   std::optional<DeviationStats> vertexDeviation,
       centroidDeviation;  ///< from the zero set of phi, where given
   std::optional<CurvedDeviation> centroidTimesCurvature;
+  std::optional<Roughness> roughness;  ///< of the wall; empty where too few vertices tell
   /// Share of the triangles that come from the advancing front, where it made the mesh.
   std::optional<double> fromFrontPercent;
   /// Up to 1000 intersecting pairs of triangles, for the inspector.
