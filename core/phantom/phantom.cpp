@@ -53,7 +53,8 @@ void drawSubvoxels(Phantom& phantom, const PhantomParams& params, const Shape& s
 void scanVessels(Phantom& phantom, const PhantomParams& params, const Shape& shape,
                  const Geometry& geometry, const Progress& progress) {
   const PartialVolumes volumes =
-      partialVolumes(shape, withMargin(geometry, params.psf), progress.sub(0.0, 0.7));
+      partialVolumes(shape, withMargin(geometry, params.psf), isWide(params.psf, geometry),
+                     progress.sub(0.0, 0.7));
   phantom.truth = Volume<std::uint8_t>(geometry);
   Index3 margin;
   for (std::size_t a = 0; a < 3; ++a) margin[a] = (volumes.grid.size[a] - geometry.size[a]) / 2;

@@ -15,7 +15,9 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargestSigma = 4.0, kLargestZeroFilling = 4.0;
-constexpr double kNoBlur = 0.02;   // voxels: such a Gaussian changes no value by 0.1 %
+constexpr double kNoBlur = 0.02;  // voxels: such a Gaussian changes no value by 0.1 %
+constexpr double kBoxWidth = 0.28867513459481287;  // standard deviation of a box of length 1
+constexpr double kLeastWide = 0.25;
 constexpr double kTails = 4.0;     // standard deviations that a Gaussian reaches
 constexpr int kMrReach = 8;        // acquired voxels; h is 0 there, and below 0.001 beyond
 constexpr int kBoxIntervals = 96;  // of Simpson's rule over a voxel
@@ -102,8 +104,14 @@ std::string pointSpreadText(const PointSpread& psf) {
   return "subvoxels";
 }
 
-AxisKernel axisKernel(const PointSpread& psf, double sigmaVoxels, int cells) {
+bool isWide(const PointSpread& psf, const Geometry& grid) {
+  return psf.kind == PointSpread::Kind::Mr ||
+         psf.sigma * grid.voxelMm() >= kLeastWide * grid.spacing.maxCoeff();
+}
+
+AxisKernel axisKernel(const PointSpread& psf, double sigmaVoxels, int cells, double cellWidth) {
   const bool mr = psf.kind == PointSpread::Kind::Mr;
+  const double sigma = std::sqrt(std::max(sigmaVoxels * sigmaVoxels - cellWidth * cellWidth, 0.0));
   const double zero = psf.zeroFilling;
   AxisKernel kernel;
   kernel.cells = cells;
@@ -116,7 +124,7 @@ AxisKernel axisKernel(const PointSpread& psf, double sigmaVoxels, int cells) {
       const double x = shift - ((cell + 0.5) / cells - 0.5);
       double value = 0.0;
       if (!mr)
-        value = blurredBox(x, sigmaVoxels);
+        value = blurredBox(x, sigma);
       else if (std::fabs(x) < kMrReach * zero)
         value = hammingResponse(x / zero);
       kernel.weights.push_back(value);
@@ -133,7 +141,8 @@ void blurVoxels(Volume<float>& image, const PointSpread& psf, const Progress& pr
       1, static_cast<std::size_t>(g.size[0]),
       static_cast<std::size_t>(g.size[0]) * static_cast<std::size_t>(g.size[1])};
   for (int axis = 0; axis < 3; ++axis) {
-    const AxisKernel kernel = axisKernel(psf, psf.sigma * g.voxelMm() / g.spacing[axis], 1);
+    const AxisKernel kernel =
+        axisKernel(psf, psf.sigma * g.voxelMm() / g.spacing[axis], 1, kBoxWidth);
     const auto a = static_cast<std::size_t>(axis);
     const int length = g.size[a];
     const std::size_t stride = strides[a];

@@ -50,8 +50,13 @@ struct AxisKernel {
 
 /// @param psf Gaussian or Mr
 /// @param sigmaVoxels of this axis, for the Gaussian
+/// @param cellWidth standard deviation, in voxels, by which the cells' values are blurred already:
+/// as much less is the Gaussian
 /// The weights that a voxel gets from everywhere sum to 1.
-AxisKernel axisKernel(const PointSpread& psf, double sigmaVoxels, int cells);
+AxisKernel axisKernel(const PointSpread& psf, double sigmaVoxels, int cells, double cellWidth);
+
+/// Whether a Gaussian is wide enough for soft cells, see partialVolumes().
+bool isWide(const PointSpread& psf, const Geometry& grid);
 
 /// Blurs voxels whose values are means over their own volumes, the border repeated; Subvoxels: as
 /// it is.

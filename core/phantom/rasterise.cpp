@@ -101,6 +101,7 @@ void forEachVoxel(const Box& box, const Body& body) {
 }
 
 constexpr int kCells = PartialVolumes::kCells;
+constexpr double kGaussPoint = 0.28867513459481287;  // of two in an interval of length 1
 constexpr std::int32_t kWall = -3;  // of a voxel that waits for its place in the list of cells
 
 /// The share of a box inside the half-space whose border lies `distance` beyond the box's centre
@@ -140,7 +141,8 @@ void derivatives(const CellDistances& d, std::size_t stride, double& slope, doub
 
 /// The shares of a voxel's cells: a plane in each, moved by what the wall's curvature adds.
 PartialVolumes::Cells cellShares(const Shape& shape, const std::vector<int>& solids,
-                                 const Eigen::Vector3d& centre, const Eigen::Vector3d& spacing) {
+                                 const Eigen::Vector3d& centre, const Eigen::Vector3d& spacing,
+                                 bool soft) {
   const Eigen::Vector3d h = spacing / kCells;
   CellDistances d{};
   for (std::size_t n = 0; n < d.size(); ++n) {
@@ -164,10 +166,24 @@ PartialVolumes::Cells cellShares(const Shape& shape, const std::vector<int>& sol
   // The mean over a cell is h^2/24 times the second derivatives above the value in its centre;
   // where two solids meet in an edge these say nothing.
   const double lift = std::clamp(bends / 24.0, -0.02 * h.minCoeff(), 0.02 * h.minCoeff());
+  const Eigen::Vector3d extent = slope / steepness;
+  const double reach = extent.cwiseAbs().sum();
   PartialVolumes::Cells shares{};
-  for (std::size_t n = 0; n < d.size(); ++n)
-    shares[n] = static_cast<std::uint8_t>(
-        255.0 * shareInside(-(d[n] + lift) / steepness, slope / steepness) + 0.5);
+  for (std::size_t n = 0; n < d.size(); ++n) {
+    const double depth = -(d[n] + lift) / steepness;
+    double share = 0.0;
+    if (!soft || std::fabs(depth) >= reach) {
+      share = shareInside(depth, extent);
+    } else {
+      for (int corner = 0; corner < 8; ++corner) {
+        double moved = depth;
+        for (int a = 0; a < 3; ++a)
+          moved += ((corner >> a & 1) != 0 ? kGaussPoint : -kGaussPoint) * extent[a];
+        share += shareInside(moved, extent) / 8.0;
+      }
+    }
+    shares[n] = static_cast<std::uint8_t>(255.0 * share + 0.5);
+  }
   return shares;
 }
 
@@ -181,14 +197,17 @@ double PartialVolumes::share(std::size_t voxel) const {
   return sum / (255.0 * kCells * kCells * kCells);
 }
 
-PartialVolumes partialVolumes(const Shape& shape, const Geometry& grid, const Progress& progress) {
+PartialVolumes partialVolumes(const Shape& shape, const Geometry& grid, bool soft,
+                              const Progress& progress) {
   PartialVolumes out;
   out.grid = grid;
   out.state.assign(grid.voxelCount(), PartialVolumes::kOutside);
-  const double reach = 0.5 * std::sqrt(grid.spacing.dot(grid.spacing)) * (1.0 + 1e-9);
+  const double diagonal = std::sqrt(grid.spacing.dot(grid.spacing));
+  const double reach = (soft ? 0.5 + 0.5 / kCells : 0.5) * diagonal * (1.0 + 1e-9);
   forEachBrick(shape, grid, progress.sub(0.0, 0.3), [&](const Box& brick, const Nearby& near) {
-    if (near.distance > near.reach) return;
-    const bool full = near.distance < -near.reach;
+    const double beyond = near.reach + (soft ? 0.5 * diagonal / kCells : 0.0);
+    if (near.distance > beyond) return;
+    const bool full = near.distance < -beyond;
     forEachVoxel(brick, [&](int i, int j, int k) {
       const double d =
           full ? -near.reach : shape.signedDistance(centreOf(grid, i, j, k), near.solids);
@@ -204,12 +223,12 @@ PartialVolumes partialVolumes(const Shape& shape, const Geometry& grid, const Pr
     if (state == kWall) state = count++;
   out.cells.resize(static_cast<std::size_t>(count));
   forEachBrick(shape, grid, progress.sub(0.3, 1.0), [&](const Box& brick, const Nearby& near) {
-    if (std::fabs(near.distance) > near.reach) return;
+    if (std::fabs(near.distance) > near.reach + 0.5 * diagonal / kCells) return;
     forEachVoxel(brick, [&](int i, int j, int k) {
       const std::int32_t place = out.state[grid.offset(i, j, k)];
       if (place >= 0)
         out.cells[static_cast<std::size_t>(place)] =
-            cellShares(shape, near.solids, centreOf(grid, i, j, k), grid.spacing);
+            cellShares(shape, near.solids, centreOf(grid, i, j, k), grid.spacing, soft);
     });
   });
   return out;

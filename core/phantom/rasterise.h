@@ -32,7 +32,10 @@ struct PartialVolumes {
 };
 
 /// @param grid identity direction; may begin anywhere
-PartialVolumes partialVolumes(const Shape& shape, const Geometry& grid,
+/// @param soft each cell's share is a mean over boxes of its size whose centres lie in it: so a
+/// blur of the cells does not depend on where in a cell the wall is. It is that of a wall blurred
+/// by a cell's box.
+PartialVolumes partialVolumes(const Shape& shape, const Geometry& grid, bool soft = false,
                               const Progress& progress = {});
 
 /// Which solids of a shape matter where: its signed distance at single points, fast.

@@ -11,13 +11,14 @@ namespace angiomesh {
 namespace {
 
 constexpr int kCells = PartialVolumes::kCells;
+constexpr double kSoftWidth = 0.408248290463863 / kCells;  // of two boxes of a cell, sqrt(1 / 6)
 constexpr int kSlab = 16;  // slices of the image that are made together
 
 std::array<AxisKernel, 3> kernelsOf(const PointSpread& psf, const Geometry& g) {
   std::array<AxisKernel, 3> kernels;
   for (int a = 0; a < 3; ++a)
-    kernels[static_cast<std::size_t>(a)] =
-        axisKernel(psf, psf.sigma * g.voxelMm() / g.spacing[a], kCells);
+    kernels[static_cast<std::size_t>(a)] = axisKernel(psf, psf.sigma * g.voxelMm() / g.spacing[a],
+                                                      kCells, isWide(psf, g) ? kSoftWidth : 0.0);
   return kernels;
 }
 

@@ -12,7 +12,7 @@ namespace angiomesh {
 Geometry withMargin(const Geometry& grid, const PointSpread& psf);
 
 /// The shape, 255 inside and 0 outside, seen through a point spread (Gaussian or Mr).
-/// @param volumes of the shape on withMargin(grid, psf)
+/// @param volumes of the shape on withMargin(grid, psf), soft where isWide(psf, grid)
 /// @param fade the brightness of each place, 0..1; nullptr: 1
 /// Separable; places away from the shape cost nothing. The same for any number of threads.
 Volume<float> seenThrough(const PointSpread& psf, const PartialVolumes& volumes,

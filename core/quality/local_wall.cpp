@@ -11,9 +11,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What the terms beyond the graph's cost, against sums of squares in units of the farthest point:
-/// without it those with z would follow the noise of a flat wall, where z is nearly 0.
-constexpr double kRidge = 1e-8;
+constexpr double kLeastRidge = 1e-8;  // of sums of squares of n points: coarse tubes have few rows
+/// The size that the coefficients of terms with z have on vessels, in units of the farthest point.
+constexpr double kHeightTerm = 0.5;
+constexpr int kRidgeSteps = 4;
+
+template <class Solver>
+bool usable(const Solver& solver, double count) {
+  return solver.info() == Eigen::Success && solver.vectorD().cwiseAbs().minCoeff() > 1e-14 * count;
+}
 
 }  // namespace
 
@@ -104,19 +110,36 @@ std::optional<LocalWall> LocalWall::fit(const TriMesh& mesh,
     right += p[2] * row;
   }
   const auto count = static_cast<double>(found.size());
-  for (int i = kGraphTerms; i < kTerms; ++i) matrix(i, i) += graph ? 1.0 : kRidge * count;
-  const Eigen::LDLT<Square> solver(matrix);
-  if (solver.info() != Eigen::Success || solver.vectorD().cwiseAbs().minCoeff() < 1e-14 * count)
-    return std::nullopt;
-  wall.terms_ = solver.solve(right);
-  if (!wall.terms_.allFinite()) return std::nullopt;
-  double sum = 0.0;
-  for (const Vector3d& p : local) {
-    Vector3d gradient;
-    const double value = wall.valueAt(p, gradient);
-    sum += value * value / std::max(gradient.squaredNorm(), 1e-12);
+  for (int i = kGraphTerms; i < kTerms; ++i) matrix(i, i) += graph ? 1.0 : kLeastRidge * count;
+  if (graph) {
+    const Eigen::LDLT<Square> solver(matrix);
+    if (!usable(solver, count)) return std::nullopt;
+    wall.terms_ = solver.solve(right);
+    if (!wall.terms_.allFinite()) return std::nullopt;
+    return wall;
   }
-  wall.spreadMm_ = wall.scale_ * std::sqrt(sum / std::max(1.0, count - terms));
+  // A ridge of the noise's variance over that of the coefficients (Hoerl and Kennard 1970) keeps
+  // the terms with z from following the noise of a flat wall, where z is nearly 0.
+  double ridge = 1e6;
+  for (int step = 0; step < kRidgeSteps; ++step) {
+    Square held = matrix;
+    for (int i = kCubicTerms; i < kTerms; ++i) held(i, i) += ridge;
+    const Eigen::LDLT<Square> solver(held);
+    if (!usable(solver, count)) return std::nullopt;
+    wall.terms_ = solver.solve(right);
+    if (!wall.terms_.allFinite()) return std::nullopt;
+    double sum = 0.0;
+    for (const Vector3d& p : local) {
+      Vector3d gradient;
+      const double value = wall.valueAt(p, gradient);
+      sum += value * value / std::max(gradient.squaredNorm(), 0.25);
+    }
+    double used = kTerms;  // degrees of freedom: the trace of the fit's projection
+    for (int i = kCubicTerms; i < kTerms; ++i) used -= ridge * solver.solve(Terms::Unit(i))[i];
+    const double variance = sum / std::max(1.0, count - used);
+    wall.spreadMm_ = wall.scale_ * std::sqrt(variance);
+    ridge = variance / (kHeightTerm * kHeightTerm);
+  }
   return wall;
 }
 

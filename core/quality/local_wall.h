@@ -57,15 +57,15 @@ class LocalWall {
   static std::optional<LocalWall> fit(const TriMesh& mesh, const std::vector<std::uint32_t>& found,
                                       const Eigen::Vector3d& normal, bool graph);
 
-  /// Root mean square distance of the points from it (to first order), over their number less that
-  /// of the terms, mm.
+  /// Root mean square distance of the points from it (to first order), over their number less the
+  /// degrees of freedom that the fit used, mm; not of a graph.
   [[nodiscard]] double spreadMm() const { return spreadMm_; }
   /// The point of the surface near a point close to it.
   [[nodiscard]] Eigen::Vector3d foot(const Eigen::Vector3d& point) const;
   /// Of a graph at the origin, 1/mm, positive where the wall is convex seen from outside.
   [[nodiscard]] double meanCurvature() const;
 
-  static constexpr int kTerms = 16, kGraphTerms = 6;
+  static constexpr int kTerms = 16, kCubicTerms = 10, kGraphTerms = 6;
 
  private:
   using Terms = Eigen::Matrix<double, kTerms, 1>;

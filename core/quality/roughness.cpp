@@ -17,6 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kReach = 0.5;  // radii; wider, side branches are in most windows of a tree
 constexpr double kMostPlaces = 20000.0;
 constexpr double kMostVisits = 4e5;  // vertices in all windows together
 constexpr std::size_t kLeastVertices = 32, kMostFitted = 128;
@@ -130,7 +131,8 @@ class Measure {
     double visits = 0.0;
     for (std::size_t n = 0; n < places_.size(); ++n) {
       const double radius = std::isfinite(radii_[n]) ? std::min(radii_[n], mostRadius_) : 0.0;
-      visits += kLeastVertices + kPi * radius * radius * count / std::max(area_, 1e-300);
+      const double reach = kReach * radius;
+      visits += kLeastVertices + kPi * reach * reach * count / std::max(area_, 1e-300);
     }
     every = static_cast<std::size_t>(std::ceil(std::max(1.0, visits / kMostVisits)));
     std::size_t kept = 0;
@@ -144,7 +146,7 @@ class Measure {
 
   void measureAt(std::uint32_t v, double radius, std::vector<char>& marks,
                  std::vector<std::uint32_t>& found, Place& place) const {
-    rings_.around(v, radius, kLeastVertices, 2, marks, found);
+    rings_.around(v, kReach * radius, kLeastVertices, 2, marks, found);
     if (found.size() > kMostFitted) {  // ring by ring, so every n-th of them covers the window
       const std::size_t every = (found.size() + kMostFitted - 1) / kMostFitted;
       std::size_t kept = 0;

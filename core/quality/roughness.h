@@ -13,11 +13,11 @@ namespace angiomesh {
 /// How rough a mesh is, without knowing the true wall: 0 on balls and tubes of any size and
 /// fineness, and on what bends slowly along its own radius.
 ///
-/// Around a vertex, the vertices within one local radius (half the way through the vessel, against
-/// the normal), at least 32 of them and two rings, are fitted by a smooth wall of few terms (see
-/// LocalWall). From there
-/// - spread: the root mean square distance of these vertices from it, over n - 16 degrees of
-///   freedom;
+/// Around a vertex, the vertices in a window one local radius wide (half the way through the
+/// vessel, against the normal), at least 32 of them and two rings, are fitted by a smooth wall of
+/// few terms (see LocalWall). From there
+/// - spread: the root mean square distance of these vertices from it, over the degrees of freedom
+///   that are left;
 /// - angle: of each edge at the vertex, by how much the angle between its two triangles differs
 ///   from the one that they have with all four corners moved onto the fitted wall: what
 ///   neither the triangles' size nor the wall's curvature explains.

@@ -8,13 +8,20 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/phantom/phantom.h"
+#include "core/phantom/truth_json.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
-using analytic::paramsOf;
 using Eigen::Vector3d;
 
 namespace {
+
+/// As the literature's phantoms: what these tests count is the subvoxels.
+PhantomParams paramsOf(PhantomKind kind, int side, double radius = 4.0) {
+  PhantomParams params = analytic::paramsOf(kind, side, radius);
+  params.psf.kind = PointSpread::Kind::Subvoxels;
+  return params;
+}
 
 double truthVolume(const Volume<std::uint8_t>& truth) {
   return std::accumulate(truth.voxels.begin(), truth.voxels.end(), 0.0) *
@@ -75,7 +82,7 @@ double segmentDistance(const CentreLineSegment& s, const CentreLineSegment& t) {
 }
 
 PhantomParams treeParams(const Index3& size, std::uint64_t seed) {
-  PhantomParams params;
+  PhantomParams params = paramsOf(PhantomKind::Tree, 128);
   params.size = size;
   params.randomSeed = seed;
   return params;
@@ -181,7 +188,8 @@ class TestPhantom : public QObject {
     for (const PhantomKind kind :
          {PhantomKind::Tube, PhantomKind::Torus, PhantomKind::Helix, PhantomKind::Stenosis,
           PhantomKind::CapsuleTree, PhantomKind::Aneurysm, PhantomKind::Bifurcation,
-          PhantomKind::Kissing})
+          PhantomKind::Kissing, PhantomKind::BentTube, PhantomKind::Cone, PhantomKind::NeckAneurysm,
+          PhantomKind::VesselTree})
       QTest::newRow(phantomKindNames()[static_cast<std::size_t>(kind)].c_str())
           << static_cast<int>(kind);
   }

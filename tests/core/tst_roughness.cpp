@@ -84,8 +84,8 @@ class TestRoughness : public QObject {
   /// A vessel that bends at five times its radius is far smoother than noise of 0.01 radius.
   void aBentVesselIsNearlySmooth() {
     const auto bent = measureRoughness(shapes::torus(180, 30, 5.0, 1.0));
-    QVERIFY2(bent->spreadMm < 6e-3, QByteArray::number(bent->spreadMm));
-    QVERIFY2(bent->angleDeg < 0.15, QByteArray::number(bent->angleDeg));
+    QVERIFY2(bent->spreadMm < 1e-3, QByteArray::number(bent->spreadMm));
+    QVERIFY2(bent->angleDeg < 0.05, QByteArray::number(bent->angleDeg));
   }
 
   void noiseOfTheVerticesIsFoundAgain() {
@@ -95,7 +95,7 @@ class TestRoughness : public QObject {
       double angleBefore = 0.0;
       for (const double sigma : {0.002, 0.005, 0.02}) {
         const auto r = measureRoughness(roughened(smooth, sigma, tube));
-        QVERIFY2(std::fabs(r->spreadMm / sigma - 1.0) < 0.12,
+        QVERIFY2(std::fabs(r->spreadMm / sigma - 1.0) < 0.06,
                  QByteArray::number(r->spreadMm / sigma));
         QVERIFY(r->spreadMm > before && r->angleDeg > 1.5 * angleBefore);
         before = r->spreadMm;
