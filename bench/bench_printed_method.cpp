@@ -56,6 +56,7 @@ int run(const Options& options) {
     double sum = 0.0;
     for (const std::uint64_t seed : options.randomSeeds) {
       PhantomParams phantom;
+      phantom.psf.kind = PointSpread::Kind::Subvoxels;
       phantom.size = {options.size, options.size, options.size};
       phantom.randomSeed = seed;
       phantom.noiseSigma = noise;

@@ -45,6 +45,7 @@ int flooded(const Bed& bed, Volume<float>* phi = nullptr) {
 
 std::shared_ptr<const Bed> makeBed(int size, double noise) {
   PhantomParams phantom;
+  phantom.psf.kind = PointSpread::Kind::Subvoxels;
   phantom.size = {size, size, size};
   phantom.noiseSigma = noise;
   const auto bed = std::make_shared<Bed>();

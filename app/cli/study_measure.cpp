@@ -143,7 +143,8 @@ void measureWall(Measures& m, const Volume<float>& phi, const PhantomParams& par
     PhantomParams clean = params;
     clean.noiseSigma = 0.0;
     Volume<float> fullness = makePhantom(clean).image;
-    for (float& v : fullness.voxels) v = v >= 255.0F ? 1.0F : v / 256.0F;
+    const bool counted = params.psf.kind == PointSpread::Kind::Subvoxels;
+    for (float& v : fullness.voxels) v = counted && v < 255.0F ? v / 256.0F : v / 255.0F;
     at(m, Metric::RadiusBiasImage) =
         radius - tubeRadiusOfShares(fullness, line.from, line.to, around) / voxel;
   }

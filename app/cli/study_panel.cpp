@@ -36,6 +36,7 @@ std::string axisName(const Vector3d& axis) {
 
 PhantomParams treeParams(int size, std::uint64_t seed, double noise) {
   PhantomParams params;
+  params.psf.kind = PointSpread::Kind::Subvoxels;
   params.size = {size, size, size};
   params.randomSeed = seed;
   params.noiseSigma = noise;
@@ -105,6 +106,17 @@ void addTrees(std::vector<PanelRow>& rows, int size) {
          "trees with radii from 1.35, drift +-40 %, fading to 60 %, noise " + shortNumber(noise),
          trees(size, noise, thickerDrift), driftBars(noise)});
   }
+  // Vessels as a scanner sees them: no staircase, and a point spread.
+  const auto scanned = [](PhantomParams& p) {
+    p.radiusMin = 1.35;
+    p.psf = {};
+  };
+  for (const double noise : {0.0, 20.0, 60.0})
+    rows.push_back(
+        {"scanned-" + noiseName(noise), "scanned",
+         "trees with radii from 1.35 through a Gaussian of 0.5 voxel, noise " + shortNumber(noise),
+         trees(size, noise, scanned),
+         noise > 0.0 ? treeBars(noise) : std::vector<Bar>{noFalseOnes()}});
   rows.push_back({"spacing-n20",
                   "spacing",
                   "trees, spacing 0.5x0.5x0.8, noise 20",

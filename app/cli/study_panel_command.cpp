@@ -356,8 +356,8 @@ void addCommand(CLI::App& study, Session& session, const char* name, const char*
   addSettings(*command, options->settings);
   command
       ->add_option("--rows", options->rows,
-                   "Rows or groups NAME,NAME: trees, spacing, drift, rician, clutter, complaints, "
-                   "tubes, kissing, shapes")
+                   "Rows or groups NAME,NAME: trees, thicker, scanned, spacing, drift, rician, "
+                   "clutter, complaints, tubes, kissing, shapes")
       ->capture_default_str();
   command->add_option("--size", options->size, "Voxels along each side of the trees")
       ->check(CLI::Range(64, 512))

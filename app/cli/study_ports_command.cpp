@@ -46,6 +46,7 @@ std::vector<StudyVolume> volumesOf(const PortsOptions& options) {
   if (!volumes.empty()) return volumes;
   for (const char* kind : {"tube", "bifurcation", "aneurysm", "tree"}) {
     PhantomParams params;
+    params.psf.kind = PointSpread::Kind::Subvoxels;
     params.kind = phantomKindFromName(kind);
     params.size = {options.size, options.size, options.size};
     params.radius = options.size / 24.0;

@@ -121,6 +121,7 @@ int tableA(const TableOptions& options, const Progress& progress) {
 Phantom thesisTree(int size, std::uint64_t randomSeed, double noiseSigma,
                    const Progress& progress) {
   PhantomParams params;
+  params.psf.kind = PointSpread::Kind::Subvoxels;
   params.size = {size, size, size};
   params.randomSeed = randomSeed;
   params.noiseSigma = noiseSigma;

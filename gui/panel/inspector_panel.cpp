@@ -55,6 +55,12 @@ const std::vector<Row>& rows() {
       {"Genus", [](const Q& q) { return QString::number(q.genus); }},
       {"Closed", [](const Q& q) { return yesNo(q.closed); }},
       {"Self-intersections", [](const Q& q) { return count(q.selfIntersections); }},
+      {"Roughness, mm",
+       [](const Q& q) {
+         return q.roughness ? QLocale().toString(q.roughness->spreadMm, 'g', 3) : kNothing;
+       }},
+      {"Between neighbours, °",
+       [](const Q& q) { return q.roughness ? fixed(q.roughness->angleDeg, 2) : kNothing; }},
       {"Min angle, least, °", [](const Q& q) { return fixed(q.minAngleMin, 2); }},
       {"Max angle, most, °", [](const Q& q) { return fixed(q.maxAngleMax, 2); }},
       {"Min angle < 30°, %", [](const Q& q) { return fixed(q.below30Percent, 2); }},
@@ -93,7 +99,10 @@ const std::vector<Row>& rows() {
       {"Centroid off, max, mm",
        [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::maxMm); }},
       {"Centroid off · κ, 99 %",
-       [](const Q& q) { return curved(q.centroidTimesCurvature, &CurvedDeviation::p99); }}};
+       [](const Q& q) { return curved(q.centroidTimesCurvature, &CurvedDeviation::p99); }},
+      {"Roughness, 95 %, mm", [](const Q& q) {
+         return q.roughness ? QLocale().toString(q.roughness->spread95Mm, 'g', 3) : kNothing;
+       }}};
   return table;
 }
 

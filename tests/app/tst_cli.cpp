@@ -182,6 +182,7 @@ class TestCli : public QObject, CliRun {
 
   void maskLiesOnTheGridOfAnObliqueAnisotropicInput() {
     PhantomParams params;
+    params.psf.kind = PointSpread::Kind::Subvoxels;
     params.kind = PhantomKind::Tube;
     params.size = {36, 36, 20};
     params.spacingMm = {0.8, 0.8, 1.6};

@@ -45,6 +45,7 @@ class TestCliFailures : public QObject, CliFolder {
   void initTestCase() {
     QVERIFY(dir.isValid());
     PhantomParams params;
+    params.psf.kind = PointSpread::Kind::Subvoxels;
     params.kind = PhantomKind::Tube;
     params.size = {32, 32, 32};
     params.radius = 3.0;

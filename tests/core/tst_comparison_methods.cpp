@@ -19,6 +19,7 @@ using Method = SegmentationMethod;
 
 Phantom noisyTube(double noise) {
   PhantomParams params;
+  params.psf.kind = PointSpread::Kind::Subvoxels;
   params.kind = PhantomKind::Tube;
   params.size = {40, 40, 40};
   params.radius = 5.0;

@@ -12,16 +12,10 @@
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
+using analytic::paramsOf;
 using Eigen::Vector3d;
 
 namespace {
-
-/// As the literature's phantoms: what these tests count is the subvoxels.
-PhantomParams paramsOf(PhantomKind kind, int side, double radius = 4.0) {
-  PhantomParams params = analytic::paramsOf(kind, side, radius);
-  params.psf.kind = PointSpread::Kind::Subvoxels;
-  return params;
-}
 
 double truthVolume(const Volume<std::uint8_t>& truth) {
   return std::accumulate(truth.voxels.begin(), truth.voxels.end(), 0.0) *

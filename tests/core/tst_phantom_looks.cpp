@@ -72,10 +72,9 @@ class TestPhantomLooks : public QObject {
     for (int k = 3; k < 45;
          ++k) {  // the point spread sees beyond the ends, where it stays as it is
       const double expected = 255.0 * (1.0 - 0.4 * (k + 0.5) / 48.0);
-      QVERIFY(std::fabs(static_cast<double>(faded.image.at(24, 24, k)) - expected) < 0.01);
+      QVERIFY(std::fabs(static_cast<double>(faded.image.at(24, 24, k)) - expected) < 1e-3);
     }
     params.kind = PhantomKind::Torus;  // along a diameter
-    params.psf.sigma = 0.0;
     const Phantom torus = makePhantom(params);
     float least = 255.0F;
     float most = 0.0F;
@@ -84,7 +83,7 @@ class TestPhantomLooks : public QObject {
       most = std::max(most, torus.image.voxels[i]);
       if (torus.image.voxels[i] > 128.0F * 0.6F) least = std::min(least, torus.image.voxels[i]);
     }
-    QVERIFY(most > 250.0F && most < 255.1F);
+    QVERIFY(most > 250.0F && most <= 255.0F);
     QVERIFY(least < 128.0F);
   }
 
@@ -130,7 +129,6 @@ class TestPhantomLooks : public QObject {
 
   void ricianNoiseHasItsMeanInTheBackgroundAndInTheLumen() {
     PhantomParams params = paramsOf(PhantomKind::Tube, 64, 12.0);
-    params.psf.kind = PointSpread::Kind::Subvoxels;  // few values, each of many voxels
     const Phantom clean = makePhantom(params);
     params.noiseSigma = 20.0;
     params.noiseModel = NoiseModel::Rician;

@@ -17,6 +17,7 @@ namespace {
 
 Phantom smallBifurcation() {
   PhantomParams params;
+  params.psf.kind = PointSpread::Kind::Subvoxels;
   params.kind = PhantomKind::Bifurcation;
   params.size = {40, 40, 40};
   params.radius = 3.0;

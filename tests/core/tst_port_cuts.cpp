@@ -220,6 +220,7 @@ class TestPortCuts : public QObject {
   // Through the pipeline: names, mask and reports; other values of rho do not move a port.
   void aRunEndsAtItsCuts() {
     PhantomParams phantom;
+    phantom.psf.kind = PointSpread::Kind::Subvoxels;
     phantom.kind = PhantomKind::Bifurcation;
     phantom.size = {56, 56, 56};
     phantom.radius = 3.5;

@@ -13,10 +13,16 @@
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
-using analytic::paramsOf;
 using Eigen::Vector3d;
 
 namespace {
+
+/// Seen through the default point spread.
+PhantomParams paramsOf(PhantomKind kind, int side, double radius = 4.0) {
+  PhantomParams params = analytic::paramsOf(kind, side, radius);
+  params.psf = {};
+  return params;
+}
 
 Geometry gridOf(int side, const Vector3d& spacing = Vector3d::Ones()) {
   Geometry g;
@@ -109,20 +115,17 @@ class TestScannedPhantom : public QObject {
   /// staircase of any rasterisation is below 0.2 % of the contrast.
   void aGaussianPointSpreadIsExact() {
     for (const double sigma : {0.3, 0.5, 1.2})
-      for (const double offset : {0.0, 0.13, 0.5, 0.77}) {
-        PhantomParams params = paramsOf(PhantomKind::Tube, 128, 56.0);
-        params.size = {128, 128, 12};
+      for (const double offset : {0.0, 0.13, 0.4}) {
+        PhantomParams params = paramsOf(PhantomKind::Tube, 64, 26.0);
         params.psf.sigma = sigma;
         params.offset = {offset, 0.0, 0.0};
-        PhantomParams wide = params;
-        wide.size = {128, 128, 120};  // the radius has to fit into the shortest side
-        const Phantom phantom = makePhantom(wide);
-        for (int i = 112; i < 127; ++i) {
-          const double wall = 63.5 + offset + 56.0 - i;
+        const Phantom phantom = makePhantom(params);
+        for (int i = 50; i < 63; ++i) {
+          const double wall = 31.5 + offset + 26.0 - i;
           // Beside the plane through the axis the wall falls back by y^2 / 2r.
-          const double back = (0.25 + 1.0 / 12.0 + sigma * sigma) / (2.0 * 56.0);
+          const double back = (0.25 + 1.0 / 12.0 + sigma * sigma) / (2.0 * 26.0);
           const double expected = 255.0 * blurredStep(wall - back, sigma);
-          const double found = phantom.image.at(i, 63, 60);
+          const double found = phantom.image.at(i, 31, 32);
           QVERIFY2(std::fabs(found - expected) < 0.002 * 255.0,
                    QByteArray::number(found - expected));
         }
@@ -172,7 +175,7 @@ class TestScannedPhantom : public QObject {
       params.psf.sigma = 0.0;
       const Phantom plain = makePhantom(params);
       for (std::size_t i = 0; i < plain.image.voxels.size(); ++i) {
-        if (std::fabs(plain.image.voxels[i] - 127.5F) < 0.01F) continue;
+        if (std::fabs(plain.image.voxels[i] - 127.5F) < 1.0F) continue;
         QCOMPARE(phantom.truth.voxels[i],
                  static_cast<std::uint8_t>(plain.image.voxels[i] > 127.5F ? 1 : 0));
       }

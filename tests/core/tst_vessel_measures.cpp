@@ -12,6 +12,7 @@ namespace {
 
 PhantomParams paramsOf(PhantomKind kind, int side, double radius) {
   PhantomParams params;
+  params.psf.kind = PointSpread::Kind::Subvoxels;
   params.kind = kind;
   params.size = {side, side, side};
   params.radius = radius;

@@ -244,6 +244,7 @@ class TestVesselness : public QObject {
   void theLargestScaleFollowsTheThickestVessel() {
     const auto tube = [](double radius, double noise, const Eigen::Vector3d& spacing) {
       PhantomParams params;
+      params.psf.kind = PointSpread::Kind::Subvoxels;
       params.kind = PhantomKind::Tube;
       params.spacingMm = spacing;
       params.size = {100, 100, static_cast<int>(48 * spacing[0] / spacing[2])};

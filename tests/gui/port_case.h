@@ -14,6 +14,7 @@ namespace angiomesh::test {
 /// A vessel with two ends inside the volume.
 inline Source coil() {
   PhantomParams params;
+  params.psf.kind = PointSpread::Kind::Subvoxels;
   params.kind = PhantomKind::Helix;
   params.size = {44, 44, 44};
   params.radius = 3.0;

@@ -13,6 +13,7 @@ namespace angiomesh::test {
 /// Two parallel tubes well apart: quick to segment, and two components.
 inline Source twoTubes(int size = 40) {
   PhantomParams params;
+  params.psf.kind = PointSpread::Kind::Subvoxels;
   params.kind = PhantomKind::Kissing;
   params.size = {size, size, size};
   params.spacingMm = {0.5, 0.5, 0.5};
@@ -25,6 +26,7 @@ inline Source twoTubes(int size = 40) {
 /// A tree whose evolution takes long enough to be watched.
 inline Source slowTree() {
   PhantomParams params;
+  params.psf.kind = PointSpread::Kind::Subvoxels;
   params.size = {48, 48, 48};
   params.radiusMax = 4.0;
   params.noiseSigma = 10.0;
