@@ -108,6 +108,70 @@ class TestStudy : public QObject {
     QVERIFY(unknown.errors.contains("ladders"));
   }
 
+  // The exported wall of a tube against the exact one, by the study and by `quality --truth`.
+  void surfaceOfChosenShapes() {
+    const QTemporaryDir dir;
+    const QStringList command{"study",    "surface", "-o",      "surface",
+                              "--shapes", "tube-3",  "--noise", "0,20"};
+    const CliResult result = runCli(dir.path(), command);
+    QVERIFY2(result.code == 0, result.errors.constData());
+    const QJsonArray cases = readJson(dir.filePath("surface/surface.json"))["cases"].toArray();
+    QCOMPARE(cases.size(), 2);
+    for (const QJsonValue& one : cases) {
+      const QJsonObject wall = one["exported"]["wall"].toObject();
+      QVERIFY(wall["vertices"].toInt() > 500);
+      QVERIFY(std::fabs(wall["distance_mm"]["mean"].toDouble()) < 0.1);
+      QVERIFY(wall["distance_mm"]["spread"].toDouble() < 0.2);
+      QVERIFY(wall["normal_deg"]["mean"].toDouble() < wall["normal_deg"]["p95"].toDouble());
+      QVERIFY(one["exported"]["mesh"]["roughness"]["spread_mm"].toDouble() > 0.0);
+      QCOMPARE(wall["by_radius"].toArray().size(), 1);
+      QVERIFY(one["bars"].toArray().size() >= 5);
+    }
+    QVERIFY(!cases[0].toObject().contains("triangles_to_noise_0"));
+    QVERIFY(cases[1]["triangles_to_noise_0"].toDouble() > 0.5);
+    QFile table(dir.filePath("surface/surface.md"));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    QVERIFY(table.readAll().contains("| tube-3 | gaussian:0.5 | 20 |"));
+    QFile csv(dir.filePath("surface/surface.csv"));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QCOMPARE(csv.readAll().trimmed().split('\n').size(), 3);
+    QCOMPARE(runCli(dir.path(), command).code, 2);  // would replace a former table
+    for (const QStringList& wrong :
+         {QStringList{"--shapes", "ladder"}, {"--psf", "blurry"}, {"--noise", "much"}}) {
+      const CliResult refused =
+          runCli(dir.path(), QStringList{"study", "surface", "-o", "x"} + wrong);
+      QCOMPARE(refused.code, 2);
+      QVERIFY2(refused.errors.contains(wrong[1].toUtf8()), refused.errors.constData());
+    }
+  }
+
+  void aMeshAgainstItsPhantom() {
+    const QTemporaryDir dir;
+    const auto cli = [&](const QStringList& command) { return runCli(dir.path(), command); };
+    QCOMPARE(
+        cli({"phantom", "stenosis", "--stenosis", "70", "--psf", "mr", "--size", "48", "-o", "p"})
+            .code,
+        0);
+    PhantomParams params;
+    params.kind = PhantomKind::Stenosis;
+    params.size = {48, 48, 48};
+    params.stenosisPercent = 70.0;
+    writeVolume(phantomField(params), dir.filePath("phi.nrrd").toStdString());
+    QCOMPARE(cli({"mesh", "phi.nrrd", "-o", "wall.ply"}).code, 0);
+    const CliResult quality = cli({"quality", "wall.ply", "--truth", "p/truth.json", "--json"});
+    QVERIFY2(quality.code == 0, quality.errors.constData());
+    const QJsonObject wall = quality.json()["wall"].toObject();
+    QVERIFY(std::fabs(wall["distance_mm"]["mean"].toDouble()) < 0.02);
+    QVERIFY(wall["normal_deg"]["mean"].toDouble() < 6.0);
+    QCOMPARE(wall["stenosis"]["true_diameter_mm"].toDouble(), 2.0 * 4.0 * 0.3);
+    QVERIFY(std::fabs(wall["stenosis"]["error_percent"].toDouble()) < 5.0);
+    QVERIFY(cli({"quality", "wall.ply", "--truth", "p/truth.json"}).output.contains("true wall"));
+    const CliResult wrong = cli({"quality", "wall.ply", "--truth", "wall.ply"});
+    QCOMPARE(wrong.code, 2);
+    QVERIFY2(wrong.errors.contains("wall.ply"), wrong.errors.constData());
+    QCOMPARE(cli({"phantom", "tube", "--psf", "blurry", "-o", "q"}).code, 2);
+  }
+
   void ablationSwitchesOffOneAfterTheOther() {
     const QTemporaryDir dir;
     const CliResult result = runCli(dir.path(), {"study", "ablation", "-o", "ablation", "--rows",
