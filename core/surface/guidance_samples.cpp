@@ -75,6 +75,11 @@ struct Candidate {
   double areaMm2;  ///< of the zero set in it; negative where its corners do not differ in sign
 };
 
+/// A box of a cell: its lowest corner and its sides, in index space.
+struct Box {
+  Eigen::Vector3d low, side;
+};
+
 /// Takes the samples of a cell.
 class Sampler {
  public:
@@ -83,45 +88,111 @@ class Sampler {
         ideal_(ideal),
         geometry_(field.geometry()),
         toIndex_(geometry_.physicalToIndexMatrix()),
+        toPhysical_(geometry_.direction * geometry_.spacing.asDiagonal()),
         voxel_(geometry_.voxelMm()),
-        patch_(0.4 * geometry_.spacing.norm()),
-        finest_(finest) {}
+        finest_(finest) {
+    // The wall bends in a thick slice as much as in so many thin ones.
+    constexpr double most = 8.0;
+    for (int a = 0; a < 3; ++a)
+      parts_[a] =
+          static_cast<int>(std::clamp(std::round(geometry_.spacing[a] / voxel_), 1.0, most));
+    const Eigen::Vector3d parts(parts_[0], parts_[1], parts_[2]);
+    patch_ = 0.4 * geometry_.spacing.cwiseQuotient(parts).norm();
+  }
 
-  /// Appends the samples of a cell: one, or where edges want to be short against the cell, those of
-  /// its parts.
+  /// Appends the samples of a cell: one for each of its parts, which are about as high as wide, or
+  /// where edges want to be short against the part, those of its own parts.
   void sample(const Candidate& cell, std::vector<GuidanceField::Sample>& samples) const {
     const Eigen::Vector3d low(cell.first[0], cell.first[1], cell.first[2]);
+    const Eigen::Vector3d side(1.0 / parts_[0], 1.0 / parts_[1], 1.0 / parts_[2]);
     const bool crossed = cell.areaMm2 >= 0.0;
     const std::size_t before = samples.size();
-    std::optional<Eigen::Vector3d> foot = footNear(low, 1.0, crossed ? 0.5 : 0.0);
-    if (!foot && crossed) foot = onAnEdge(cell.first);
+    if (parts_ == Index3{1, 1, 1}) {
+      sampleBox({low, side}, crossed, std::max(cell.areaMm2, 0.0), samples);
+    } else {
+      for (int k = 0; k < parts_[2]; ++k)
+        for (int j = 0; j < parts_[1]; ++j)
+          for (int i = 0; i < parts_[0]; ++i) {
+            const Box box{low + side.cwiseProduct(Eigen::Vector3d(i, j, k)), side};
+            const double area = areaIn(box);
+            sampleBox(box, area > 0.0, area, samples);
+          }
+    }
+    if (samples.size() > before || !crossed) return;
+    if (const auto foot = onAnEdge(cell.first)) {
+      samples.push_back(at(*foot));
+      samples.back().areaMm2 = cell.areaMm2;
+    }
+  }
+
+ private:
+  /// `area` is that of the zero set of the linear interpolant in it.
+  void sampleBox(const Box& box, bool crossed, double area,
+                 std::vector<GuidanceField::Sample>& samples) const {
+    const std::optional<Eigen::Vector3d> foot = footNear(box, crossed ? 0.5 : 0.0);
     if (!foot) return;
     const GuidanceField::Sample whole = at(*foot);
     const double length = whole.lengthMm / voxel_;
     const int n = std::min(length >= 1.0 ? 1 : length >= 0.25 ? 2 : 4, finest_);
-    if (n > 1) {
-      const double side = 1.0 / n;
-      for (int s = 0; s < n * n * n; ++s) {
-        const Eigen::Vector3d corner = low + side * Eigen::Vector3d(s % n, s / n % n, s / n / n);
-        foot = footNear(corner, side, 0.5);
-        if (!foot) continue;
-        samples.push_back(at(*foot));
-        samples.back().reachMm = patch_ / n;
-      }
-    }
-    if (samples.size() == before) samples.push_back(whole);
-    const double share = 1.0 / static_cast<double>(samples.size() - before);
-    for (std::size_t i = before; i < samples.size(); ++i)
-      samples[i].areaMm2 = std::max(cell.areaMm2, 0.0) * share;
+    const std::size_t before = samples.size();
+    if (n > 1) samplePartsOf(box, n, samples);
+    if (samples.size() > before) return;
+    samples.push_back(whole);
+    samples.back().areaMm2 = area;
   }
 
- private:
-  /// The zero found by Newton's method from the centre of a box (index space, cubic), if it lies in
-  /// the box grown by `margin` of its side.
-  [[nodiscard]] std::optional<Eigen::Vector3d> footNear(const Eigen::Vector3d& low, double side,
-                                                        double margin) const {
-    const Eigen::Vector3d centre = low + Eigen::Vector3d::Constant(0.5 * side);
-    const double reach = (0.5 + margin) * side;
+  /// The samples of the n^3 parts of a box.
+  void samplePartsOf(const Box& box, int n, std::vector<GuidanceField::Sample>& samples) const {
+    const Eigen::Vector3d side = box.side / n;
+    std::array<double, 125> value{};
+    const int stride = n + 1;
+    for (int c = 0; c < stride * stride * stride; ++c)
+      value[static_cast<std::size_t>(c)] =
+          field_
+              .atIndex(box.low + side.cwiseProduct(Eigen::Vector3d(c % stride, c / stride % stride,
+                                                                   c / stride / stride)))
+              .value;
+    const Eigen::Matrix3d toPhysical = toPhysical_ * side.asDiagonal();
+    const std::size_t before = samples.size();
+    double rest = 0.0;
+    for (int s = 0; s < n * n * n; ++s) {
+      const Index3 p{s % n, s / n % n, s / n / n};
+      std::array<double, 8> corner{};
+      for (int c = 0; c < 8; ++c)
+        corner[static_cast<std::size_t>(c)] = value[static_cast<std::size_t>(
+            p[0] + (c & 1) + stride * (p[1] + (c >> 1 & 1) + stride * (p[2] + (c >> 2 & 1))))];
+      const double area = zeroSetArea(corner, toPhysical);
+      const Box part{box.low + side.cwiseProduct(Eigen::Vector3d(p[0], p[1], p[2])), side};
+      if (const auto foot = footNear(part, 0.5)) {
+        samples.push_back(at(*foot));
+        samples.back().reachMm = patch_ / n;
+        samples.back().areaMm2 = area;
+      } else {
+        rest += area;
+      }
+    }
+    for (std::size_t i = before; i < samples.size(); ++i)
+      samples[i].areaMm2 += rest / static_cast<double>(samples.size() - before);
+  }
+
+  /// As zeroSetArea() of the values at the corners of a box; 0 without a change of sign.
+  [[nodiscard]] double areaIn(const Box& box) const {
+    std::array<double, 8> corner{};
+    for (int c = 0; c < 8; ++c)
+      corner[static_cast<std::size_t>(c)] =
+          field_
+              .atIndex(box.low +
+                       box.side.cwiseProduct(Eigen::Vector3d(c & 1, c >> 1 & 1, c >> 2 & 1)))
+              .value;
+    return zeroSetArea(corner, toPhysical_ * box.side.asDiagonal());
+  }
+
+  /// The zero found by Newton's method from the centre of a box, if it lies in the box grown by
+  /// `margin` of its sides.
+  [[nodiscard]] std::optional<Eigen::Vector3d> footNear(const Box& box, double margin) const {
+    const Eigen::Vector3d centre = box.low + 0.5 * box.side;
+    const Eigen::Vector3d reach = (0.5 + margin) * box.side;
+    const double reachMm = reach.cwiseProduct(geometry_.spacing).maxCoeff();
     Eigen::Vector3d x = geometry_.toPhysical(centre);
     for (int n = 0; n < 8; ++n) {
       const SplineField::Jet jet = field_.at(x);
@@ -129,14 +200,13 @@ class Sampler {
       if (!(squared > 1e-24)) return std::nullopt;
       const double distance = jet.value / std::sqrt(squared);
       // The zero set is further than the box reaches, unless the field is bent a great deal.
-      if (n == 0 && std::fabs(distance) > 2.5 * reach * geometry_.spacing.maxCoeff())
-        return std::nullopt;
+      if (n == 0 && std::fabs(distance) > 2.5 * reachMm) return std::nullopt;
       const double step = std::clamp(distance, -0.7 * voxel_, 0.7 * voxel_);
       x -= step / std::sqrt(squared) * jet.gradient;
-      const double off = (toIndex_ * (x - geometry_.origin) - centre).cwiseAbs().maxCoeff();
+      const Eigen::Vector3d off = (toIndex_ * (x - geometry_.origin) - centre).cwiseAbs() - reach;
       if (std::fabs(distance) < 0.02 * voxel_)
-        return off <= reach ? std::optional<Eigen::Vector3d>(x) : std::nullopt;
-      if (off > reach + 1.0) return std::nullopt;
+        return off.maxCoeff() <= 0.0 ? std::optional<Eigen::Vector3d>(x) : std::nullopt;
+      if (off.cwiseProduct(geometry_.spacing).maxCoeff() > voxel_) return std::nullopt;
     }
     return std::nullopt;
   }
@@ -208,10 +278,12 @@ class Sampler {
   const SplineField& field_;
   const IdealLength& ideal_;
   const Geometry& geometry_;
-  Eigen::Matrix3d toIndex_;
+  Eigen::Matrix3d toIndex_, toPhysical_;
   double voxel_;
-  double patch_;  ///< within this distance of a sample at 1 per cell lies its piece of the zero set
   int finest_;
+  Index3 parts_{};  ///< of a cell, along each axis
+  /// Within this distance of a sample at 1 per part lies its piece of the zero set.
+  double patch_;
 };
 
 void findCells(const SplineField& field, const Bricks& bricks, std::size_t b,

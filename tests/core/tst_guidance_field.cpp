@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
+#include "core/quality/zero_set_measure.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/guidance_samples.h"
 #include "tests/core/analytic.h"
@@ -127,6 +128,26 @@ class TestGuidanceField : public QObject {
     const GuidanceField guidance(field, curvatureOnly());
     QVERIFY(isEverywhere(guidance, field, 1.6 * std::sin(0.2) * 5.0, 0.04));
     QVERIFY(std::fabs(guidance.estimatedAreaMm2() / (4 * pi * 25.0) - 1.0) < 0.02);
+  }
+
+  /// Between thick slices the wall bends as much as between thin ones.
+  void thickSlicesAreLookedIntoFinely() {
+    Geometry g = cube(44);
+    g.size = {44, 44, 12};
+    g.spacing = {1.0, 1.0, 4.0};
+    const Eigen::Vector3d c = centreOf(g) + Eigen::Vector3d(0.3, 0.1, -0.2);
+    const double r = 6.0;
+    const SplineField tilted = fieldOf(g, [&](const auto& x) {
+      return tube(x, c, Eigen::Vector3d(0.6, 0.1, 0.79).normalized(), r);
+    });
+    const SplineField small = fieldOf(g, [&](const auto& x) { return ball(x, c, 3.0); });
+    for (const SplineField* field : {&tilted, &small}) {
+      const GuidanceField guidance(*field, curvatureOnly());
+      const double area = measureZeroSet(*field).areaMm2;
+      QVERIFY2(std::fabs(guidance.estimatedAreaMm2() / area - 1.0) < 0.03,
+               qPrintable(QString::number(guidance.estimatedAreaMm2() / area)));
+      for (const auto& s : guidance.samples()) QVERIFY(s.reachMm < 1.0);
+    }
   }
 
   void neitherSteepNorAboveTheIdealLength() {
