@@ -11,6 +11,7 @@
 #include "app/cli/summary.h"
 #include "core/base/error.h"
 #include "core/pipeline/cuts.h"
+#include "core/pipeline/expected_surface.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/surface_step.h"
@@ -76,18 +77,25 @@ void printSource(const Json& source) {
   std::printf("\n");
 }
 
-int estimate(const SplineField& field, const CutAway& away, const MeshOptions& options,
-             const SurfaceParams& params, const Json& source, const Progress& progress) {
+int estimate(const MeshInput& input, const SplineField& field, const CutAway& away,
+             const MeshOptions& options, const SurfaceParams& params, const Json& source,
+             const Progress& progress) {
   if (params.method == SurfaceMethod::MarchingCubes)
     throw InputError("marching cubes follows no size that could be estimated", "--estimate",
                      "choose surface.method advancing-front or remesh");
+  const ExpectedSurface expected = expectSurface(input.phi, field, params, progress, away);
   SurfaceOrigin origin;
   origin.method = params.method;
-  origin.estimatedTriangles = estimateTriangles(field, params, progress, away);
+  origin.estimatedTriangles = expected.triangles;
+  origin.smoothTriangles = expected.smoothTriangles;
   if (options.json)
     printJson(origin, source);
   else
-    std::printf("%.0f triangles estimated\n", *origin.estimatedTriangles);
+    std::printf("%.0f triangles estimated; smooth vessels of this size have %.0f\n",
+                expected.triangles, expected.smoothTriangles);
+  for (const std::string& warning : warningsOf(expected)) printWarning(warning);
+  if (const auto why = refusal(expected, params, SurfaceLimits::ofMachine()))
+    printWarning("such a surface is not begun: " + *why);
   return Done;
 }
 
@@ -105,8 +113,15 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   const CutAway away = makeCuts(field, input.phi, all.ports, remarks, rest.sub(0.0, 0.1));
   for (const std::string& remark : remarks) printWarning(remark);
   if (options.estimate)
-    return estimate(field, away, options, params, sourceBlock(input, nullptr), rest);
-  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.1, 0.9), away);
+    return estimate(input, field, away, options, params, sourceBlock(input, nullptr), rest);
+  const auto expect = [&](const GuidanceField& size) {
+    const ExpectedSurface expected =
+        expectSurface(field, size, params, allComponents(input.phi, rest), away);
+    checkExpected(expected, params);
+    for (const std::string& warning : warningsOf(expected)) printWarning(warning);
+    return expected;
+  };
+  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.1, 0.9), away, false, expect);
   if (made.mesh.triangles.empty())
     throw InputError("there is no surface in it", options.input,
                      "give a level set function that is negative inside, or a mask");

@@ -142,6 +142,8 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   const Parameters params = options.settings.parameters();
   RunOptions runOptions;
   runOptions.keepResults = false;
+  runOptions.keepOnFailure = true;
+  runOptions.warned = [](Step, const std::string& warning) { printWarning(warning); };
   runOptions.until = stepOf(options.until);
   if (!options.truth.empty() && runOptions.until < Step::Evolve)
     throw InputError("there is nothing to compare before the step 'evolve'", "--truth",
@@ -164,7 +166,7 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   writing.report(0.2);
   writeVolumes(result, runOptions.until, folder);
   writing.report(0.4);
-  writeMeshes(result, folder);
+  if (!result.failure) writeMeshes(result, folder);
   writing.report(0.7);
   if (const Volume<float>* phi = finalPhi(result))
     folder.add("preview.png", [&](const std::filesystem::path& place) {
@@ -175,7 +177,10 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   writing.report(1.0);
   folder.commit();
   printSummary(result, measures);
-  return Done;
+  if (!result.failure) return Done;
+  printError(result.failure->why +
+             "; what was computed before is kept, phi.nrrd and mask.nrrd in " + options.output);
+  return UserCanChange;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -40,6 +41,9 @@ struct SurfaceParams {
   double cellVoxels = 1.0;  ///< edge of a marching cubes cell, working voxels
   SurfaceBorder border = SurfaceBorder::Cap;
   double minComponentMm3 = 0.0;
+  /// A surface of which more are expected is not begun; 0: any is. Empty: what memory and half an
+  /// hour hold, see SurfaceLimits.
+  std::optional<int> maxTriangles;
 };
 
 /// Everything that a run depends on besides its input.

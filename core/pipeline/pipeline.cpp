@@ -8,12 +8,14 @@
 #include <cstdio>
 #include <ctime>
 #include <list>
+#include <new>
 #include <utility>
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/pipeline/evolve_step.h"
+#include "core/pipeline/expected_surface.h"
 #include "core/pipeline/segments.h"
 #include "core/vesselness/thickest.h"
 
@@ -48,6 +50,10 @@ const std::array<std::vector<std::string_view>, kStepCount> kLabelParams{
      kStepParams[static_cast<std::size_t>(Step::Smooth)],
      {}}};
 
+constexpr const char* kNoMemory =
+    "not enough memory, surface: draw a smaller region of interest, or ask for longer edges "
+    "(surface.edgeMinMm)";
+
 std::string hex(std::uint64_t hash) {
   std::array<char, 17> text{};
   std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
@@ -81,7 +87,8 @@ SeedsResult computeSeeds(const Volume<float>& image, const VesselnessResult& ves
 }
 
 SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
-                      const Progress& progress, std::vector<std::string>& warnings) {
+                      const Progress& progress, std::vector<std::string>& warnings,
+                      const std::function<void(const std::string&)>& warned) {
   const SurfaceParams& p = params.surface;
   SurfaceResult result;
   Segments segments = selectSegments(*evolved.phi, params.segmentation, params.seeds.points,
@@ -108,8 +115,17 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
     result.mesh = result.marchingCubes;
     return result;
   }
+  const auto expect = [&](const GuidanceField& size) {
+    const ExpectedSurface expected = expectSurface(field, size, p, result.components, away);
+    checkExpected(expected, p);
+    for (const std::string& warning : warningsOf(expected)) {
+      warned(warning);
+      warnings.push_back(warning);
+    }
+    return expected;
+  };
   MadeSurface made =
-      makeSurface(*result.uncutPhi, field, p, progress.sub(0.3, 1.0), away, largestAlone);
+      makeSurface(*result.uncutPhi, field, p, progress.sub(0.3, 1.0), away, largestAlone, expect);
   if (made.mesh.triangles.empty())
     throw NumericError("no surface component is left", "surface",
                        "lower surface.minComponentMm3 or surface.cellVoxels, or choose another "
@@ -270,9 +286,11 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   run.params = params;
   run.source = state_->source;
   run.key = state_->source.hash;
+  Step reached = Step::Load;
   const auto wanted = [&](Step step) {
     progress.check();
     if (step > options.until) return false;
+    reached = step;
     run.key = key(step, params);
     progress.phase(stepId(step));
     return true;
@@ -323,13 +341,32 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   };
   run.evolve = state_->obtain<EvolveResult>(Step::Evolve, run.key, run, evolveStep);
   if (run.evolve->stopReason == StopReason::Stopped) state_->forget(Step::Evolve, run.key);
-  if (!wanted(Step::Surface)) return finished();
+  try {
+    makeSurfaces(run, options, wanted, progress);
+  } catch (const Error& error) {
+    if (!options.keepOnFailure) throw;
+    run.failure = {reached, error.what()};
+  } catch (const std::bad_alloc&) {
+    if (!options.keepOnFailure) throw;
+    run.failure = {reached, kNoMemory};
+  }
+  if (run.failure) run.key = key(static_cast<Step>(static_cast<int>(reached) - 1), params);
+  return finished();
+}
+
+void Pipeline::makeSurfaces(RunResult& run, const RunOptions& options,
+                            const std::function<bool(Step)>& wanted, const Progress& progress) {
+  using Warnings = std::vector<std::string>;
+  const Parameters& params = run.params;
+  if (!wanted(Step::Surface)) return;
   run.surface = state_->obtain<SurfaceResult>(Step::Surface, run.key, run, [&](Warnings& warnings) {
-    return std::make_shared<const SurfaceResult>(
-        surface(*run.evolve, params, progress.sub(0.8, 0.88), warnings));
+    return std::make_shared<const SurfaceResult>(surface(
+        *run.evolve, params, progress.sub(0.8, 0.88), warnings, [&](const std::string& text) {
+          if (options.warned) options.warned(Step::Surface, text);
+        }));
   });
   run.ports = run.surface->ports;
-  if (!wanted(Step::Smooth)) return finished();
+  if (!wanted(Step::Smooth)) return;
   const SplineField field(*run.surface->uncutPhi, params.surface.spline);
   run.smoothed = state_->obtain<TriMesh>(Step::Smooth, run.key, run, [&](Warnings& warnings) {
     if (params.smooth.method == SmoothMethod::None) return run.surface->mesh;
@@ -340,11 +377,10 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
     return smoothed;
   });
   run.ports = measuredPorts(run.surface->ports, *run.smoothed);
-  if (!wanted(Step::Quality)) return finished();
+  if (!wanted(Step::Quality)) return;
   run.quality = state_->obtain<QualityResult>(Step::Quality, run.key, run, [&](Warnings&) {
     return std::make_shared<const QualityResult>(measure(run, field, progress.sub(0.94, 1.0)));
   });
-  return finished();
 }
 
 const char* stepId(Step step) { return kStepIds[static_cast<std::size_t>(step)]; }

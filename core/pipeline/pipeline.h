@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -107,6 +108,12 @@ struct StageReport {
   std::vector<std::string> warnings;
 };
 
+/// Why a run ended early.
+struct RunFailure {
+  Step step = Step::Load;
+  std::string why;  ///< as Error::what()
+};
+
 /// What a run produced; pointers are empty for steps after `until` (see also
 /// RunOptions::keepResults), and those of vesselness and seeds where the image is a segmentation.
 /// Everything is immutable and shared.
@@ -123,7 +130,8 @@ struct RunResult {
   std::shared_ptr<const QualityResult> quality;
   std::vector<StageReport> stages;
   double totalSeconds = 0.0, cpuSeconds = 0.0;
-  std::string key;  ///< of the last step run
+  std::string key;                    ///< of the last step run
+  std::optional<RunFailure> failure;  ///< with RunOptions::keepOnFailure alone
 };
 
 /// The zero level set while it evolves.
@@ -168,6 +176,11 @@ struct RunOptions {
   /// Else the pipeline remembers no step's result, and that of the vesselness, which nothing after
   /// the evolution needs, is empty if the run goes so far.
   bool keepResults = true;
+  /// A failure of the step surface or a later one is not thrown: it is in the result, with all that
+  /// was computed before.
+  bool keepOnFailure = false;
+  /// Called from within run() with each warning that tells beforehand what a step will cost.
+  std::function<void(Step step, const std::string& warning)> warned;
 };
 
 /// Runs the steps on one source and keeps their results by key: a step whose key is known is not
@@ -177,7 +190,7 @@ class Pipeline {
   explicit Pipeline(Source source);
   ~Pipeline();
 
-  /// @throws InputError, NumericError, Cancelled
+  /// @throws InputError, NumericError, Cancelled; see RunOptions::keepOnFailure
   RunResult run(const Parameters& params, const RunOptions& options = {},
                 const Progress& progress = {});
 
@@ -197,6 +210,10 @@ class Pipeline {
   [[nodiscard]] const Source& source() const;
 
  private:
+  /// The steps after the evolution, as far as they are wanted.
+  void makeSurfaces(RunResult& run, const RunOptions& options,
+                    const std::function<bool(Step)>& wanted, const Progress& progress);
+
   struct State;
   std::unique_ptr<State> state_;
 };

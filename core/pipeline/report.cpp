@@ -165,6 +165,7 @@ Json surfaceBlock(const SurfaceOrigin& origin) {
   const Field& method = findField("surface.method");
   Json block{{"method", fieldText(method.get(params), method)}};
   if (origin.estimatedTriangles) block["estimated_triangles"] = *origin.estimatedTriangles;
+  if (origin.smoothTriangles) block["smooth_triangles"] = *origin.smoothTriangles;
   if (origin.fromFrontPercent) block["from_front_percent"] = *origin.fromFrontPercent;
   if (!origin.components.empty()) {
     block["components"] = Json::array();
@@ -232,6 +233,8 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
   for (const StageReport& stage : result.stages)
     for (const std::string& warning : stage.warnings) report["warnings"].push_back(warning);
 
+  if (result.failure)
+    report["failure"] = {{"step", stepId(result.failure->step)}, {"error", result.failure->why}};
   if (result.source.image) report["input"] = gridBlock(result.source.image->geometry);
   if (result.preprocessed) report["working"] = gridBlock(result.preprocessed->geometry);
   report["stages"] = Json::array();

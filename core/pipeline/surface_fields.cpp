@@ -96,6 +96,11 @@ void addSurface(FieldTable& t) {
       .main = true;
   t.real("surface.minComponentMm3", ANGIOMESH_MEMBER(surface.minComponentMm3), 0.0, 1e9, "mm3",
          "surface components that enclose less are left out");
+  Field& limit = t.integer(
+      "surface.maxTriangles", ANGIOMESH_MEMBER(surface.maxTriangles), 0.0, 2e9,
+      "a surface of which more are expected is not begun; 0: any is; auto: what this machine's "
+      "memory and about half an hour hold");
+  limit.idle = idleForMarchingCubes;
 }
 
 void addPorts(FieldTable& t) {

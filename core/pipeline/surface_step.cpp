@@ -47,13 +47,19 @@ MadeSurface byMarchingCubes(const Volume<float>& phi, const SplineField& field,
 }
 
 MadeSurface bySize(const SplineField& field, const SurfaceParams& params, const CutAway& away,
-                   const Progress& progress) {
-  ZeroSetMesh zeroSet =
-      meshZeroSet(field, params.sizing, params.method, params.border, progress.sub(0.0, 1.0), away);
+                   const Progress& progress, const Expectation& expect) {
+  const GuidanceField size(field, params.sizing, progress.sub(0.0, 0.15), &away);
   MadeSurface made;
+  if (expect) {
+    const ExpectedSurface expected = expect(size);
+    made.origin.estimatedTriangles = expected.triangles;
+    made.origin.smoothTriangles = expected.smoothTriangles;
+  }
+  ZeroSetMesh zeroSet = meshZeroSet(field, size, params.sizing, params.method, params.border,
+                                    progress.sub(0.0, 1.0), away);
   made.mesh = std::move(zeroSet.mesh);
   made.origin.components = std::move(zeroSet.components);
-  made.origin.estimatedTriangles = zeroSet.estimatedTriangles;
+  if (!expect) made.origin.estimatedTriangles = zeroSet.estimatedTriangles;
   made.origin.dropped = std::move(zeroSet.dropped);
   made.ports = std::move(zeroSet.ports);
   return made;
@@ -99,10 +105,10 @@ std::vector<std::string> SurfaceOrigin::warnings() const {
 
 MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
                         const SurfaceParams& params, const Progress& progress, const CutAway& away,
-                        bool largestAlone) {
+                        bool largestAlone, const Expectation& expect) {
   MadeSurface made = params.method == SurfaceMethod::MarchingCubes
                          ? byMarchingCubes(phi, field, params, away, progress)
-                         : bySize(field, params, away, progress);
+                         : bySize(field, params, away, progress, expect);
   SurfaceOrigin& origin = made.origin;
   origin.method = params.method;
   if (const int count = dropSmallComponents(made.mesh, params.minComponentMm3); count > 0) {
@@ -127,11 +133,6 @@ MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
   if (params.method == SurfaceMethod::AdvancingFront)
     origin.fromFrontPercent = fromFront(origin.components);
   return made;
-}
-
-double estimateTriangles(const SplineField& field, const SurfaceParams& params,
-                         const Progress& progress, const CutAway& away) {
-  return GuidanceField(field, params.sizing, progress, &away).estimatedTriangles();
 }
 
 }  // namespace angiomesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/image/volume.h"
 #include "core/pipeline/parameters.h"
 #include "core/surface/cut_away.h"
+#include "core/surface/guidance_field.h"
 #include "core/surface/port.h"
 
 namespace angiomesh {
@@ -20,12 +22,34 @@ struct SurfaceOrigin {
   std::vector<SurfaceComponent> components;  ///< largest area first
   std::optional<double> fromFrontPercent;    ///< of the triangles, for AdvancingFront
   std::optional<double> estimatedTriangles;  ///< before meshing
+  std::optional<double> smoothTriangles;     ///< see ExpectedSurface
   std::vector<std::string> dropped;          ///< what was left out, in words
 
   [[nodiscard]] std::size_t unverified() const;
   /// A sentence for each component that was not verified and for each piece that was left out.
   [[nodiscard]] std::vector<std::string> warnings() const;
 };
+
+/// What a surface will be, known before it is made.
+struct ExpectedSurface {
+  double triangles = 0.0;  ///< that the size field asks for, caps among them
+  /// Of smooth round vessels as long and thick as these, with the same parameters.
+  double smoothTriangles = 0.0;
+  double smoothEdgeMm = 0.0;  ///< of these, where the vessels are thinnest, but for a tenth
+  std::size_t parts = 0;      ///< of the segmentation
+  /// Of these, those of less than a hundredth of the largest one's volume, and their share of
+  /// smoothTriangles.
+  std::size_t specks = 0;
+  double speckTriangles = 0.0;
+
+  [[nodiscard]] double bytes() const;    ///< of the whole program at its peak
+  [[nodiscard]] double seconds() const;  ///< of processor time, rather too many
+  /// triangles / smoothTriangles: about 1 to 2 where walls are smooth.
+  [[nodiscard]] double roughness() const;
+};
+
+/// Asked before meshing begins, with the size field at hand; what it throws ends the step.
+using Expectation = std::function<ExpectedSurface(const GuidanceField& size)>;
 
 struct MadeSurface {
   TriMesh mesh;
@@ -39,15 +63,11 @@ struct MadeSurface {
 /// Components that enclose less than minComponentMm3 are left out, with `largestAlone` all but the
 /// one of most area; cuts that end what is left out are no ports. The mesh may be empty. With
 /// cuts marching cubes has its caps at the volume's border in the outermost planes of voxel
-/// centres.
-/// @throws InputError, as clipReference(); Cancelled
+/// centres. Methods that follow the size field ask `expect`, if there is one.
+/// @throws InputError, as clipReference() and `expect`; Cancelled
 MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
                         const SurfaceParams& params, const Progress& progress = {},
-                        const CutAway& away = {}, bool largestAlone = false);
-
-/// The number of triangles that the size field asks for, before meshing.
-/// @throws Cancelled
-double estimateTriangles(const SplineField& field, const SurfaceParams& params,
-                         const Progress& progress = {}, const CutAway& away = {});
+                        const CutAway& away = {}, bool largestAlone = false,
+                        const Expectation& expect = {});
 
 }  // namespace angiomesh

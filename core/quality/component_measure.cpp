@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/quality/centre_lines.h"
 #include "core/quality/voxel_set.h"
@@ -16,6 +17,7 @@ constexpr int kSmoothPoints = 3;
 struct Length {
   double mm = 0.0;
   int freeTips = 0;
+  std::vector<VesselPiece> pieces;
 };
 
 std::vector<Eigen::Vector3d> smoothed(const VoxelSet& set,
@@ -48,9 +50,42 @@ Length lengthOf(const CentreLines& lines, const VoxelSet& set, const CentreLines
   }
   std::reverse(points.begin(), points.end());
   const std::vector<Eigen::Vector3d> line = smoothed(set, points);
-  for (std::size_t i = 1; i < line.size(); ++i) length.mm += (line[i] - line[i - 1]).norm();
-  length.mm = std::max(length.mm + extra, 0.0);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double step = (line[i] - line[i - 1]).norm();
+    length.mm += step;
+    length.pieces.push_back({step, lines.wallMm(points[i])});
+  }
+  if (line.size() == 1) length.pieces.push_back({1.0, lines.wallMm(points[0])});
+  const double whole = std::max(length.mm + extra, 0.0);
+  const double pieces = line.size() == 1 ? 1.0 : length.mm;
+  for (VesselPiece& piece : length.pieces) piece.lengthMm *= whole / pieces;
+  length.mm = whole;
   return length;
+}
+
+/// Makes pieces hold a volume, as volumes() has it, together with half balls at their tips.
+void fillVolume(std::vector<VesselPiece>& pieces, double volume, int tips, double voxelMm) {
+  double most = 0.0, length = 0.0;
+  for (const VesselPiece& piece : pieces) {
+    most = std::max(most, piece.radiusMm);
+    length += piece.lengthMm;
+  }
+  const double least = 0.25 * voxelMm;
+  const auto held = [&](double more) {
+    double sum = 0.0, radius = 0.0;
+    for (const VesselPiece& piece : pieces) {
+      const double r = std::max(piece.radiusMm + more, least);
+      sum += M_PI * piece.lengthMm * (r * r + voxelMm * voxelMm / 12.0);
+      radius += piece.lengthMm / length * r;
+    }
+    return sum + tips * (2.0 / 3.0) * M_PI * radius * radius * radius;
+  };
+  double low = -most, high = most + voxelMm;
+  for (int n = 0; n < 50; ++n) {
+    const double middle = 0.5 * (low + high);
+    (held(middle) < volume ? low : high) = middle;
+  }
+  for (VesselPiece& piece : pieces) piece.radiusMm = std::max(piece.radiusMm + low, least);
 }
 
 /// Volume of each part, mm3: voxels at the wall count by the share that phi gives them. That is the
@@ -115,11 +150,17 @@ std::vector<ComponentMeasure> measureComponents(const Volume<float>& phi,
       const Length one = lengthOf(lines, set, path);
       length.mm += one.mm;
       length.freeTips += one.freeTips;
+      length.pieces.insert(length.pieces.end(), one.pieces.begin(), one.pieces.end());
     }
     ComponentMeasure& measure = result[part];
     measure.lengthMm = length.mm;
     measure.meanRadiusMm = radiusOf(volume[part], length.mm, length.mm > 0.0 ? length.freeTips : 2,
                                     labels.geometry.voxelMm());
+    if (length.mm > 0.0) {
+      fillVolume(length.pieces, volume[part], length.freeTips, labels.geometry.voxelMm());
+      measure.pieces = std::move(length.pieces);
+      measure.tips = length.freeTips;
+    }
     progress.report(static_cast<double>(n + 1) / static_cast<double>(set.size()));
   }
   return result;

@@ -9,6 +9,11 @@
 
 namespace angiomesh {
 
+/// A piece of a round vessel.
+struct VesselPiece {
+  double lengthMm = 0.0, radiusMm = 0.0;
+};
+
 /// Size of one connected part of a segmentation.
 struct ComponentMeasure {
   /// Of its centre lines, all branches together. A centre line ends where the vessel leaves the
@@ -17,6 +22,11 @@ struct ComponentMeasure {
   double lengthMm = 0.0;
   /// Of round vessels of this length that hold the part's volume, half a ball at each tip.
   double meanRadiusMm = 0.0;
+  /// The centre lines from voxel to voxel, lengthMm in all, as thick as the wall is near, all by
+  /// the same length thicker or thinner so that they hold the part's volume. Empty where lengthMm
+  /// is 0.
+  std::vector<VesselPiece> pieces;
+  int tips = 2;  ///< ends inside the volume, each half a ball
 };
 
 /// The parts labelled 1..count (26-connected voxels where phi < 0). Centre lines are cheapest paths

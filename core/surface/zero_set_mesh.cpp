@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/base/large_pages.h"
 #include "core/quality/self_intersection.h"
 #include "core/surface/clip_reference.h"
 #include "core/surface/grow_front.h"
@@ -34,21 +33,17 @@ void append(PatchMesh& to, const PatchMesh& from) {
     to.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
-/// Of the whole program at its peak, as measured with a million triangles.
-constexpr double kBytesPerTriangle = 600.0;
-
 class Mesher {
  public:
-  Mesher(const SplineField& field, const SizingParams& sizing, SurfaceBorder border,
-         const CutAway& away, const Progress& progress)
+  Mesher(const SplineField& field, const GuidanceField& size, const SizingParams& sizing,
+         SurfaceBorder border, const CutAway& away, const Progress& progress)
       : field_(field),
         sizing_(sizing),
         border_(border),
         away_(away),
         ends_(field.geometry(), away.planes()),
         progress_(progress),
-        size_(field, sizing, progress.sub(0.0, 0.15), &away) {
-    checkMemoryFor(size_.estimatedTriangles());
+        size_(size) {
     reference_ = referenceSurface(sampleField(field, wholeGrid(field.geometry()), progress), ends_,
                                   border, progress.sub(0.15, 0.2));
     clipReference(reference_, away, field, size_, ends_, border, progress);
@@ -186,34 +181,26 @@ class Mesher {
   const CutAway& away_;
   EndPlanes ends_;
   const Progress& progress_;
-  GuidanceField size_;
+  const GuidanceField& size_;
   PatchMesh reference_;
   Landmarks landmarks_;
 };
 
 }  // namespace
 
-void checkMemoryFor(double triangles) {
-  constexpr double kGigabyte = 1024.0 * 1024.0 * 1024.0;
-  const auto memory = static_cast<double>(physicalMemory());
-  if (memory == 0.0 || triangles * kBytesPerTriangle < memory) return;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "the surface would have some %.0f million triangles, which take about %.0f GB of "
-                "memory; this machine has %.0f GB",
-                1e-6 * triangles, triangles * kBytesPerTriangle / kGigabyte, memory / kGigabyte);
-  throw InputError(text, "surface",
-                   "draw a region of interest, keep fewer parts (segmentation.keep, "
-                   ".minVolumeMm3), or ask for longer edges (surface.edgesAround, .rho, "
-                   ".edgeMinMm)");
-}
-
 ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, SurfaceMethod method,
                         SurfaceBorder border, const Progress& progress, const CutAway& away) {
   if (method == SurfaceMethod::MarchingCubes)
     throw InputError("marching cubes makes no sized triangles", "surface.method",
                      "use advancing-front or remesh");
-  return Mesher(field, sizing, border, away, progress).run(method);
+  const GuidanceField size(field, sizing, progress.sub(0.0, 0.15), &away);
+  return meshZeroSet(field, size, sizing, method, border, progress, away);
+}
+
+ZeroSetMesh meshZeroSet(const SplineField& field, const GuidanceField& size,
+                        const SizingParams& sizing, SurfaceMethod method, SurfaceBorder border,
+                        const Progress& progress, const CutAway& away) {
+  return Mesher(field, size, sizing, border, away, progress).run(method);
 }
 
 }  // namespace angiomesh

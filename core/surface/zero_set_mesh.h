@@ -7,6 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/surface/cut_away.h"
+#include "core/surface/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/patch_mesh.h"
 #include "core/surface/port.h"
@@ -59,8 +60,9 @@ ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, Su
                         SurfaceBorder border, const Progress& progress = {},
                         const CutAway& away = {});
 
-/// @throws InputError when so many triangles take more memory than the machine has: their number is
-/// known before meshing, and the system ends a program that asks for too much without a word
-void checkMemoryFor(double triangles);
+/// The same with the sizes at hand: those of the field without what `away` takes.
+ZeroSetMesh meshZeroSet(const SplineField& field, const GuidanceField& size,
+                        const SizingParams& sizing, SurfaceMethod method, SurfaceBorder border,
+                        const Progress& progress = {}, const CutAway& away = {});
 
 }  // namespace angiomesh

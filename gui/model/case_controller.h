@@ -165,6 +165,8 @@ class CaseController : public QObject {
   /// The number of triangles that the parameters ask for, before meshing; made on demand,
   /// resultsChanged() tells when. Empty for marching cubes and before the evolution.
   [[nodiscard]] std::optional<double> estimatedTriangles();
+  /// What is to be said of the surface that the parameters ask for, before it is made.
+  [[nodiscard]] QStringList expectationWarnings();
   [[nodiscard]] const RunResult& results() const { return shown_; }
 
   /// Writes a mesh, reads it back and says what the file holds. The pipeline's key and the names of
@@ -240,6 +242,7 @@ class CaseController : public QObject {
   void finishSpeed();
   [[nodiscard]] std::string speedKey() const;
   [[nodiscard]] Estimate estimateWanted() const;
+  [[nodiscard]] std::optional<ExpectedSurface> expectedSurface();
   void requestEstimate(const Estimate& wanted);
   void finishEstimate();
   void cancelEstimate();
@@ -280,7 +283,8 @@ class CaseController : public QObject {
   std::shared_ptr<const MeshFacts> facts_;
   std::shared_ptr<const Volume<float>> speed_;
   std::string speedKey_;
-  std::optional<double> estimate_;
+  std::vector<std::string> saidBefore_;  ///< warnings that came before the step's result
+  std::optional<ExpectedSurface> estimate_;
   std::string estimateKey_;
   std::weak_ptr<const Volume<float>> estimatePhi_;
   std::shared_ptr<const Volume<float>> livePhi_;

@@ -3,26 +3,26 @@
 
 #include "core/base/error.h"
 #include "core/pipeline/cuts.h"
-#include "core/pipeline/surface_step.h"
+#include "core/pipeline/expected_surface.h"
 #include "gui/model/case_controller.h"
 
 namespace angiomesh {
 
-/// The number of triangles to expect, made off the window's thread.
+/// What the surface will be, made off the window's thread.
 struct CaseController::EstimateJob {
   std::shared_ptr<const Volume<float>> phi;
   SurfaceParams params;
   PortParams ports;
   std::string key;
   Progress progress;
-  std::optional<double> triangles;
+  std::optional<ExpectedSurface> expected;
 
   void execute() noexcept {
     try {
       const SplineField field(*phi, params.spline);
       std::vector<std::string> remarks;
       const CutAway away = makeCuts(field, *phi, ports, remarks, progress);
-      triangles = estimateTriangles(field, params, progress, away);
+      expected = expectSurface(*phi, field, params, progress, away);
     } catch (const std::exception&) {
       // Without an estimate nothing is lost: meshing says what is wrong.
     }
@@ -48,6 +48,11 @@ std::optional<double> CaseController::estimatedTriangles() {
   if (state(Step::Surface) == StepState::Fresh && meshRun_ && meshRun_->surface) {
     return meshRun_->surface->origin.estimatedTriangles;
   }
+  const std::optional<ExpectedSurface> expected = expectedSurface();
+  return expected ? std::optional(expected->triangles) : std::nullopt;
+}
+
+std::optional<ExpectedSurface> CaseController::expectedSurface() {
   const Estimate wanted = estimateWanted();
   if (!wanted.phi) {
     return std::nullopt;
@@ -57,6 +62,22 @@ std::optional<double> CaseController::estimatedTriangles() {
   }
   requestEstimate(wanted);
   return estimateKey_ == wanted.key ? estimate_ : std::nullopt;
+}
+
+QStringList CaseController::expectationWarnings() {
+  QStringList list;
+  if (state(Step::Surface) == StepState::Fresh) {
+    return list;
+  }
+  if (const std::optional<ExpectedSurface> expected = expectedSurface()) {
+    for (const std::string& warning : warningsOf(*expected)) {
+      list << QString::fromStdString(warning);
+    }
+    if (const auto why = refusal(*expected, params_.surface, SurfaceLimits::ofMachine())) {
+      list << tr("Such a surface is not begun: %1.").arg(QString::fromStdString(*why));
+    }
+  }
+  return list;
 }
 
 void CaseController::requestEstimate(const Estimate& wanted) {
@@ -87,7 +108,7 @@ void CaseController::finishEstimate() {
   if (job->progress.cancelled()) {
     return;
   }
-  estimate_ = job->triangles;
+  estimate_ = job->expected;
   estimateKey_ = job->key;
   estimatePhi_ = job->phi;
 }

@@ -77,6 +77,7 @@ void CaseController::fail(Step step, const Parameters& params, const std::string
 void CaseController::startRun(Step until) {
   failedKey_.clear();
   polledStep_.reset();
+  saidBefore_.clear();
   interruptAfter_.reset();
   cancelEstimate();
   run_ = std::make_shared<RunJob>(pipeline_, params_, until);
@@ -197,6 +198,10 @@ void CaseController::pollRun() {
     job->cancel();
   }
   bool arrived = false;
+  for (const auto& [step, warning] : job->takeWarnings()) {
+    saidBefore_.push_back(warning);
+    say(Severity::Warning, stepTitle(step) + ": " + QString::fromStdString(warning));
+  }
   for (const StepResult& result : job->takeResults()) {
     if (pipeline_->key(result.step, params_) == result.key) {
       accept(result);
@@ -243,7 +248,9 @@ void CaseController::accept(const StepResult& result) {
     if (stage.step == result.step) {
       shown_.stages[static_cast<std::size_t>(result.step)] = stage;
       for (const std::string& warning : quietRun_ ? std::vector<std::string>() : stage.warnings) {
-        say(Severity::Warning, stepTitle(result.step) + ": " + QString::fromStdString(warning));
+        if (std::find(saidBefore_.begin(), saidBefore_.end(), warning) == saidBefore_.end()) {
+          say(Severity::Warning, stepTitle(result.step) + ": " + QString::fromStdString(warning));
+        }
       }
     }
   }

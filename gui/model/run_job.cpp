@@ -74,8 +74,20 @@ void RunJob::runSteps() {
     options.snapshots = snapshots_;
     options.snapshotSeconds = kSnapshotSeconds;
     options.control = control_;
+    options.keepOnFailure = true;
+    options.warned = [this](Step step, const std::string& warning) {
+      const std::lock_guard lock(mutex_);
+      warnings_.emplace_back(step, warning);
+    };
     const Progress progress = begin(first);
-    collect(first, pipeline_->run(params_, options, progress));
+    RunResult run = pipeline_->run(params_, options, progress);
+    const std::optional<RunFailure> failure = run.failure;
+    collect(first, std::move(run));
+    if (failure) {
+      end_ = End::Failed;
+      error_ = failure->why;
+      return;
+    }
     next = static_cast<int>(options.until) + 1;
   }
 }
@@ -157,6 +169,11 @@ void RunJob::cancel() {
 }
 
 void RunJob::stopAfterStep() { lastWanted_ = std::min(lastWanted_.load(), step()); }
+
+std::vector<std::pair<Step, std::string>> RunJob::takeWarnings() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(warnings_, {});
+}
 
 std::vector<StepResult> RunJob::takeResults() {
   const std::lock_guard lock(mutex_);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/pipeline/pipeline.h"
@@ -58,6 +59,8 @@ class RunJob {
 
   /// What has arrived since the last call.
   std::vector<StepResult> takeResults();
+  /// Of what a step in work will cost, since the last call.
+  std::vector<std::pair<Step, std::string>> takeWarnings();
   std::shared_ptr<const EvolutionSnapshot> takeSnapshot() { return snapshots_->take(); }
 
  private:
@@ -78,8 +81,9 @@ class RunJob {
   std::atomic<Step> lastWanted_;
   std::atomic<bool> cancelled_{false};
   mutable std::mutex mutex_;
-  Progress progress_;                ///< of the part in work; guarded by mutex_
-  std::vector<StepResult> results_;  ///< guarded by mutex_
+  Progress progress_;                                   ///< of the part in work; guarded by mutex_
+  std::vector<StepResult> results_;                     ///< guarded by mutex_
+  std::vector<std::pair<Step, std::string>> warnings_;  ///< guarded by mutex_
   std::vector<StageReport> stages_;
   double seconds_ = 0.0, cpuSeconds_ = 0.0;
   End end_ = End::Done;

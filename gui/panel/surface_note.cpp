@@ -47,7 +47,9 @@ void SurfaceNote::refresh() {
   if (origin && !origin->components.empty()) {
     parts << tr("%1 components verified").arg(verifiedText(*origin));
   }
-  setText(parts.join(QStringLiteral(", ")));
+  QStringList lines{parts.join(QStringLiteral(", "))};
+  lines << controller_.expectationWarnings();
+  setText(lines.join('\n'));
   setToolTip(origin ? verifiedReasons(*origin) : QString());
   setVisible(!parts.isEmpty());
 }

@@ -172,6 +172,36 @@ class TestCliFailures : public QObject, CliFolder {
     verifyRefused(cli({"run", "good.mha", "-o", "out", "--set", "seeds.automatic=false"}), before);
   }
 
+  /// What was computed before a surface that is not begun is written all the same.
+  void aRefusedSurfaceKeepsTheSegmentation() {
+    const CliResult refused =
+        cli({"run", "good.mha", "-o", "refused", "--set", "surface.maxTriangles=100"});
+    QCOMPARE(refused.code, 2);
+    for (const char* word :
+         {"not begun", "surface.maxTriangles = 100", "surface.edgeMinMm", "mask.nrrd"})
+      QVERIFY2(refused.errors.contains(word), refused.errors.constData());
+    const QStringList kept = QDir(at("refused")).entryList(QDir::Files);
+    QCOMPARE(kept,
+             (QStringList{"mask.nrrd", "params.json", "phi.nrrd", "preview.png", "report.json"}));
+    QFile report(at("refused/report.json"));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QByteArray text = report.readAll();
+    QVERIFY(text.contains("\"failure\"") && text.contains("\"inside_voxels\""));
+    QCOMPARE(cli({"run", "good.mha", "-o", "all", "--until", "evolve"}).code, 0);
+    for (const char* name : {"mask.nrrd", "phi.nrrd"}) {
+      QFile one(at(QString("refused/") + name)), other(at(QString("all/") + name));
+      QVERIFY(one.open(QIODevice::ReadOnly) && other.open(QIODevice::ReadOnly));
+      QCOMPARE(one.readAll(), other.readAll());
+    }
+    QVERIFY(QDir(at("refused")).removeRecursively() && QDir(at("all")).removeRecursively());
+
+    const QStringList before = filesIn(dir.path());
+    verifyRefused(cli({"mesh", "truth.mha", "-o", "m.ply", "--set", "surface.maxTriangles=100"}),
+                  before);
+    QCOMPARE(cli({"mesh", "truth.mha", "-o", "m.ply", "--set", "surface.maxTriangles=0"}).code, 0);
+    QVERIFY(QFile::remove(at("m.ply")));
+  }
+
   void badOutputPlace_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::newRow("below a file") << QStringList{"run", "good.mha", "-o", "good.nrrd/out"};

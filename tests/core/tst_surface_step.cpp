@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/pipeline/surface_step.h"
+#include "core/pipeline/expected_surface.h"
 #include "core/quality/mesh_quality.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/analytic.h"
@@ -30,7 +32,7 @@ double triangles(const std::function<void(SurfaceParams&)>& change) {
   SurfaceParams params = plain();
   change(params);
   const SplineField field(twoBalls(), params.spline);
-  return estimateTriangles(field, params);
+  return expectSurface(twoBalls(), field, params).triangles;
 }
 
 }  // namespace
@@ -53,14 +55,98 @@ class TestSurfaceStep : public QObject {
     QVERIFY(fewer([](SurfaceParams& p) { p.sizing.edgeMinMm = 5.0; }));
   }
 
-  void moreTrianglesThanTheMemoryHoldsAreRefused() {
-    checkMemoryFor(1e5);
+  void moreTrianglesThanMemoryAndTimeHoldAreRefused() {
+    SurfaceLimits limits;
+    limits.bytes = 1e9;
+    limits.seconds = 1e9;
+    ExpectedSurface expected;
+    expected.smoothTriangles = 1e5;
+    expected.triangles = 1e5;
+    const SurfaceParams usual;
+    checkExpected(expected, usual, limits);
+    expected.triangles = 1e7;
     try {
-      checkMemoryFor(1e12);
-      QFAIL("a million million triangles");
+      checkExpected(expected, usual, limits);
+      QFAIL("ten million triangles in 1 GB");
     } catch (const InputError& error) {
-      QVERIFY2(QString(error.what()).contains("1000000 million triangles"), error.what());
+      const QString text = error.what();
+      QVERIFY2(text.contains("about 10 million triangles") && text.contains("100 times"),
+               error.what());
+      QVERIFY2(text.contains("surface.edgeMinMm") && text.contains("maxTriangles"), error.what());
     }
+    limits = {1e15, 60.0};
+    QVERIFY(refusal(expected, usual, limits)->find("minutes") != std::string::npos);
+    QVERIFY(!refusal(expected, usual, {1e15, 1e9}));
+    QVERIFY(!refusal(expected, usual, {0.0, 1e9}));  // a machine whose memory is not known
+    SurfaceParams set;
+    set.maxTriangles = 0;
+    QVERIFY(!refusal(expected, set, limits));
+    set.maxTriangles = 9999999;
+    QVERIFY(refusal(expected, set, {1e15, 1e9}));
+    set.maxTriangles = 10000000;
+    QVERIFY(!refusal(expected, set, limits));
+  }
+
+  void warnsOfRoughWallsAndOfLongWork() {
+    ExpectedSurface expected;
+    expected.triangles = 1e6;
+    expected.smoothTriangles = 5e5;
+    QVERIFY(warningsOf(expected).empty());
+    expected.smoothTriangles = 5e4;
+    expected.smoothEdgeMm = 0.25;
+    expected.parts = 7;
+    const std::string rough = warningsOf(expected).at(0);
+    for (const char* word : {"20 times", "surface.edgeMinMm, such as 0.25", "7 parts",
+                             "segmentation.keep", "segmentation.minVolumeMm3"})
+      QVERIFY2(rough.find(word) != std::string::npos, rough.c_str());
+    expected = {1e4, 1e2};
+    QVERIFY(warningsOf(expected).empty());
+    expected = {1e6, 5e5};
+    expected.specks = 900;
+    expected.speckTriangles = 4e5;
+    QVERIFY(warningsOf(expected).at(0).find("900 specks") != std::string::npos);
+    expected = {1e9, 1e9};
+    QVERIFY(warningsOf(expected).at(0).find("hours") != std::string::npos);
+  }
+
+  /// Closed forms: edges of 2 sin(rho / 2) r, but for the pieces between junctions.
+  void smoothVesselsJustifyTheirTriangles() {
+    const double perArea = 4.0 / std::sqrt(3.0) / std::pow(2.0 * std::sin(0.2), 2);
+    const auto expectedOf = [](const Geometry& g, const auto& f) {
+      const Volume<float> phi = analytic::sampled(g, [&](const Eigen::Vector3d& x) {
+        return std::clamp(f(x), -5.0 * g.voxelMm(), 5.0 * g.voxelMm());
+      });
+      const SurfaceParams params = plain();
+      return expectSurface(phi, SplineField(phi, params.spline), params);
+    };
+    const Geometry g = analytic::cube(44);
+    const Eigen::Vector3d c = analytic::centreOf(g) + Eigen::Vector3d(0.3, 0.1, -0.2);
+    const auto near = [](double value, double truth, double share) {
+      return std::fabs(value / truth - 1.0) < share;
+    };
+    for (const double r : {2.0, 4.5}) {
+      const ExpectedSurface tube = expectedOf(g, [&](const auto& x) {
+        return analytic::tube(x, c, {0, 0, 1}, r);
+      });
+      QVERIFY(near(tube.smoothTriangles, perArea * 2.0 * M_PI * 43.0 / r, 0.1));
+      QVERIFY(tube.roughness() > 0.9 && tube.roughness() < 1.3);
+      const ExpectedSurface ball =
+          expectedOf(g, [&](const auto& x) { return analytic::ball(x, c, r + 2.0); });
+      // The centre lines take it for a short vessel.
+      QVERIFY(near(ball.smoothTriangles, perArea * 6.0 * M_PI, 0.4));
+      QVERIFY(near(ball.triangles, perArea * 4.0 * M_PI, 0.1));
+      const ExpectedSurface ring =
+          expectedOf(g, [&](const auto& x) { return analytic::torus(x, c, 13.5, r); });
+      QVERIFY(near(ring.smoothTriangles, perArea * 4.0 * M_PI * M_PI * 13.5 / r, 0.25));
+      QVERIFY(ring.roughness() > 0.75 && ring.roughness() < 1.5);
+    }
+    // A wall with ripples of a voxel, as noise makes them.
+    const ExpectedSurface rough = expectedOf(g, [&](const Eigen::Vector3d& x) {
+      return analytic::tube(x, c, {0, 0, 1}, 4.5) +
+             0.3 * std::sin(2.9 * x[0]) * std::sin(2.7 * x[1]) * std::sin(2.8 * x[2]);
+    });
+    QVERIFY2(rough.roughness() > 5.0, qPrintable(QString::number(rough.roughness())));
+    QVERIFY(near(rough.smoothTriangles, perArea * 2.0 * M_PI * 43.0 / 4.5, 0.2));
   }
 
   void theFrontAndTheRemesherFollowTheSize_data() {
