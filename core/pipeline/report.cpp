@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -151,12 +152,27 @@ Json segmentationBlock(const RunResult& result) {
 Json componentBlock(const SurfaceComponent& part) {
   Json block{{"triangles", part.triangles},
              {"euler", part.euler},
-             {"genus", (2 - part.boundaryLoops - part.euler) / 2},
+             {"genus", part.genus()},
              {"boundary_loops", part.boundaryLoops},
              {"verified", part.verified}};
   if (!part.verified) block["why"] = part.why;
   if (part.boundaryLoops == 0) block["volume_mm3"] = part.volumeMm3;
   return block;
+}
+
+/// More of them is noise.
+constexpr std::size_t kNamedHandles = 200;
+
+Json handleBlock(const Handle& handle) {
+  const auto numbers = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  const char* kind = handle.kind == HandleKind::Hole   ? "hole"
+                     : handle.kind == HandleKind::Thin ? "thin"
+                                                       : "loop";
+  return {{"kind", kind},
+          {handle.lengthIsLeast ? "length_at_least_mm" : "length_mm", handle.lengthMm},
+          {"centre_mm", numbers(handle.centreLps)},
+          {"thinnest_mm", numbers(handle.placeLps)},
+          {"depth_mm", handle.depthMm}};
 }
 
 Json surfaceBlock(const SurfaceOrigin& origin) {
@@ -175,6 +191,10 @@ Json surfaceBlock(const SurfaceOrigin& origin) {
         block["components"].back()["from_front_percent"] = part.fromFrontPercent;
     }
     block["unverified"] = origin.unverified();
+    block["handles"] = origin.handles.size();
+    block["handle_list"] = Json::array();
+    for (std::size_t n = 0; n < std::min(origin.handles.size(), kNamedHandles); ++n)
+      block["handle_list"].push_back(handleBlock(origin.handles[n]));
   }
   // An estimate alone says nothing of what will be left out.
   const bool estimateAlone = origin.estimatedTriangles && origin.components.empty();

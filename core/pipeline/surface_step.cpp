@@ -2,6 +2,8 @@
 #include "core/pipeline/surface_step.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <utility>
 
 #include "core/pipeline/segments.h"
 #include "core/surface/clip_reference.h"
@@ -75,6 +77,32 @@ double fromFront(const std::vector<SurfaceComponent>& components) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
+/// What is to be said of a handle; nothing of one that is most likely real.
+std::string remarkOn(const Handle& handle) {
+  if (handle.kind == HandleKind::Loop) return {};
+  const bool hole = handle.kind == HandleKind::Hole;
+  const Eigen::Vector3d& p = hole ? handle.centreLps : handle.placeLps;
+  char place[80];
+  std::snprintf(place, sizeof place, "near L %.1f P %.1f S %.1f mm", p.x(), p.y(), p.z());
+  char length[40];
+  std::snprintf(length, sizeof length, "%.3g mm", handle.lengthMm);
+  if (hole)
+    return std::string("a hole of ") + length + " around goes through a vessel " + place +
+           ": that is smaller than the voxels tell";
+  return std::string("a loop of ") + length + " closes " + place +
+         " through a place less than half a voxel deep: vessels may only touch there";
+}
+
+void addHandles(SurfaceOrigin& origin, const Volume<float>& phi, const CutAway& away,
+                const Progress& progress) {
+  if (std::all_of(origin.components.begin(), origin.components.end(),
+                  [](const SurfaceComponent& part) { return part.genus() == 0; }))
+    return;
+  origin.handles = handlesOf(phi, progress);
+  if (!away.empty())
+    std::erase_if(origin.handles, [&](const Handle& h) { return away.takenAt(h.placeLps); });
+}
+
 }  // namespace
 
 std::size_t SurfaceOrigin::unverified() const {
@@ -100,6 +128,13 @@ std::vector<std::string> SurfaceOrigin::warnings() const {
   if (dropped.size() > kNamedWarnings)
     list.push_back(std::to_string(dropped.size() - kNamedWarnings) +
                    " more pieces were left out of the surface");
+  std::size_t small = 0;
+  for (const Handle& handle : handles)
+    if (std::string remark = remarkOn(handle); !remark.empty() && ++small <= kNamedWarnings)
+      list.push_back(std::move(remark));
+  if (small > kNamedWarnings)
+    list.push_back(std::to_string(small - kNamedWarnings) +
+                   " more holes and loops are smaller than the voxels tell");
   return list;
 }
 
@@ -130,6 +165,7 @@ MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
       lost.push_back(away.nameOf(cut) + " with the part that it ends");
     origin.dropped.insert(origin.dropped.begin(), lost.begin(), lost.end());
   }
+  addHandles(origin, phi, away, progress);
   if (params.method == SurfaceMethod::AdvancingFront)
     origin.fromFrontPercent = fromFront(origin.components);
   return made;

@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/levelset/handles.h"
 #include "core/pipeline/parameters.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/guidance_field.h"
@@ -24,9 +25,13 @@ struct SurfaceOrigin {
   std::optional<double> estimatedTriangles;  ///< before meshing
   std::optional<double> smoothTriangles;     ///< see ExpectedSurface
   std::vector<std::string> dropped;          ///< what was left out, in words
+  /// Of the voxels of phi, where a component's genus is not 0. The interpolant may join or part
+  /// voxels that touch at a corner otherwise.
+  std::vector<Handle> handles;
 
   [[nodiscard]] std::size_t unverified() const;
-  /// A sentence for each component that was not verified and for each piece that was left out.
+  /// A sentence for each component that was not verified, for each piece that was left out, and for
+  /// each handle too small to be relied on.
   [[nodiscard]] std::vector<std::string> warnings() const;
 };
 

@@ -28,6 +28,9 @@ struct SurfaceComponent {
   std::string why;         ///< else: which one does not
   double volumeMm3 = 0.0;  ///< meaningful when closed
   double fromFrontPercent = 0.0;
+
+  /// As if the rims were closed.
+  [[nodiscard]] int genus() const { return (2 - boundaryLoops - euler) / 2; }
 };
 
 struct ZeroSetMesh {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/levelset/voxel_topology.h"
+
+#include <bit>
+
+namespace angiomesh {
+namespace {
+
+constexpr VoxelBits kMiddle = VoxelBits{1} << kMiddleBit;
+
+struct Neighbours {
+  std::array<VoxelBits, 27> all{};     ///< 26-neighbours within the cube, without the middle
+  std::array<VoxelBits, 27> facing{};  ///< 6-neighbours within N18, without the middle
+  VoxelBits faces = 0;                 ///< the middle's 6-neighbours
+  VoxelBits near = 0;                  ///< its 18-neighbours
+};
+
+constexpr Neighbours makeNeighbours() {
+  Neighbours n;
+  const auto steps = [](int a, int b, int axis) {
+    const int scale = axis == 0 ? 1 : axis == 1 ? 3 : 9;
+    const int d = a / scale % 3 - b / scale % 3;
+    return d < 0 ? -d : d;
+  };
+  for (int a = 0; a < 27; ++a) {
+    const int off = steps(a, kMiddleBit, 0) + steps(a, kMiddleBit, 1) + steps(a, kMiddleBit, 2);
+    if (off == 1) n.faces |= VoxelBits{1} << a;
+    if (off == 1 || off == 2) n.near |= VoxelBits{1} << a;
+  }
+  for (int a = 0; a < 27; ++a)
+    for (int b = 0; b < 27; ++b) {
+      const int x = steps(a, b, 0);
+      const int y = steps(a, b, 1);
+      const int z = steps(a, b, 2);
+      if (a == b || b == kMiddleBit || x > 1 || y > 1 || z > 1) continue;
+      n.all[static_cast<std::size_t>(a)] |= VoxelBits{1} << b;
+      if (x + y + z == 1 && (n.near >> b & 1) != 0)
+        n.facing[static_cast<std::size_t>(a)] |= VoxelBits{1} << b;
+    }
+  return n;
+}
+
+constexpr Neighbours kNeighbours = makeNeighbours();
+
+/// The part of `set` that is connected to its voxel `start` (one bit).
+VoxelBits partOf(VoxelBits set, VoxelBits start, const std::array<VoxelBits, 27>& neighbours) {
+  VoxelBits part = start;
+  VoxelBits fresh = start;
+  while (fresh != 0) {
+    const auto at = static_cast<std::size_t>(std::countr_zero(fresh));
+    fresh &= fresh - 1;
+    const VoxelBits next = neighbours[at] & set & ~part;
+    part |= next;
+    fresh |= next;
+  }
+  return part;
+}
+
+VoxelBits lowest(VoxelBits bits) { return bits & (~bits + 1); }
+
+}  // namespace
+
+VoxelTopology voxelTopology(VoxelBits object) {
+  VoxelTopology topology;
+  VoxelBits left = object & ~kMiddle;
+  while (left != 0) {
+    const VoxelBits part = partOf(left, lowest(left), kNeighbours.all);
+    left &= ~part;
+    topology.objectParts[static_cast<std::size_t>(topology.object++)] = part;
+  }
+  VoxelBits set = ~object & kNeighbours.near;
+  while ((set & kNeighbours.faces) != 0) {
+    const VoxelBits part = partOf(set, lowest(set & kNeighbours.faces), kNeighbours.facing);
+    set &= ~part;
+    topology.backgroundParts[static_cast<std::size_t>(topology.background++)] = part;
+  }
+  return topology;
+}
+
+}  // namespace angiomesh

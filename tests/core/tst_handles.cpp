@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/levelset/handles.h"
+#include "core/levelset/voxel_topology.h"
+#include "core/quality/mesh_quality.h"
+#include "core/surface/marching_cubes.h"
+#include "tests/core/analytic.h"
+
+using namespace angiomesh;
+using namespace angiomesh::analytic;
+
+namespace {
+
+using Function = std::function<double(const Eigen::Vector3d&)>;
+
+Volume<float> fieldOf(const Geometry& g, const Function& f) {
+  const double far = 5.0 * g.voxelMm();
+  return sampled(g, [&](const Eigen::Vector3d& x) { return std::clamp(f(x), -far, far); });
+}
+
+const Eigen::Vector3d kAlongX(1.0, 0.0, 0.0), kAlongY(0.0, 1.0, 0.0), kAlongZ(0.0, 0.0, 1.0);
+
+/// A tube along z with a channel of one voxel through it along x.
+Volume<float> tubeWithAHole(const Geometry& g, double radius, const Index3& at) {
+  Volume<float> phi = fieldOf(g, [&](const auto& x) {
+    return tube(x, g.toPhysical({1.0 * at[0], 1.0 * at[1], 1.0 * at[2]}), kAlongZ, radius);
+  });
+  for (int i = 0; i < g.size[0]; ++i) {
+    float& value = phi.at(i, at[1], at[2]);
+    value = std::max(value, 0.3F);
+  }
+  return phi;
+}
+
+/// Euler's number of the voxels as closed cubes, which is that of 26-connected objects.
+int eulerOf(const Volume<float>& phi) {
+  const Geometry& g = phi.geometry;
+  const auto inside = [&](int i, int j, int k) {
+    return g.contains(i, j, k) && phi.at(i, j, k) < 0.0F;
+  };
+  int euler = 0;
+  // A cell of the doubled grid is there when a voxel around it is.
+  for (int k = 0; k <= 2 * g.size[2]; ++k)
+    for (int j = 0; j <= 2 * g.size[1]; ++j)
+      for (int i = 0; i <= 2 * g.size[0]; ++i) {
+        bool there = false;
+        for (int c = (k % 2 != 0 ? k / 2 : k / 2 - 1); c <= k / 2; ++c)
+          for (int b = (j % 2 != 0 ? j / 2 : j / 2 - 1); b <= j / 2; ++b)
+            for (int a = (i % 2 != 0 ? i / 2 : i / 2 - 1); a <= i / 2; ++a)
+              there = there || inside(a, b, c);
+        if (there) euler += (i % 2 + j % 2 + k % 2) % 2 == 0 ? 1 : -1;
+      }
+  return euler;
+}
+
+}  // namespace
+
+class TestHandles : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void cleanup() { setThreads(0); }
+
+  void topologicalNumbers() {
+    const auto bit = [](int i, int j, int k) {
+      return VoxelBits{1} << (kMiddleBit + i + 3 * j + 9 * k);
+    };
+    QCOMPARE(voxelTopology(0).object, 0);
+    QCOMPARE(voxelTopology(0).background, 1);
+    QCOMPARE(voxelTopology((1U << 27) - 1).background, 0);
+    QVERIFY(voxelTopology(bit(1, 1, 1)).simple());
+    const VoxelTopology two = voxelTopology(bit(1, 0, 0) | bit(-1, 1, 1));
+    QCOMPARE(two.object, 2);
+    QCOMPARE(two.background, 1);
+    VoxelBits plate = 0;
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i)
+        if (i != 0 || j != 0) plate |= bit(i, j, 0);
+    const VoxelTopology hole = voxelTopology(plate);
+    QCOMPARE(hole.object, 1);
+    QCOMPARE(hole.background, 2);
+    // Corners in the background that share no face with the middle are no part of it.
+    QVERIFY(voxelTopology(((1U << 27) - 1) & ~bit(1, 1, 1) & ~bit(1, 0, 0)).simple());
+  }
+
+  void roundBodiesHaveNone() {
+    const Geometry g = cube(30);
+    const Eigen::Vector3d c = centreOf(g);
+    QVERIFY(handlesOf(fieldOf(g, [&](const auto& x) { return ball(x, c, 9.3); })).empty());
+    QVERIFY(handlesOf(fieldOf(g, [&](const auto& x) {
+              return std::min(tube(x, c, kAlongZ, 3.2), tube(x, c, {0.6, 0.0, 0.8}, 2.1));
+            })).empty());
+    // A cavity is no handle.
+    QVERIFY(handlesOf(fieldOf(g, [&](const auto& x) {
+              return std::max(ball(x, c, 11.0), -ball(x, c, 4.0));
+            })).empty());
+    QVERIFY(handlesOf(fieldOf(g, [](const auto&) { return 1.0; })).empty());
+    QVERIFY(handlesOf(fieldOf(g, [](const auto&) { return -1.0; })).empty());
+  }
+
+  void aRingHasOneAsLongAsItsInside() {
+    for (const Geometry& g : {cube(48), oblique(90, 80, 60)}) {
+      const Eigen::Vector3d c = centreOf(g);
+      const double ring = 13.0, r = 3.1;
+      const std::vector<Handle> found =
+          handlesOf(fieldOf(g, [&](const auto& x) { return torus(x, c, ring, r); }));
+      QCOMPARE(found.size(), std::size_t{1});
+      const Handle& one = found[0];
+      QVERIFY(!one.lengthIsLeast);
+      // Steps between voxels are up to a tenth longer than a curve.
+      QVERIFY2(one.lengthMm > 2 * M_PI * (ring - r) * 0.98 && one.lengthMm < 2 * M_PI * ring * 1.1,
+               qPrintable(QString::number(one.lengthMm)));
+      const double depth = std::min(r, 5.0 * g.voxelMm());  // phi is clamped
+      QVERIFY(std::fabs(one.depthMm - depth) < 0.6 * g.spacing.norm());
+      QVERIFY(one.kind == HandleKind::Loop);
+      QVERIFY(std::fabs(torus(one.placeLps, c, ring, r)) < r);
+      QVERIFY((one.centreLps - c).norm() < 1.5);
+    }
+  }
+
+  void theLoopClosesWhereItIsThinnest() {
+    const Geometry g = cube(48);
+    const Eigen::Vector3d c = centreOf(g);
+    const std::vector<Handle> found = handlesOf(fieldOf(g, [&](const Eigen::Vector3d& x) {
+      const Eigen::Vector3d d = x - c;
+      return torus(x, c, 13.0,
+                   3.0 - 1.5 * std::exp(-(d - Eigen::Vector3d(0, 13, 0)).squaredNorm() / 20.0));
+    }));
+    QCOMPARE(found.size(), std::size_t{1});
+    QVERIFY((found[0].placeLps - c - Eigen::Vector3d(0, 13, 0)).norm() < 3.0);
+    QVERIFY(found[0].depthMm < 1.6);
+  }
+
+  void twoRingsHaveTwo() {
+    const Geometry g = cube(60);
+    const Eigen::Vector3d c = centreOf(g);
+    const Eigen::Vector3d aside(10.5, 0.0, 0.0);
+    const std::vector<Handle> joined = handlesOf(fieldOf(g, [&](const auto& x) {
+      return std::min(torus(x, c + aside, 11.0, 2.6), torus(x, c - aside, 11.0, 3.4));
+    }));
+    QCOMPARE(joined.size(), std::size_t{2});
+    QCOMPARE(joined[0].component, 1);
+    QCOMPARE(joined[1].component, 1);
+    const Eigen::Vector3d far(14.5, 0.0, 0.0);
+    const std::vector<Handle> apart = handlesOf(fieldOf(g, [&](const auto& x) {
+      return std::min(torus(x, c + far, 9.0, 2.6), torus(x, c - far, 9.0, 3.4));
+    }));
+    QCOMPARE(apart.size(), std::size_t{2});
+    QCOMPARE(apart[0].component + apart[1].component, 3);
+  }
+
+  void aHoleThroughAVesselIsShort() {
+    const Geometry g = cube(32);
+    const std::vector<Handle> found = handlesOf(tubeWithAHole(g, 3.7, {15, 16, 14}));
+    QCOMPARE(found.size(), std::size_t{1});
+    QVERIFY2(found[0].lengthMm < 8.0, qPrintable(QString::number(found[0].lengthMm)));
+    QVERIFY(found[0].kind == HandleKind::Hole);
+    const Eigen::Vector3d d = found[0].centreLps - Eigen::Vector3d(15, 16, 14);
+    QVERIFY(std::hypot(d.y(), d.z()) < 1.5);
+  }
+
+  /// Two vessels that come from one and touch again.
+  void vesselsThatTouchCloseALongLoopWithAThinSection() {
+    const Geometry g = cube(50);
+    const Function fork = [&](const Eigen::Vector3d& x) {
+      return std::min(
+          {tube(x, {17, 25, 25}, kAlongZ, 3.0), tube(x, {31, 25, 25}, kAlongZ, 3.0),
+           std::max(tube(x, {25, 25, 8}, kAlongX, 3.0), std::fabs(x.x() - 24.0) - 8.0)});
+    };
+    QVERIFY(handlesOf(fieldOf(g, fork)).empty());
+    Volume<float> phi = fieldOf(g, fork);
+    for (int i = 17; i <= 31; ++i) {
+      float& value = phi.at(i, 25, 40);
+      value = std::min(value, -0.2F);
+    }
+    const std::vector<Handle> found = handlesOf(phi);
+    QCOMPARE(found.size(), std::size_t{1});
+    QVERIFY(found[0].depthMm < 0.3 && found[0].kind == HandleKind::Thin);
+    QVERIFY(found[0].lengthMm > 50.0 && found[0].lengthMm < 90.0);
+    QVERIFY((found[0].placeLps - Eigen::Vector3d(24, 25, 40)).norm() < 5.0);
+  }
+
+  /// As many as Euler's number says, on anything.
+  void countsAgreeWithEulersNumber() {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const Geometry g = oblique(17, 15, 16);
+      Volume<float> phi(g);
+      for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+        phi.voxels[i] =
+            static_cast<float>(randomNormal(seed, i) + 0.25 * static_cast<double>(seed) - 0.4);
+      const Components inside = connectedComponents(insideMask(phi));
+      Volume<std::uint8_t> outside(g);
+      for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+        outside.voxels[i] = phi.voxels[i] < 0.0F ? 0 : 1;
+      // Cavities: parts of the background that do not reach the border.
+      const Components around = connectedComponents(outside, false);
+      std::vector<bool> reaches(around.sizes.size(), false);
+      for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+        const Index3 p = g.indexOf(i);
+        for (std::size_t a = 0; a < 3; ++a)
+          if (around.labels.voxels[i] > 0 && (p[a] == 0 || p[a] == g.size[a] - 1))
+            reaches[static_cast<std::size_t>(around.labels.voxels[i] - 1)] = true;
+      }
+      const auto cavities = static_cast<int>(std::count(reaches.begin(), reaches.end(), false));
+      const int expected = static_cast<int>(inside.sizes.size()) + cavities - eulerOf(phi);
+      QCOMPARE(static_cast<int>(handlesOf(phi).size()), expected);
+    }
+  }
+
+  void theSameForAnyNumberOfThreads() {
+    const Volume<float> phi = tubeWithAHole(cube(32), 3.7, {15, 16, 14});
+    setThreads(1);
+    const std::vector<Handle> one = handlesOf(phi);
+    setThreads(2);
+    const std::vector<Handle> two = handlesOf(phi);
+    QCOMPARE(one.size(), two.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      QVERIFY(one[i].placeLps == two[i].placeLps);
+      QCOMPARE(one[i].lengthMm, two[i].lengthMm);
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(TestHandles)
+#include "tst_handles.moc"
