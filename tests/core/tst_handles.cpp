@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/levelset/close_handles.h"
 #include "core/levelset/handles.h"
 #include "core/levelset/voxel_topology.h"
 #include "core/quality/mesh_quality.h"
@@ -211,6 +212,109 @@ class TestHandles : public QObject {
       const auto cavities = static_cast<int>(std::count(reaches.begin(), reaches.end(), false));
       const int expected = static_cast<int>(inside.sizes.size()) + cavities - eulerOf(phi);
       QCOMPARE(static_cast<int>(handlesOf(phi).size()), expected);
+    }
+  }
+
+  void closesAHoleAndLeavesTheRest() {
+    const Geometry g = cube(32);
+    const Volume<float> before = tubeWithAHole(g, 3.7, {15, 16, 14});
+    Volume<float> phi = before;
+    const std::vector<HandleChange> done = closeSmallHandles(phi, {});
+    QCOMPARE(done.size(), std::size_t{1});
+    QVERIFY(done[0].filled && std::fabs(done[0].depth - 0.3) < 1e-5);
+    QVERIFY(std::hypot(done[0].placeLps.y() - 16.0, done[0].placeLps.z() - 14.0) < 0.6);
+    QVERIFY(handlesOf(phi).empty());
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+      changed += phi.voxels[i] != before.voxels[i];
+    QCOMPARE(changed, done[0].voxels);
+    // The whole channel, with no pit on either side.
+    for (int i = 13; i <= 17; ++i) QVERIFY(phi.at(i, 16, 14) < 0.0F);
+    // A hole whose phi is above the limit stays.
+    phi = before;
+    HandleLimits limits;
+    limits.depth = 0.2;
+    QVERIFY(closeSmallHandles(phi, limits).empty());
+    QVERIFY(phi.voxels == before.voxels);
+    // So it does where the wall is known better.
+    Volume<float> sure(g, 0.1F);
+    QVERIFY(closeSmallHandles(phi, {}, &sure).empty());
+  }
+
+  void leavesRealLoopsAndRoundBodiesAlone() {
+    const Geometry g = cube(48);
+    const Eigen::Vector3d c = centreOf(g);
+    const Function bodies[] = {[&](const auto& x) { return torus(x, c, 13.0, 3.1); },
+                               [&](const auto& x) { return torus(x, c, 13.0, 0.9); },
+                               [&](const auto& x) {
+                                 return std::min(ball(x, c, 6.0), tube(x, c, {0.6, 0.0, 0.8}, 1.1));
+                               },
+                               // Kissing vessels, with a gap of less than a voxel between them.
+                               [&](const auto& x) {
+                                 return std::min(tube(x, c, kAlongZ, 3.0),
+                                                 tube(x, c + 6.5 * kAlongX, kAlongZ, 3.0));
+                               }};
+    for (const Function& body : bodies) {
+      Volume<float> phi = fieldOf(g, body);
+      const Volume<float> before = phi;
+      QVERIFY(closeSmallHandles(phi, {}).empty());
+      QVERIFY(phi.voxels == before.voxels);
+    }
+  }
+
+  void fillsABubble() {
+    const Geometry g = cube(24);
+    Volume<float> phi = fieldOf(g, [&](const auto& x) { return ball(x, centreOf(g), 7.0); });
+    phi.at(12, 12, 10) = 0.2F;
+    const std::vector<HandleChange> done = closeSmallHandles(phi, {});
+    QCOMPARE(done.size(), std::size_t{1});
+    QVERIFY(done[0].filled && phi.at(12, 12, 10) < 0.0F);
+  }
+
+  /// Where a short bridge is thinner than the hole beside it is deep, it goes.
+  void takesTheCheaperChange() {
+    const Geometry g = cube(32);
+    const auto bridged = [&](float bridge, float gap) {
+      Volume<float> phi = fieldOf(g, [&](const auto& x) {
+        return std::min(tube(x, {11, 16, 16}, kAlongZ, 3.2), tube(x, {20, 16, 16}, kAlongZ, 3.2));
+      });
+      for (int k = 12; k <= 16; ++k)
+        for (int i = 14; i <= 17; ++i) {
+          float& value = phi.at(i, 16, k);
+          value = k == 12 ? std::min(value, -2.0F)
+                          : std::min(value, k == 14 ? bridge : std::max(gap, value - 5.0F));
+        }
+      return phi;
+    };
+    Volume<float> phi = bridged(-0.1F, 0.4F);
+    QCOMPARE(handlesOf(phi).size(), std::size_t{1});
+    const std::vector<HandleChange> cutOne = closeSmallHandles(phi, {});
+    QCOMPARE(cutOne.size(), std::size_t{1});
+    QVERIFY(!cutOne[0].filled && std::fabs(cutOne[0].depth - 0.1) < 1e-5);
+    QVERIFY(handlesOf(phi).empty());
+    QVERIFY(connectedComponents(insideMask(phi)).sizes.size() == 1);
+    phi = bridged(-0.4F, 0.1F);
+    QCOMPARE(handlesOf(phi).size(), std::size_t{1});
+    const std::vector<HandleChange> filledOne = closeSmallHandles(phi, {});
+    QCOMPARE(filledOne.size(), std::size_t{1});
+    QVERIFY(filledOne[0].filled);
+    QVERIFY(handlesOf(phi).empty());
+  }
+
+  /// On anything there are no more handles than before, and the parts are the same.
+  void neitherJoinsNorPartsNorAdds() {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const Geometry g = oblique(17, 15, 16);
+      Volume<float> phi(g);
+      for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+        phi.voxels[i] =
+            static_cast<float>(randomNormal(seed, i) + 0.25 * static_cast<double>(seed) - 0.4);
+      const std::size_t parts = connectedComponents(insideMask(phi)).sizes.size();
+      const std::size_t handles = handlesOf(phi).size();
+      const std::vector<HandleChange> done = closeSmallHandles(phi, {});
+      QCOMPARE(connectedComponents(insideMask(phi)).sizes.size(), parts);
+      QVERIFY(handlesOf(phi).size() <= handles);
+      QVERIFY(!done.empty());
     }
   }
 
