@@ -26,7 +26,7 @@ constexpr std::size_t kMostOfASection = 64;
 constexpr std::size_t kSteps = 30000000, kFewSteps = 20000;
 
 /// Voxels looked at to find out whether a part of the background is closed in.
-constexpr std::size_t kCavityVoxels = 200000;
+constexpr std::size_t kCavityVoxels = 20000;
 
 class Growth {
  public:

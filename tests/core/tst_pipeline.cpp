@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/overlap.h"
@@ -316,6 +317,44 @@ class TestPipeline : public QObject {
     dark.levelset.b = 1.0;
     QVERIFY_EXCEPTION_THROWN(pipeline.run(dark), NumericError);
     QVERIFY(pipeline.run(smallParams()).quality->mesh.closed);
+  }
+
+  void aFailureAfterTheEvolutionMayKeepWhatWasComputed() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    Parameters params = smallParams();
+    params.surface.maxTriangles = 100;
+    QVERIFY_EXCEPTION_THROWN(pipeline.run(params), InputError);
+    RunOptions options;
+    options.keepOnFailure = true;
+    const RunResult run = pipeline.run(params, options);
+    QVERIFY(run.failure && run.failure->step == Step::Surface);
+    QVERIFY(run.evolve && !run.surface && !run.smoothed && !run.quality);
+    QCOMPARE(run.key, pipeline.key(Step::Evolve, params));
+    QVERIFY(run.stages.back().step == Step::Evolve);
+    // What failed before is thrown all the same.
+    params.levelset.b = 1.0;
+    QVERIFY_EXCEPTION_THROWN(pipeline.run(params, options), NumericError);
+  }
+
+  void whatIsKnownBeforehandIsSaidBeforehand() {
+    Volume<float> wild(cube(24));
+    for (std::size_t i = 0; i < wild.voxels.size(); ++i)
+      wild.voxels[i] = randomUniform(3, i) < 0.45 ? 1.0F : 0.0F;
+    Pipeline pipeline(makeSource(std::move(wild), "wild"));
+    Parameters params = smallParams();
+    params.segmentation.method = SegmentationMethod::Label;
+    RunOptions options;
+    options.until = Step::Surface;
+    struct Enough {};
+    std::vector<std::string> said;
+    options.warned = [&](Step step, const std::string& warning) {
+      QVERIFY(step == Step::Surface);
+      said.push_back(warning);
+      throw Enough();  // before anything is meshed
+    };
+    QVERIFY_EXCEPTION_THROWN(pipeline.run(params, options), Enough);
+    QCOMPARE(said.size(), std::size_t{1});
+    QVERIFY2(said[0].find("surface.edgeMinMm") != std::string::npos, said[0].c_str());
   }
 
   void finerCellsGiveMoreTriangles() {

@@ -140,6 +140,16 @@ class TestSurfaceStep : public QObject {
       QVERIFY(near(ring.smoothTriangles, perArea * 4.0 * M_PI * M_PI * 13.5 / r, 0.25));
       QVERIFY(ring.roughness() > 0.75 && ring.roughness() < 1.5);
     }
+    // Caps count, where there are any: here they have a tenth of the wall's area.
+    SurfaceParams open = plain();
+    open.border = SurfaceBorder::Open;
+    const Volume<float> wide = analytic::sampled(g, [&](const Eigen::Vector3d& x) {
+      return analytic::tube(x, c, {0, 0, 1}, 4.5);
+    });
+    const SplineField field(wide, open.spline);
+    QVERIFY(near(
+        expectSurface(wide, field, plain()).triangles / expectSurface(wide, field, open).triangles,
+        1.085, 0.035));
     // A wall with ripples of a voxel, as noise makes them.
     const ExpectedSurface rough = expectedOf(g, [&](const Eigen::Vector3d& x) {
       return analytic::tube(x, c, {0, 0, 1}, 4.5) +

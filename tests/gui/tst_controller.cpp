@@ -145,6 +145,25 @@ class TestController : public QObject {
     QVERIFY(controller.failure(Step::Evolve).isEmpty());
   }
 
+  /// A surface that is not begun costs nothing of what was computed before it.
+  void aRefusedSurfaceKeepsTheEvolution() {
+    CaseController controller(makeInlineJobRunner);
+    Messages messages(controller);
+    controller.take(twoTubes());
+    controller.setField("surface.maxTriangles", std::int64_t(100));
+    controller.run();
+    QVERIFY(controller.state(Step::Surface) == StepState::Failed);
+    QVERIFY(controller.state(Step::Evolve) == StepState::Fresh);
+    const QString why = controller.failure(Step::Surface);
+    QVERIFY2(why.contains("surface.edgeMinMm") && why.contains("surface.maxTriangles"),
+             qPrintable(why));
+    QCOMPARE(controller.expectationWarnings().size(), 1);
+    controller.setField("surface.maxTriangles", std::int64_t(0));
+    QVERIFY(controller.expectationWarnings().isEmpty());
+    controller.run();
+    QVERIFY(controller.state(Step::Quality) == StepState::Fresh);
+  }
+
   void aRunWithoutSeedsSaysSo() {
     CaseController controller(makeInlineJobRunner);
     Messages messages(controller);
