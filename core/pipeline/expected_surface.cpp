@@ -27,7 +27,7 @@ constexpr double kBytesPerTriangle = 600.0;
 /// walls go twice as fast.
 constexpr double kTrianglesPerSecond = 20000.0;
 
-/// Smooth trees stay below 2, with noise of a tenth of the contrast below 3.
+/// Analytic shapes come out at 1 to 1.5, phantom trees with and without noise at 1 to 3.
 constexpr double kRough = 5.0;
 /// A small surface costs little, whatever it looks like.
 constexpr double kWorthAWord = 200000.0;
