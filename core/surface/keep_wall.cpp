@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
 
-#include "core/quality/self_intersection.h"
+#include "core/surface/mesh_edges.h"
 #include "core/surface/sagitta_offset.h"
+#include "core/surface/smooth_soundly.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/wall.h"
 #include "core/surface/wall_smoother.h"
@@ -10,67 +11,77 @@
 namespace angiomesh {
 namespace {
 
-// Freezes the surroundings of the triangles that came to meet; false when none did that were not
-// frozen already.
-bool freezeMeeting(const TriMesh& smoothed, std::vector<char>& frozen, int rings,
-                   const Progress& progress) {
-  std::vector<char> grown = frozen;
-  bool any = false;
-  for (const auto& pair : selfIntersections(smoothed, progress)) {
-    for (const std::uint32_t triangle : {pair.first, pair.second}) {
-      for (const std::uint32_t v : smoothed.triangles[triangle]) {
-        any = any || frozen[v] == 0;
-        grown[v] = 1;
-      }
+/// Some of a mesh's components, with all its points.
+struct Selection {
+  TriMesh mesh;
+  std::vector<std::uint32_t> triangles;  ///< their numbers in the whole
+
+  Selection(const TriMesh& whole, const std::vector<char>& wanted) {
+    mesh.points = whole.points;
+    for (std::uint32_t t = 0; t < whole.triangles.size(); ++t) {
+      if (wanted[t] == 0) continue;
+      triangles.push_back(t);
+      mesh.triangles.push_back(whole.triangles[t]);
+      if (!whole.patch.empty()) mesh.patch.push_back(whole.patch[t]);
     }
   }
-  if (!any) return false;
-  for (int ring = 0; ring < rings; ++ring) {
-    const std::vector<char> inner = grown;
-    for (const auto& t : smoothed.triangles) {
-      if (inner[t[0]] == 0 && inner[t[1]] == 0 && inner[t[2]] == 0) continue;
-      for (const std::uint32_t v : t) grown[v] = 1;
+
+  // Gives the whole the triangles, and the points that they use, of a changed `mesh`.
+  void putInto(TriMesh& whole, const TriMesh& changed) const {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      whole.triangles[triangles[i]] = changed.triangles[i];
+      for (const std::uint32_t v : changed.triangles[i]) whole.points[v] = changed.points[v];
     }
   }
-  frozen.swap(grown);
-  return true;
+};
+
+// Per triangle: 1 in the components that are inscribed in the zero set.
+std::vector<char> inscribedParts(const TriMesh& mesh, const SplineField* phi) {
+  std::vector<char> inscribed(mesh.triangles.size(), 0);
+  if (phi == nullptr) return inscribed;
+  if (inscribedInZeroSet(mesh, *phi)) {
+    inscribed.assign(inscribed.size(), 1);
+    return inscribed;
+  }
+  const MeshComponents parts = meshComponents(mesh);
+  if (parts.count < 2) return inscribed;
+  const std::vector<char> good = inscribedComponents(mesh, parts, *phi);
+  for (std::size_t t = 0; t < inscribed.size(); ++t) inscribed[t] = good[parts.label[t]];
+  return inscribed;
 }
 
 }  // namespace
 
 TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params, const SplineField* phi,
-                       const Progress& progress, const std::vector<Port>& ports) {
+                       const Progress& progress, const std::vector<Port>& ports,
+                       std::size_t* left) {
   progress.report(0.0);
   checkMesh(mesh);
   if (mesh.triangles.empty() || params.iterations <= 0) return mesh;
-  std::vector<char> frozen(mesh.points.size(), 0);
-  constexpr int attempts = 6;
-  if (phi != nullptr && inscribedInZeroSet(mesh, *phi)) {
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-      TriMesh moved = offsetBySagitta(mesh, *phi, ports, frozen, progress);
-      if (!freezeMeeting(moved, frozen, attempt < 2 ? 1 : 3, progress.sub(0.5, 0.95))) {
-        progress.report(1.0);
-        return moved;
-      }
-    }
-    return mesh;
-  }
+  std::vector<char> wanted = inscribedParts(mesh, phi);
+  const Selection inscribed(mesh, wanted);
+  for (char& w : wanted) w = w == 0 ? 1 : 0;
+  const Selection others(mesh, wanted);
   std::unique_ptr<Wall> wall;
-  if (phi != nullptr) {
+  if (phi != nullptr)
     wall = std::make_unique<ZeroSetWall>(*phi);
-  } else {
+  else
     wall = std::make_unique<MeshWall>(mesh, params.wallBoundVoxels, progress);
-  }
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    const double from = attempt == 0 ? 0.0 : 0.9;
-    TriMesh smoothed = WallSmoother(mesh, params, phi, *wall, ports, frozen)
-                           .run(progress.sub(from, attempt == 0 ? 0.85 : 0.95));
-    if (!freezeMeeting(smoothed, frozen, attempt < 2 ? 1 : 3, progress.sub(0.85, 0.9))) {
-      progress.report(1.0);
-      return smoothed;
-    }
-  }
-  return mesh;
+  const auto smooth = [&](const std::vector<char>& frozen) {
+    TriMesh result = mesh;
+    if (!inscribed.triangles.empty())
+      inscribed.putInto(
+          result, offsetBySagitta(inscribed.mesh, *phi, ports, frozen, progress.sub(0.0, 0.1)));
+    if (!others.triangles.empty())
+      others.putInto(result, WallSmoother(others.mesh, params, phi, *wall, ports, frozen)
+                                 .run(progress.sub(0.1, 0.85)));
+    return result;
+  };
+  std::size_t count = 0;
+  TriMesh smoothed = smoothSoundly(mesh, smooth, count, progress.sub(0.85, 0.95));
+  if (left != nullptr) *left += count;
+  progress.report(1.0);
+  return smoothed;
 }
 
 }  // namespace angiomesh

@@ -15,7 +15,8 @@ namespace angiomesh {
 enum class FaceOrigin : std::uint8_t {
   Front,    ///< a free or connection triangle of the advancing front
   Closing,  ///< put in to close what the front left open
-  Remesh    ///< of the remesher
+  Remesh,   ///< of the remesher
+  Contour   ///< of marching cubes
 };
 
 /// The surface between phi = 0 and the planes that it ends in while it is being made: the wall, and
@@ -25,6 +26,7 @@ struct PatchMesh {
   std::vector<Place> place;          ///< per vertex
   std::vector<std::uint16_t> patch;  ///< per triangle: 0 wall, 1 + a the cap in plane a (EndPlanes)
   std::vector<FaceOrigin> origin;    ///< per triangle
+  std::vector<std::uint32_t> group;  ///< per triangle, a number that edits keep; may be empty
 };
 
 /// The triangles that `keep(number)` names, in their order, with the points they use.
@@ -48,6 +50,7 @@ PatchMesh selectTriangles(const PatchMesh& from, Keep keep) {
     out.mesh.triangles.push_back(corners);
     out.patch.push_back(from.patch[t]);
     out.origin.push_back(from.origin[t]);
+    if (!from.group.empty()) out.group.push_back(from.group[t]);
   }
   return out;
 }

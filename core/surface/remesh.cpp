@@ -30,9 +30,9 @@ PatchMesh improved(RemeshWorker& worker, const Progress& progress) {
 }  // namespace
 
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const EdgeSize& size,
-                 const EndPlanes& ends, const Progress& progress) {
+                 const EndPlanes& ends, const Progress& progress, const std::vector<char>& held) {
   const RemeshGround ground(field, size, ends);
-  RemeshWorker worker(start, ground, progress);
+  RemeshWorker worker(start, ground, progress, held);
   worker.resize();
   PatchMesh result = improved(worker, progress);
   for (FaceOrigin& origin : result.origin) origin = FaceOrigin::Remesh;
@@ -47,8 +47,8 @@ void improveTriangles(PatchMesh& mesh, const SplineField& field, const EdgeSize&
 }
 
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const GuidanceField& size,
-                 const EndPlanes& ends, const Progress& progress) {
-  return remesh(start, field, GuidanceSize(size), ends, progress);
+                 const EndPlanes& ends, const Progress& progress, const std::vector<char>& held) {
+  return remesh(start, field, GuidanceSize(size), ends, progress, held);
 }
 
 void improveTriangles(PatchMesh& mesh, const SplineField& field, const GuidanceField& size,

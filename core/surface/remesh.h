@@ -25,13 +25,16 @@ class EdgeSize {
 /// than 4/3 of the wanted length are split and those shorter than 4/5 collapsed, edges flipped
 /// towards even valences and vertices relaxed along the surface, then as improveTriangles().
 /// `start` is a manifold near the zero set, such as marching cubes; its topology, planes and
-/// patches stay (vertices that are not part of a manifold stay in place). Every triangle's origin
-/// becomes Remesh. The same for any number of threads.
+/// patches stay (vertices that are not part of a manifold stay in place, and those with `held` set,
+/// which may be empty). Every triangle's origin becomes Remesh; groups stay. The same for any
+/// number of threads.
 /// @throws InputError when the arrays of `start` do not fit together, Cancelled
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const EdgeSize& size,
-                 const EndPlanes& ends, const Progress& progress = {});
+                 const EndPlanes& ends, const Progress& progress = {},
+                 const std::vector<char>& held = {});
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const GuidanceField& size,
-                 const EndPlanes& ends, const Progress& progress = {});
+                 const EndPlanes& ends, const Progress& progress = {},
+                 const std::vector<char>& held = {});
 
 /// Makes good triangles of a mesh that has the wanted density already: edges are flipped and
 /// vertices relaxed along the surface, then the worst triangles are worked on one by one (flips,

@@ -15,10 +15,12 @@ EditMesh::EditMesh(const PatchMesh& start)
       places_(start.place),
       patches_(start.patch),
       locked_(start.mesh.points.size(), 0),
-      origins_(start.origin) {
+      origins_(start.origin),
+      groups_(start.group) {
   checkMesh(start.mesh);
   const std::size_t count = start.mesh.triangles.size();
-  if (places_.size() != points_.size() || patches_.size() != count || origins_.size() != count)
+  if (places_.size() != points_.size() || patches_.size() != count || origins_.size() != count ||
+      (!groups_.empty() && groups_.size() != count))
     throw InputError("the patches of the surface do not fit its triangles", "surface",
                      "make the surface anew");
   corner_.resize(3 * count);
@@ -109,6 +111,7 @@ PatchMesh EditMesh::result() const {
         {number[corner_[3 * t]], number[corner_[3 * t + 1]], number[corner_[3 * t + 2]]});
     out.patch.push_back(patches_[t]);
     out.origin.push_back(origins_[t]);
+    if (!groups_.empty()) out.group.push_back(groups_[t]);
   }
   return out;
 }
@@ -190,12 +193,14 @@ std::uint32_t EditMesh::newTriangle(std::uint32_t like) {
     freeTriangles_.pop_back();
     patches_[t] = patches_[like];
     origins_[t] = origins_[like];
+    if (!groups_.empty()) groups_[t] = groups_[like];
   } else {
     t = static_cast<std::uint32_t>(patches_.size());
     corner_.resize(corner_.size() + 3, none);
     twin_.resize(twin_.size() + 3, none);
     patches_.push_back(patches_[like]);
     origins_.push_back(origins_[like]);
+    if (!groups_.empty()) groups_.push_back(groups_[like]);
   }
   if (trial_) madeTriangles_.push_back(t);
   return t;

@@ -61,6 +61,7 @@ class EditMesh {
   [[nodiscard]] const Place& place(std::uint32_t v) const { return places_[v]; }
   [[nodiscard]] std::uint16_t patch(std::uint32_t t) const { return patches_[t]; }
   [[nodiscard]] bool locked(std::uint32_t v) const { return locked_[v] != 0; }
+  void lock(std::uint32_t v) { locked_[v] = 1; }
 
   /// Position, outward normal of the wall (of the plane inside a cap) and wanted edge length there.
   void set(std::uint32_t v, const Vector3d& point, const Vector3d& normal, double size);
@@ -134,6 +135,7 @@ class EditMesh {
   std::vector<std::uint16_t> patches_;
   std::vector<std::uint8_t> locked_;
   std::vector<FaceOrigin> origins_;
+  std::vector<std::uint32_t> groups_;
   std::vector<std::uint32_t> freeTriangles_, freeVertices_;
   std::vector<Change> changes_;
   std::vector<Moved> moved_;

@@ -95,6 +95,7 @@ void EditMesh::reorder() {
   locked_ = picked(locked_, vertices);
   patches_ = picked(patches_, triangles);
   origins_ = picked(origins_, triangles);
+  if (!groups_.empty()) groups_ = picked(groups_, triangles);
   freeTriangles_.clear();
   freeVertices_.clear();
 }

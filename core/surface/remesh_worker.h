@@ -16,7 +16,9 @@ class RemeshWorker {
  public:
   using Vector3d = Eigen::Vector3d;
 
-  RemeshWorker(const PatchMesh& start, const RemeshGround& ground, const Progress& progress);
+  /// `held`, per vertex of `start`, may be empty: those that stay in place with their triangles.
+  RemeshWorker(const PatchMesh& start, const RemeshGround& ground, const Progress& progress,
+               const std::vector<char>& held = {});
 
   /// Brings the density of the mesh to the wanted edge lengths.
   void resize();

@@ -275,40 +275,58 @@ class SagittaOffset {
 
 }  // namespace
 
-bool inscribedInZeroSet(const TriMesh& mesh, const SplineField& phi) {
-  if (mesh.triangles.empty()) return false;
+std::vector<char> inscribedComponents(const TriMesh& mesh, const MeshComponents& parts,
+                                      const SplineField& phi) {
+  struct Tally {
+    std::size_t triangles = 0, thin = 0, vertices = 0, off = 0;
+  };
   const HeldPlanes held(mesh, &phi.geometry(), {});
-  std::vector<char> wall(mesh.points.size(), 0);
-  std::size_t thin = 0;
+  std::vector<std::uint32_t> wallOf(mesh.points.size(), 0);  // 1 + the part, of the wall's vertices
+  std::vector<Tally> tally(parts.count);
   constexpr double cos20 = 0.9396926207859084;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
     double sharpest = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!held.isCap(i)) wall[t[k]] = 1;
+      if (!held.isCap(i)) wallOf[t[k]] = parts.label[i] + 1;
       const Vector3d a = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]],
                      b = mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]];
       const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
       sharpest = std::max(sharpest, lengths > 0.0 ? a.dot(b) / lengths : 1.0);
     }
-    if (sharpest > cos20) ++thin;
+    Tally& part = tally[parts.label[i]];
+    ++part.triangles;
+    if (sharpest > cos20) ++part.thin;
   }
-  if (100 * thin > mesh.triangles.size()) return false;
   const double reach = 0.01 * phi.geometry().voxelMm();
   std::vector<char> off(mesh.points.size(), 0);
   parallelFor(0, off.size(), blockSize, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      if (wall[v] == 0) continue;
+      if (wallOf[v] == 0) continue;
       const SplineField::Jet jet = phi.at(mesh.points[v]);
       if (!(std::fabs(jet.value) <= reach * jet.gradient.norm())) off[v] = 1;
     }
   });
-  std::size_t far = 0, count = 0;
   for (std::size_t v = 0; v < off.size(); ++v) {
-    count += wall[v] != 0 ? 1 : 0;
-    far += off[v] != 0 ? 1 : 0;
+    if (wallOf[v] == 0) continue;
+    Tally& part = tally[wallOf[v] - 1];
+    ++part.vertices;
+    if (off[v] != 0) ++part.off;
   }
-  return count > 0 && 200 * far <= count;
+  std::vector<char> inscribed(parts.count, 0);
+  for (std::size_t p = 0; p < parts.count; ++p)
+    inscribed[p] =
+        static_cast<char>(100 * tally[p].thin <= tally[p].triangles && tally[p].vertices > 0 &&
+                          200 * tally[p].off <= tally[p].vertices);
+  return inscribed;
+}
+
+bool inscribedInZeroSet(const TriMesh& mesh, const SplineField& phi) {
+  if (mesh.triangles.empty()) return false;
+  MeshComponents whole;
+  whole.count = 1;
+  whole.label.assign(mesh.triangles.size(), 0);
+  return inscribedComponents(mesh, whole, phi).front() != 0;
 }
 
 TriMesh offsetBySagitta(const TriMesh& mesh, const SplineField& phi, const std::vector<Port>& ports,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/surface/mesh_edges.h"
 #include "core/surface/port.h"
 #include "core/surface/spline_field.h"
 #include "core/surface/tri_mesh.h"
@@ -15,6 +16,10 @@ namespace angiomesh {
 /// degrees. The wall is what does not lie in a border plane of the grid (the outermost voxel
 /// centres) and is no patch.
 bool inscribedInZeroSet(const TriMesh& mesh, const SplineField& phi);
+
+/// The same of each component by itself: 1 where it holds.
+std::vector<char> inscribedComponents(const TriMesh& mesh, const MeshComponents& parts,
+                                      const SplineField& phi);
 
 /// Moves the vertices of an inscribed mesh along the wall's normal by the mean height of the zero
 /// set over the flat triangles around them (the mean sagitta), and then by a common factor for each

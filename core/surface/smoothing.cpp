@@ -9,6 +9,7 @@
 #include "core/surface/half_edges.h"
 #include "core/surface/held_planes.h"
 #include "core/surface/mesh_edges.h"
+#include "core/surface/smooth_soundly.h"
 
 namespace angiomesh {
 namespace {
@@ -180,16 +181,22 @@ TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params, const Prog
 }
 
 TriMesh smoothSurface(const TriMesh& mesh, const SmoothParams& params, const SplineField* phi,
-                      const Progress& progress, const std::vector<Port>& ports) {
-  switch (params.method) {
-    case SmoothMethod::KeepWall:
-      return keepWallSmooth(mesh, params, phi, progress, ports);
-    case SmoothMethod::Taubin:
-      return taubinSmooth(mesh, params, progress, ports);
-    case SmoothMethod::None:
-      break;
-  }
-  return mesh;
+                      const Progress& progress, const std::vector<Port>& ports, std::size_t* left) {
+  if (params.method == SmoothMethod::None) return mesh;
+  if (params.method == SmoothMethod::KeepWall)
+    return keepWallSmooth(mesh, params, phi, progress, ports, left);
+  const TriMesh filtered = taubinSmooth(mesh, params, progress.sub(0.0, 0.8), ports);
+  const auto held = [&](const std::vector<char>& frozen) {
+    TriMesh result = filtered;
+    for (std::size_t v = 0; v < frozen.size(); ++v)
+      if (frozen[v] != 0) result.points[v] = mesh.points[v];
+    return result;
+  };
+  std::size_t count = 0;
+  TriMesh smoothed = smoothSoundly(mesh, held, count, progress.sub(0.8, 0.95));
+  if (left != nullptr) *left += count;
+  progress.report(1.0);
+  return smoothed;
 }
 
 }  // namespace angiomesh

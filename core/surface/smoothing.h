@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -45,15 +46,18 @@ TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params, const Prog
 /// surface, and the mean edge length counts as a voxel. Vertices of caps (patches, or outside the
 /// outermost voxel centres of phi) and of open rims (there, and at `ports`) stay in their planes.
 /// Topology and numbers of vertices and triangles stay, irregular vertices stay in place, and
-/// surroundings of triangles that would come to meet are left as they were.
+/// surroundings of triangles that would come to meet are left as they were (see smoothSoundly();
+/// the number of components left alone is added to `left`, which may be null). Of a mesh of which
+/// some components alone are inscribed each is smoothed in its own way.
 /// @throws InputError (see checkMesh), Cancelled
 TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params,
                        const SplineField* phi = nullptr, const Progress& progress = {},
-                       const std::vector<Port>& ports = {});
+                       const std::vector<Port>& ports = {}, std::size_t* left = nullptr);
 
-/// By params.method; `None` returns the mesh as it is.
+/// By params.method; `None` returns the mesh as it is. No triangles come to meet that did not
+/// before: with Taubin's filter too the surroundings of those that would stay in place.
 TriMesh smoothSurface(const TriMesh& mesh, const SmoothParams& params,
                       const SplineField* phi = nullptr, const Progress& progress = {},
-                      const std::vector<Port>& ports = {});
+                      const std::vector<Port>& ports = {}, std::size_t* left = nullptr);
 
 }  // namespace angiomesh

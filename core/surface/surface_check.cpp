@@ -239,6 +239,8 @@ void matchLandmarks(const PatchMesh& mesh, const SplineField& field, const Guida
         r.part = part;
       }
     }
+    for (const auto& [part, count] : parts)
+      if (part != SurfaceCheck::none && 20 * count >= r.landmarks) r.parts.push_back(part);
     if (2 * r.missed > r.landmarks) r.part = SurfaceCheck::none;
     if (r.part != SurfaceCheck::none && r.missed > 0)
       doubtIt(check.components[r.part], std::to_string(r.missed) +
@@ -255,6 +257,13 @@ SurfaceCheck checkManifold(const PatchMesh& mesh, SurfaceBorder border) {
   check.parts = meshComponents(mesh.mesh);
   check.components.resize(check.parts.count);
   measureParts(mesh, border, check);
+  return check;
+}
+
+SurfaceCheck checkReach(const PatchMesh& mesh, const SplineField& field, const GuidanceField& size,
+                        const Landmarks& landmarks, SurfaceBorder border) {
+  SurfaceCheck check = checkManifold(mesh, border);
+  matchLandmarks(mesh, field, size, landmarks, check);
   return check;
 }
 

@@ -22,6 +22,7 @@ struct SurfaceCheck {
     std::uint32_t component = 0;  ///< its smallest landmark
     std::uint32_t part = 0;
     std::size_t landmarks = 0, missed = 0;
+    std::vector<std::uint32_t> parts;  ///< all that reach a twentieth of its landmarks
   };
   static constexpr std::uint32_t none = 0xffffffffU;
   std::vector<Reached> reached;
@@ -29,6 +30,10 @@ struct SurfaceCheck {
 
 /// The first of the checks below: manifold, oriented, closed but for rims.
 SurfaceCheck checkManifold(const PatchMesh& mesh, SurfaceBorder border);
+
+/// The same, and which part reaches which component of the landmarks.
+SurfaceCheck checkReach(const PatchMesh& mesh, const SplineField& field, const GuidanceField& size,
+                        const Landmarks& landmarks, SurfaceBorder border);
 
 /// Checks that each component of a mesh of phi = 0 is
 /// - an oriented manifold whose rims lie in the planes that it ends in (no rims with `Cap`),

@@ -9,13 +9,14 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/quality/self_intersection.h"
+#include "core/quality/mesh_faults.h"
 #include "core/surface/clip_reference.h"
 #include "core/surface/grow_front.h"
 #include "core/surface/mend_mesh.h"
 #include "core/surface/port_patches.h"
 #include "core/surface/reference_surface.h"
 #include "core/surface/remesh.h"
+#include "core/surface/sound_surface.h"
 #include "core/surface/surface_check.h"
 
 namespace angiomesh {
@@ -23,15 +24,6 @@ namespace {
 
 constexpr std::uint32_t none = SurfaceCheck::none;
 
-void append(PatchMesh& to, const PatchMesh& from) {
-  const auto offset = static_cast<std::uint32_t>(to.mesh.points.size());
-  to.mesh.points.insert(to.mesh.points.end(), from.mesh.points.begin(), from.mesh.points.end());
-  to.place.insert(to.place.end(), from.place.begin(), from.place.end());
-  to.patch.insert(to.patch.end(), from.patch.begin(), from.patch.end());
-  to.origin.insert(to.origin.end(), from.origin.begin(), from.origin.end());
-  for (const auto& t : from.mesh.triangles)
-    to.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-}
 
 class Mesher {
  public:
@@ -54,7 +46,9 @@ class Mesher {
   ZeroSetMesh run(SurfaceMethod method) {
     PatchMesh mesh;
     if (method == SurfaceMethod::Remesh) {
-      mesh = remesh(reference_, field_, size_, ends_, progress_.sub(0.25, 0.9));
+      PatchMesh start = reference_;
+      start.group = meshComponents(reference_.mesh).label;
+      mesh = remesh(start, field_, size_, ends_, progress_.sub(0.25, 0.8));
     } else {
       mesh = growFront(landmarks_, field_, size_, ends_, away_, chordAngle(), border_, progress_);
       progress_.report(0.5);
@@ -62,25 +56,19 @@ class Mesher {
       dropBroken(mesh);
       improveTriangles(mesh, field_, size_, ends_, progress_.sub(0.5, 0.8));
     }
-    SurfaceCheck check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
+    const SurfaceGround ground{reference_, landmarks_, field_, size_, ends_, border_};
+    const SurfaceCheck reached = checkReach(mesh, field_, size_, landmarks_, border_);
+    SoundSurface sound = makeSound(std::move(mesh), method, reached, ground, progress_);
     progress_.report(0.9);
-    if (method == SurfaceMethod::AdvancingFront && addMissing(mesh, check))
-      check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
-    if (!allVerified(check) && untangle(mesh))
-      check = checkSurface(mesh, field_, size_, landmarks_, border_, progress_);
+    SurfaceCheck check = checkSurface(sound.mesh, field_, size_, landmarks_, border_, progress_);
     progress_.report(1.0);
-    return result(std::move(mesh), check);
+    return result(std::move(sound), check);
   }
 
  private:
   [[nodiscard]] double chordAngle() const {
     const double angle = 2.0 * std::sin(0.5 * sizing_.rho) * sizing_.curvatureRelax;
     return sizing_.etaCompensated ? angle : angle * sizing_.etaInverse;
-  }
-
-  static bool allVerified(const SurfaceCheck& check) {
-    return std::all_of(check.components.begin(), check.components.end(),
-                       [](const SurfaceComponent& c) { return c.verified; });
   }
 
   // Where fronts met in a way that leaves no manifold, which takes a zero set that all but touches
@@ -94,33 +82,6 @@ class Mesher {
     }
   }
 
-  // Fills anew where triangles meet; a verified component has no such place. True when something
-  // was changed.
-  bool untangle(PatchMesh& mesh) const {
-    constexpr int attempts = 6, improved = 3;
-    bool changed = false;
-    std::vector<std::uint32_t> meeting = intersecting(mesh);
-    for (int n = 0; n < attempts && !meeting.empty(); ++n) {
-      if (!mendMesh(mesh, meeting, n, field_)) continue;
-      changed = true;
-      // What improving ties up again stays as it was filled.
-      if (n < improved) improveTriangles(mesh, field_, size_, ends_, progress_);
-      meeting = intersecting(mesh);
-    }
-    return changed;
-  }
-
-  [[nodiscard]] std::vector<std::uint32_t> intersecting(const PatchMesh& mesh) const {
-    std::vector<std::uint32_t> found;
-    for (const auto& [a, b] : selfIntersections(mesh.mesh, progress_)) {
-      found.push_back(a);
-      found.push_back(b);
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
-  }
-
   // Takes out components that are no manifolds, or not closed: improving them makes no sense.
   void dropBroken(PatchMesh& mesh) const {
     const SurfaceCheck check = checkManifold(mesh, border_);
@@ -131,39 +92,29 @@ class Mesher {
         mesh, [&](std::uint32_t t) { return check.components[check.parts.label[t]].why.empty(); });
   }
 
-  // Remeshes marching cubes' components that no part of the front's mesh reaches. A part whose
-  // topology differs from marching cubes' stays, in doubt: on a noisy field either may be right.
-  bool addMissing(PatchMesh& mesh, const SurfaceCheck& check) const {
-    const MeshComponents parts = meshComponents(reference_.mesh);
-    std::vector<std::uint32_t> partOfPoint(reference_.mesh.points.size(), none);
-    for (std::size_t t = 0; t < parts.label.size(); ++t)
-      for (const std::uint32_t v : reference_.mesh.triangles[t]) partOfPoint[v] = parts.label[t];
-    std::vector<char> missing(parts.count, 0);
-    for (const SurfaceCheck::Reached& r : check.reached)
-      if (r.part == none) missing[partOfPoint[r.component]] = 1;
-    if (std::find(missing.begin(), missing.end(), 1) == missing.end()) return false;
-    const PatchMesh start =
-        selectTriangles(reference_, [&](std::uint32_t t) { return missing[parts.label[t]] != 0; });
-    append(mesh, remesh(start, field_, size_, ends_, progress_.sub(0.9, 0.98)));
-    return true;
-  }
-
-  ZeroSetMesh result(PatchMesh mesh, const SurfaceCheck& check) const {
+  ZeroSetMesh result(SoundSurface sound, const SurfaceCheck& check) const {
+    PatchMesh& mesh = sound.mesh;
     ZeroSetMesh out;
     out.estimatedTriangles = size_.estimatedTriangles();
     out.components = check.components;
+    for (std::size_t t = 0; t < mesh.group.size(); ++t) {
+      const SurfaceGroup& group = sound.groups[mesh.group[t]];
+      SurfaceComponent& component = out.components[check.parts.label[t]];
+      component.method = group.method;
+      component.instead = group.instead;
+      component.faults = group.faults;
+      if (!group.faults.empty()) component.verified = false;
+      if (component.why.empty()) component.why = group.faults;
+    }
+    out.dropped = std::move(sound.dropped);
     std::stable_sort(
         out.components.begin(), out.components.end(),
         [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.areaMm2 > b.areaMm2; });
     for (const SurfaceCheck::Reached& r : check.reached) {
       if (r.part != none) continue;
-      const Eigen::Vector3d& p = landmarks_.points[r.component].point;
-      char text[160];
-      std::snprintf(
-          text, sizeof text,
-          "a component of the zero set near L %.1f P %.1f S %.1f mm, too small for a mesh", p.x(),
-          p.y(), p.z());
-      out.dropped.emplace_back(text);
+      out.dropped.push_back("a component of the zero set near " +
+                            placeText(landmarks_.points[r.component].point) +
+                            ", too small for a mesh");
     }
     const auto fromFront = std::count(mesh.origin.begin(), mesh.origin.end(), FaceOrigin::Front);
     if (!mesh.origin.empty())

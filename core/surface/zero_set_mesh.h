@@ -28,6 +28,9 @@ struct SurfaceComponent {
   std::string why;         ///< else: which one does not
   double volumeMm3 = 0.0;  ///< meaningful when closed
   double fromFrontPercent = 0.0;
+  SurfaceMethod method = SurfaceMethod::AdvancingFront;  ///< what made it in the end
+  std::string instead;  ///< why not the method that was asked for, in words
+  std::string faults;   ///< where it cuts itself, or another, or is no manifold, in words
 
   /// As if the rims were closed.
   [[nodiscard]] int genus() const { return (2 - boundaryLoops - euler) / 2; }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/surface/tri_mesh.h"
+
+namespace angiomesh {
+
+/// Where a mesh is no surface that a solver could take: triangles that meet outside what they
+/// share, edges of more than two triangles or of two that disagree in orientation, vertices of more
+/// than one fan. Rims are no fault.
+struct MeshFaults {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting;  ///< see selfIntersections()
+  std::vector<std::uint32_t> broken;  ///< triangles at such edges and vertices, sorted
+  std::size_t places = 0;             ///< patches of such triangles that have no corner in common
+  Eigen::Vector3d placeLps{0.0, 0.0, 0.0};  ///< the middle of the largest of these, mm
+
+  [[nodiscard]] bool none() const { return meeting.empty() && broken.empty(); }
+  /// "cuts itself in 12 places, such as near L 1.0 P 2.0 S 3.0 mm"
+  [[nodiscard]] std::string text() const;
+};
+
+/// Counts the places of the triangles that are listed.
+void locateFaults(const TriMesh& mesh, MeshFaults& faults);
+
+/// @throws Cancelled
+MeshFaults findFaults(const TriMesh& mesh, const Progress& progress = {});
+
+/// "L 1.0 P 2.0 S 3.0 mm"
+std::string placeText(const Eigen::Vector3d& pointLps);
+
+}  // namespace angiomesh
