@@ -149,12 +149,22 @@ Json segmentationBlock(const RunResult& result) {
   return block;
 }
 
+/// As surface.method names it.
+std::string methodId(SurfaceMethod made) {
+  Parameters params;
+  params.surface.method = made;
+  const Field& method = findField("surface.method");
+  return fieldText(method.get(params), method);
+}
+
 Json componentBlock(const SurfaceComponent& part) {
   Json block{{"triangles", part.triangles},
              {"euler", part.euler},
              {"genus", part.genus()},
              {"boundary_loops", part.boundaryLoops},
+             {"method", methodId(part.method)},
              {"verified", part.verified}};
+  if (!part.instead.empty()) block["instead"] = part.instead;
   if (!part.verified) block["why"] = part.why;
   if (part.boundaryLoops == 0) block["volume_mm3"] = part.volumeMm3;
   return block;
@@ -176,10 +186,7 @@ Json handleBlock(const Handle& handle) {
 }
 
 Json surfaceBlock(const SurfaceOrigin& origin) {
-  Parameters params;
-  params.surface.method = origin.method;
-  const Field& method = findField("surface.method");
-  Json block{{"method", fieldText(method.get(params), method)}};
+  Json block{{"method", methodId(origin.method)}};
   if (origin.estimatedTriangles) block["estimated_triangles"] = *origin.estimatedTriangles;
   if (origin.smoothTriangles) block["smooth_triangles"] = *origin.smoothTriangles;
   if (origin.fromFrontPercent) block["from_front_percent"] = *origin.fromFrontPercent;

@@ -67,6 +67,18 @@ MadeSurface bySize(const SplineField& field, const SurfaceParams& params, const 
   return made;
 }
 
+std::string methodText(SurfaceMethod method) {
+  switch (method) {
+    case SurfaceMethod::AdvancingFront:
+      return "the advancing front";
+    case SurfaceMethod::Remesh:
+      return "remeshing";
+    case SurfaceMethod::MarchingCubes:
+      break;
+  }
+  return "marching cubes";
+}
+
 /// The share of all triangles, from those of the components.
 double fromFront(const std::vector<SurfaceComponent>& components) {
   double sum = 0.0, count = 0.0;
@@ -113,13 +125,19 @@ std::size_t SurfaceOrigin::unverified() const {
 
 std::vector<std::string> SurfaceOrigin::warnings() const {
   std::vector<std::string> list;
-  std::size_t named = 0;
+  std::size_t named = 0, replaced = 0;
   for (std::size_t i = 0; i < components.size(); ++i) {
     const SurfaceComponent& part = components[i];
-    if (part.verified || ++named > kNamedWarnings) continue;
-    list.push_back("surface component " + std::to_string(i + 1) + " (" +
-                   std::to_string(part.triangles) + " triangles) is not verified: " + part.why);
+    const std::string name = "surface component " + std::to_string(i + 1) + " (" +
+                             std::to_string(part.triangles) + " triangles)";
+    if (!part.instead.empty() && ++replaced <= kNamedWarnings)
+      list.push_back(name + " was made by " + methodText(part.method) + ": " + part.instead);
+    if (!part.verified && ++named <= kNamedWarnings)
+      list.push_back(name + " is not verified: " + part.why);
   }
+  if (replaced > kNamedWarnings)
+    list.push_back(std::to_string(replaced - kNamedWarnings) +
+                   " more surface components were made by another method");
   if (named > kNamedWarnings)
     list.push_back(std::to_string(named - kNamedWarnings) +
                    " more surface components are not verified");

@@ -78,11 +78,12 @@ double mixed(const Cube& c, int axis, int other) {
   return 9.0 * most;
 }
 
-double boundOf(const SplineField& field, const Index3& cell, const Eigen::Vector3d* low,
-               const Eigen::Vector3d* high) {
+// The control points over a box inside the cell, over the whole cell without one; the box's extent.
+Cube controlPoints(const SplineField& field, const Index3& cell, const Eigen::Vector3d* low,
+                   const Eigen::Vector3d* high, Eigen::Vector3d& extent) {
   Cube cube{};
   field.cellSamples(cell, cube.v);
-  Eigen::Vector3d extent = Eigen::Vector3d::Ones();
+  extent = Eigen::Vector3d::Ones();
   for (int axis = 0; axis < 3; ++axis) {
     cube.alongAxis(axis, [&field](const Row& r) { return bezier(r, field.kind()); });
     if (low == nullptr) continue;
@@ -91,6 +92,19 @@ double boundOf(const SplineField& field, const Index3& cell, const Eigen::Vector
     extent[axis] = std::max(to - from, 1e-3);
     cube.alongAxis(axis, [&](const Row& r) { return restricted(r, from, from + extent[axis]); });
   }
+  return cube;
+}
+
+// The derivative of a Bezier cubic, raised to degree 3 again.
+Row derivative(const Row& b) {
+  const double d0 = 3.0 * (b[1] - b[0]), d1 = 3.0 * (b[2] - b[1]), d2 = 3.0 * (b[3] - b[2]);
+  return {d0, (d0 + 2.0 * d1) / 3.0, (2.0 * d1 + d2) / 3.0, d2};
+}
+
+double boundOf(const SplineField& field, const Index3& cell, const Eigen::Vector3d* low,
+               const Eigen::Vector3d* high) {
+  Eigen::Vector3d extent;
+  const Cube cube = controlPoints(field, cell, low, high, extent);
   const Eigen::Vector3d unit = extent.cwiseProduct(field.geometry().spacing);
   double sum = 0.0;
   for (int a = 0; a < 3; ++a) {
@@ -109,6 +123,24 @@ double boundOf(const SplineField& field, const Index3& cell, const Eigen::Vector
 double hessianBound(const SplineField& field, const Index3& cell, const Eigen::Vector3d& low,
                     const Eigen::Vector3d& high) {
   return boundOf(field, cell, &low, &high);
+}
+
+std::array<double, 2> slopeBounds(const SplineField& field, const Index3& cell,
+                                  const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+                                  const Eigen::Vector3d& direction) {
+  Eigen::Vector3d extent;
+  const Cube cube = controlPoints(field, cell, &low, &high, extent);
+  // d/dx = J^-T d/di with J = direction matrix times spacing.
+  const Eigen::Vector3d weights =
+      (field.geometry().physicalToIndexMatrix() * direction).cwiseQuotient(extent);
+  std::array<double, 64> sum{};
+  for (int axis = 0; axis < 3; ++axis) {
+    Cube part = cube;
+    part.alongAxis(axis, derivative);
+    for (std::size_t i = 0; i < 64; ++i) sum[i] += weights[axis] * part.v[i];
+  }
+  const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
+  return {*least, *most};
 }
 
 double hessianBound(const SplineField& field, const Index3& cell) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "core/surface/spline_field.h"
 
@@ -13,7 +14,14 @@ namespace angiomesh {
 double hessianBound(const SplineField& field, const Index3& cell, const Eigen::Vector3d& low,
                     const Eigen::Vector3d& high);
 
-/// The same over a whole cell.
+/// The least and the greatest that the gradient's part along `direction` (LPS, per mm) can be over
+/// such a box: the hull of the Bernstein coefficients of that derivative, a polynomial of degree 3
+/// in each variable.
+std::array<double, 2> slopeBounds(const SplineField& field, const Index3& cell,
+                                  const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+                                  const Eigen::Vector3d& direction);
+
+/// The bound of the Hessian over a whole cell.
 double hessianBound(const SplineField& field, const Index3& cell);
 
 }  // namespace angiomesh

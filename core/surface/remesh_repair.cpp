@@ -262,6 +262,9 @@ std::vector<RemeshWorker::Job> RemeshWorker::badFaces() const {
     for (std::size_t i = first; i < last; ++i) {
       const auto t = static_cast<std::uint32_t>(i);
       if (!mesh_.lives(t)) continue;
+      if (mesh_.locked(mesh_.origin(3 * t)) && mesh_.locked(mesh_.origin(3 * t + 1)) &&
+          mesh_.locked(mesh_.origin(3 * t + 2)))
+        continue;
       const double bad = faceBadness(t);
       if (bad > 1.0) found[first / blockSize].push_back({bad, t});
     }
@@ -279,7 +282,7 @@ void RemeshWorker::repair() {
     std::priority_queue<Job> queue(std::less<Job>(), start);
     // What cannot be made good must not take for ever; least of all folds, which mostly lie where
     // the wall has a crease that no triangle can follow. Counted in triangles looked at.
-    std::size_t quota = 300 * (mesh_.halfEdgeSlots() / 3) + 3000000, foldQuota = quota / 8;
+    std::size_t quota = 100 * (mesh_.halfEdgeSlots() / 3) + 3000000, foldQuota = quota / 8;
     while (!queue.empty()) {
       progress_.check();
       const Job job = queue.top();

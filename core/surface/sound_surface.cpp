@@ -25,6 +25,8 @@ constexpr int kAttempts = 4;
 constexpr double kClearOfCorners = 0.12;
 /// Where more of the triangles meet than one in so many, filling anew does not help.
 constexpr std::size_t kFewMeet = 50;
+/// Where more meet than one in so many, remeshing does not.
+constexpr std::size_t kManyMeet = 10;
 
 void append(PatchMesh& to, const PatchMesh& from) {
   const auto offset = static_cast<std::uint32_t>(to.mesh.points.size());
@@ -220,6 +222,8 @@ class SoundMaker {
   // Makes each group that has faults by the next method; false where none has one left.
   bool replace(Faults& faults) {
     std::vector<char> list(made_.groups.size(), 0);
+    std::vector<std::size_t> triangles(list.size(), 0);
+    for (const std::uint32_t group : made_.mesh.group) ++triangles[group];
     bool any = false;
     for (auto& [group, found] : faults) {
       SurfaceGroup& g = made_.groups[group];
@@ -231,8 +235,10 @@ class SoundMaker {
       }
       // The front's faults say little of where a remeshed surface has some.
       if (g.method == SurfaceMethod::Remesh) hold(found, attempts_[group]);
-      g.method =
-          attempts_[group]++ < kAttempts ? SurfaceMethod::Remesh : SurfaceMethod::MarchingCubes;
+      const bool hopeless =
+          g.method == SurfaceMethod::Remesh && kManyMeet * found.meeting.size() > triangles[group];
+      g.method = attempts_[group]++ < kAttempts && !hopeless ? SurfaceMethod::Remesh
+                                                             : SurfaceMethod::MarchingCubes;
       list[group] = any = true;
     }
     if (any) remake(list);

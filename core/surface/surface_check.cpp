@@ -5,134 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 #include "core/base/parallel.h"
-#include "core/surface/cell_bounds.h"
+#include "core/quality/mesh_faults.h"
+#include "core/surface/facing_check.h"
 #include "core/surface/half_edges.h"
 #include "core/surface/surface_cover.h"
+#include "core/surface/triangle_tree.h"
 
 namespace angiomesh {
 namespace {
 
 using Eigen::Vector3d;
-
-// The region around a triangle in which the gradient must not turn away from its normal.
-struct Region {
-  Vector3d centre, normal;
-  double radius = 0.0;  // mm
-  double along = 0.0;   // the gradient's part along the normal, at the centre
-  Vector3d low, high;   // its box in index space, inside the grid
-  Index3 first{}, last{};
-};
-
-class FacingCheck {
- public:
-  FacingCheck(const PatchMesh& mesh, const SplineField& field) : mesh_(mesh), field_(field) {
-    const Eigen::Matrix3d toIndex = field.geometry().physicalToIndexMatrix();
-    for (int a = 0; a < 3; ++a) indexPerMm_[a] = toIndex.row(a).norm();
-  }
-
-  // Per triangle: 1 where the field may turn away.
-  std::vector<char> run(const Progress& progress) {
-    const std::size_t n = mesh_.mesh.triangles.size();
-    std::vector<Region> regions(n);
-    std::vector<char> doubt(n, 0);
-    parallelFor(0, n, 1024, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t t = first; t < last; ++t)
-        if (mesh_.patch[t] == 0) regions[t] = regionOf(t);
-    });
-    boundCells(regions, progress);
-    parallelFor(0, n, 512, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t t = first; t < last; ++t)
-        if (mesh_.patch[t] == 0) doubt[t] = static_cast<char>(!faces(regions[t]));
-    });
-    return doubt;
-  }
-
- private:
-  [[nodiscard]] Region regionOf(std::size_t t) const {
-    const auto& corners = mesh_.mesh.triangles[t];
-    const Vector3d& a = mesh_.mesh.points[corners[0]];
-    const Vector3d& b = mesh_.mesh.points[corners[1]];
-    const Vector3d& c = mesh_.mesh.points[corners[2]];
-    Region r;
-    r.centre = (a + b + c) / 3.0;
-    const Vector3d normal = (b - a).cross(c - a);
-    if (normal.norm() > 0.0)
-      r.normal = normal.normalized();
-    else
-      r.normal.setZero();
-    const SplineField::Jet jet = field_.at(r.centre);
-    r.along = jet.gradient.dot(r.normal);
-    const double slope = jet.gradient.norm();
-    // Twice the distance to the foot, to first order, allows for the other points' feet.
-    const double gap =
-        slope > 1e-12 ? std::min(2.0 * std::fabs(jet.value) / slope, field_.geometry().voxelMm())
-                      : 0.0;
-    r.radius =
-        gap + std::max({(a - r.centre).norm(), (b - r.centre).norm(), (c - r.centre).norm()});
-    const Geometry& g = field_.geometry();
-    const Vector3d i0 = g.toIndex(a), i1 = g.toIndex(b), i2 = g.toIndex(c);
-    const Vector3d margin = gap * indexPerMm_;
-    r.low = i0.cwiseMin(i1).cwiseMin(i2) - margin;
-    r.high = i0.cwiseMax(i1).cwiseMax(i2) + margin;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto s = static_cast<std::size_t>(axis);
-      r.low[axis] = std::clamp(r.low[axis], 0.0, g.size[s] - 1.0);
-      r.high[axis] = std::clamp(r.high[axis], 0.0, g.size[s] - 1.0);
-      r.first[s] = std::min(static_cast<int>(r.low[axis]), g.size[s] - 2);
-      r.last[s] = std::min(static_cast<int>(r.high[axis]), g.size[s] - 2);
-    }
-    return r;
-  }
-
-  template <class Visit>
-  static void forEachCell(const Region& r, Visit visit) {
-    for (int k = r.first[2]; k <= r.last[2]; ++k)
-      for (int j = r.first[1]; j <= r.last[1]; ++j)
-        for (int i = r.first[0]; i <= r.last[0]; ++i) visit(Index3{i, j, k});
-  }
-
-  void boundCells(const std::vector<Region>& regions, const Progress& progress) {
-    const Geometry& g = field_.geometry();
-    for (std::size_t t = 0; t < regions.size(); ++t)
-      if (mesh_.patch[t] == 0)
-        forEachCell(regions[t],
-                    [&](const Index3& c) { cells_.push_back(g.offset(c[0], c[1], c[2])); });
-    std::sort(cells_.begin(), cells_.end());
-    cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
-    bounds_.resize(cells_.size());
-    parallelFor(0, cells_.size(), 256, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t i = first; i < last; ++i)
-        bounds_[i] = static_cast<float>(hessianBound(field_, g.indexOf(cells_[i])) * (1.0 + 1e-6));
-    });
-  }
-
-  [[nodiscard]] bool faces(const Region& r) const {
-    const Geometry& g = field_.geometry();
-    if (!(r.along > 0.0)) return false;
-    bool sure = true;
-    forEachCell(r, [&](const Index3& c) {
-      if (!sure) return;
-      const auto at = std::lower_bound(cells_.begin(), cells_.end(), g.offset(c[0], c[1], c[2]));
-      const double bound =
-          static_cast<double>(bounds_[static_cast<std::size_t>(at - cells_.begin())]);
-      if (bound * r.radius < r.along) return;
-      sure = hessianBound(field_, c, r.low, r.high) * r.radius < r.along;
-    });
-    return sure;
-  }
-
-  const PatchMesh& mesh_;
-  const SplineField& field_;
-  Vector3d indexPerMm_;
-  std::vector<std::size_t> cells_;
-  std::vector<float> bounds_;
-};
 
 // The first reason against a component stays.
 void doubtIt(SurfaceComponent& component, const std::string& why) {
@@ -194,6 +80,41 @@ void measureParts(const PatchMesh& mesh, SurfaceBorder border, SurfaceCheck& che
   for (std::size_t i = 0; i < fromFront.size(); ++i)
     check.components[i].fromFrontPercent = 100.0 * static_cast<double>(fromFront[i]) /
                                            static_cast<double>(check.components[i].triangles);
+}
+
+// Says around how many triangles of each component the field turns away, or may, where and by how
+// much at the worst.
+void doubtTurned(const PatchMesh& mesh, const std::vector<TurnedFace>& turned,
+                 SurfaceCheck& check) {
+  struct Tally {
+    std::size_t measured = 0, open = 0;
+    const TurnedFace* worst = nullptr;
+  };
+  std::vector<Tally> tally(check.components.size());
+  for (const TurnedFace& face : turned) {
+    Tally& of = tally[check.parts.label[face.triangle]];
+    ++(face.measured ? of.measured : of.open);
+    if (of.worst == nullptr || face.degrees > of.worst->degrees) of.worst = &face;
+  }
+  for (std::size_t i = 0; i < tally.size(); ++i) {
+    const Tally& of = tally[i];
+    if (of.worst == nullptr) continue;
+    const auto corners = cornersOf(mesh.mesh, of.worst->triangle);
+    const std::string where = placeText((corners[0] + corners[1] + corners[2]) / 3.0);
+    char degrees[16];
+    std::snprintf(degrees, sizeof degrees, "%.0f", of.worst->degrees);
+    std::string why;
+    if (of.measured > 0)
+      why = "around " + std::to_string(of.measured) + " triangles the field's gradient turns away" +
+            " from their normal, the farthest near " + where + " by " + degrees + " degrees";
+    if (of.measured > 0 && of.open > 0) why += ", and ";
+    if (of.open > 0)
+      why += "around " + std::to_string(of.open) + " triangles" + (of.measured > 0 ? " more" : "") +
+             " no bound shows that the field's gradient stays within 90 degrees of their normal";
+    if (of.measured == 0)
+      why += std::string(" (measured: at most ") + degrees + ", near " + where + ")";
+    doubtIt(check.components[i], why);
+  }
 }
 
 // Which part of the mesh reaches which component of the landmarks.
@@ -271,14 +192,7 @@ SurfaceCheck checkSurface(const PatchMesh& mesh, const SplineField& field,
                           const GuidanceField& size, const Landmarks& landmarks,
                           SurfaceBorder border, const Progress& progress) {
   SurfaceCheck check = checkManifold(mesh, border);
-  const std::vector<char> doubt = FacingCheck(mesh, field).run(progress);
-  std::vector<std::size_t> turned(check.components.size(), 0);
-  for (std::size_t t = 0; t < doubt.size(); ++t)
-    if (doubt[t] != 0) ++turned[check.parts.label[t]];
-  for (std::size_t i = 0; i < turned.size(); ++i)
-    if (turned[i] > 0)
-      doubtIt(check.components[i], "around " + std::to_string(turned[i]) +
-                                       " triangles the field may turn away from the surface");
+  doubtTurned(mesh, turnedFaces(mesh, field, progress), check);
   matchLandmarks(mesh, field, size, landmarks, check);
   for (SurfaceComponent& component : check.components) component.verified = component.why.empty();
   return check;

@@ -38,9 +38,9 @@ SurfaceCheck checkReach(const PatchMesh& mesh, const SplineField& field, const G
 /// Checks that each component of a mesh of phi = 0 is
 /// - an oriented manifold whose rims lie in the planes that it ends in (no rims with `Cap`),
 /// - nowhere turned away from the field: on each wall triangle and around it, as far as its feet on
-///   the zero set, the gradient has a positive part along the triangle's normal. It follows from
-///   the gradient at the centroid and a bound of the second derivatives (cell_bounds.h); the zero
-///   set has no critical point there, and the mesh maps to it one to one along the gradient;
+///   the zero set, the gradient has a positive part along the triangle's normal (see
+///   turnedFaces()); the zero set has no critical point there, and the mesh maps to it one to one
+///   along the gradient;
 /// - within reach of every landmark of the zero set (most of them decide which component a
 ///   landmark's belongs to).
 SurfaceCheck checkSurface(const PatchMesh& mesh, const SplineField& field,

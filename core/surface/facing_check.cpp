@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/surface/facing_check.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/parallel.h"
+#include "core/surface/cell_bounds.h"
+#include "core/surface/triangle_tree.h"
+
+namespace angiomesh {
+namespace {
+
+using Eigen::Vector3d;
+
+// The region around a triangle in which the gradient must not turn away from its normal.
+struct Region {
+  Vector3d centre, normal;
+  double radius = 0.0;  // mm
+  double gap = 0.0;     // how far it goes beyond the triangle, mm
+  double along = 0.0;   // the gradient's part along the normal, at the centre
+  Vector3d low, high;   // its box in index space, inside the grid
+  Index3 first{}, last{};
+};
+
+enum class Verdict : std::uint8_t { Faces, Open, TurnsAway };
+
+constexpr int kDeepest = 5;
+constexpr std::size_t kMostPieces = 1500;
+
+// A part of the region's box inside one cell, in index space.
+struct Piece {
+  Index3 cell{};
+  Vector3d low, high;
+  int depth = 0;
+};
+
+class FacingCheck {
+ public:
+  FacingCheck(const PatchMesh& mesh, const SplineField& field) : mesh_(mesh), field_(field) {
+    const Eigen::Matrix3d toIndex = field.geometry().physicalToIndexMatrix();
+    for (int a = 0; a < 3; ++a) indexPerMm_[a] = toIndex.row(a).norm();
+  }
+
+  std::vector<TurnedFace> run(const Progress& progress) {
+    const std::size_t n = mesh_.mesh.triangles.size();
+    std::vector<Region> regions(n);
+    std::vector<Verdict> verdict(n, Verdict::Faces);
+    std::vector<TurnedFace> face(n);
+    parallelFor(0, n, 1024, [&](std::size_t first, std::size_t last) {
+      progress.check();
+      for (std::size_t t = first; t < last; ++t)
+        if (mesh_.patch[t] == 0) regions[t] = regionOf(t);
+    });
+    boundCells(regions, progress);
+    parallelFor(0, n, 512, [&](std::size_t first, std::size_t last) {
+      progress.check();
+      for (std::size_t t = first; t < last; ++t)
+        if (mesh_.patch[t] == 0 && !plainlyFaces(regions[t]))
+          verdict[t] = faces(t, regions[t], face[t]);
+    });
+    std::vector<TurnedFace> turned;
+    for (std::size_t t = 0; t < n; ++t) {
+      if (verdict[t] == Verdict::Faces) continue;
+      face[t].triangle = static_cast<std::uint32_t>(t);
+      face[t].measured = verdict[t] == Verdict::TurnsAway;
+      turned.push_back(face[t]);
+    }
+    return turned;
+  }
+
+ private:
+  [[nodiscard]] Region regionOf(std::size_t t) const {
+    const auto& corners = mesh_.mesh.triangles[t];
+    const Vector3d& a = mesh_.mesh.points[corners[0]];
+    const Vector3d& b = mesh_.mesh.points[corners[1]];
+    const Vector3d& c = mesh_.mesh.points[corners[2]];
+    Region r;
+    r.centre = (a + b + c) / 3.0;
+    const Vector3d normal = (b - a).cross(c - a);
+    if (normal.norm() > 0.0)
+      r.normal = normal.normalized();
+    else
+      r.normal.setZero();
+    const SplineField::Jet jet = field_.at(r.centre);
+    r.along = jet.gradient.dot(r.normal);
+    const double slope = jet.gradient.norm();
+    // Twice the distance to the foot, to first order, allows for the other points' feet.
+    r.gap = slope > 1e-12
+                ? std::min(2.0 * std::fabs(jet.value) / slope, field_.geometry().voxelMm())
+                : 0.0;
+    r.radius =
+        r.gap + std::max({(a - r.centre).norm(), (b - r.centre).norm(), (c - r.centre).norm()});
+    const Geometry& g = field_.geometry();
+    const Vector3d i0 = g.toIndex(a), i1 = g.toIndex(b), i2 = g.toIndex(c);
+    const Vector3d margin = r.gap * indexPerMm_;
+    r.low = i0.cwiseMin(i1).cwiseMin(i2) - margin;
+    r.high = i0.cwiseMax(i1).cwiseMax(i2) + margin;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto s = static_cast<std::size_t>(axis);
+      r.low[axis] = std::clamp(r.low[axis], 0.0, g.size[s] - 1.0);
+      r.high[axis] = std::clamp(r.high[axis], 0.0, g.size[s] - 1.0);
+      r.first[s] = std::min(static_cast<int>(r.low[axis]), g.size[s] - 2);
+      r.last[s] = std::min(static_cast<int>(r.high[axis]), g.size[s] - 2);
+    }
+    return r;
+  }
+
+  template <class Visit>
+  static void forEachCell(const Region& r, Visit visit) {
+    for (int k = r.first[2]; k <= r.last[2]; ++k)
+      for (int j = r.first[1]; j <= r.last[1]; ++j)
+        for (int i = r.first[0]; i <= r.last[0]; ++i) visit(Index3{i, j, k});
+  }
+
+  void boundCells(const std::vector<Region>& regions, const Progress& progress) {
+    const Geometry& g = field_.geometry();
+    for (std::size_t t = 0; t < regions.size(); ++t)
+      if (mesh_.patch[t] == 0)
+        forEachCell(regions[t],
+                    [&](const Index3& c) { cells_.push_back(g.offset(c[0], c[1], c[2])); });
+    std::sort(cells_.begin(), cells_.end());
+    cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+    bounds_.resize(cells_.size());
+    parallelFor(0, cells_.size(), 256, [&](std::size_t first, std::size_t last) {
+      progress.check();
+      for (std::size_t i = first; i < last; ++i)
+        bounds_[i] = static_cast<float>(hessianBound(field_, g.indexOf(cells_[i])) * (1.0 + 1e-6));
+    });
+  }
+
+  // Whether bounds over the cells, then over the triangle's box in them, are enough.
+  [[nodiscard]] bool plainlyFaces(const Region& r) const {
+    const Geometry& g = field_.geometry();
+    if (!(r.along > 0.0)) return false;
+    bool sure = true;
+    forEachCell(r, [&](const Index3& c) {
+      if (!sure) return;
+      const auto at = std::lower_bound(cells_.begin(), cells_.end(), g.offset(c[0], c[1], c[2]));
+      const double bound =
+          static_cast<double>(bounds_[static_cast<std::size_t>(at - cells_.begin())]);
+      if (bound * r.radius < r.along) return;
+      sure = hessianBound(field_, c, r.low, r.high) * r.radius < r.along;
+    });
+    return sure;
+  }
+
+  // Measures at a point of the region. False where the field turns away.
+  bool measure(const Vector3d& point, const Region& r, TurnedFace& face) const {
+    const Vector3d gradient = field_.at(point).gradient;
+    const double length = gradient.norm();
+    const double cosine = length > 1e-12 ? gradient.dot(r.normal) / length : 0.0;
+    face.degrees =
+        std::max(face.degrees, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi);
+    return cosine > 0.0;
+  }
+
+  // Divides the region's box, but for what is too far from the triangle, until a bound over each
+  // piece or a point in one decides.
+  Verdict faces(std::size_t t, const Region& r, TurnedFace& face) const {
+    const std::array<Vector3d, 3> corner = cornersOf(mesh_.mesh, static_cast<std::uint32_t>(t));
+    bool faces = !r.normal.isZero() && measure(r.centre, r, face);
+    for (std::size_t k = 0; k < 3 && !r.normal.isZero(); ++k) {
+      faces = measure(corner[k], r, face) && faces;
+      faces = measure(0.5 * (corner[k] + corner[(k + 1) % 3]), r, face) && faces;
+    }
+    if (!faces) return Verdict::TurnsAway;
+    std::vector<Piece> pieces;
+    forEachCell(r, [&](const Index3& c) {
+      Piece piece{c, r.low, r.high, 0};
+      for (int axis = 0; axis < 3; ++axis) {
+        const double first = c[static_cast<std::size_t>(axis)];
+        piece.low[axis] = std::clamp(r.low[axis], first, first + 1.0);
+        piece.high[axis] = std::clamp(r.high[axis], first, first + 1.0);
+      }
+      pieces.push_back(piece);
+    });
+    for (std::size_t looked = 0; !pieces.empty(); ++looked) {
+      const Piece piece = pieces.back();
+      pieces.pop_back();
+      const Geometry& g = field_.geometry();
+      const Vector3d middle = g.toPhysical(0.5 * (piece.low + piece.high));
+      const Vector3d weights = closestWeights(corner, middle);
+      const double away =
+          (weights[0] * corner[0] + weights[1] * corner[1] + weights[2] * corner[2] - middle)
+              .norm();
+      const double reach = 0.5 * (piece.high - piece.low).cwiseProduct(g.spacing).norm();
+      if (away > r.gap + reach) continue;
+      if (slopeBounds(field_, piece.cell, piece.low, piece.high, r.normal)[0] > 0.0) continue;
+      if (away <= r.gap && !measure(middle, r, face)) return Verdict::TurnsAway;
+      if (piece.depth == kDeepest || looked > kMostPieces) return Verdict::Open;
+      divide(piece, pieces);
+    }
+    return Verdict::Faces;
+  }
+
+  static void divide(const Piece& piece, std::vector<Piece>& pieces) {
+    const Vector3d middle = 0.5 * (piece.low + piece.high);
+    for (int octant = 0; octant < 8; ++octant) {
+      Piece part = piece;
+      ++part.depth;
+      for (int axis = 0; axis < 3; ++axis)
+        ((octant >> axis & 1) != 0 ? part.low : part.high)[axis] = middle[axis];
+      pieces.push_back(part);
+    }
+  }
+
+  const PatchMesh& mesh_;
+  const SplineField& field_;
+  Vector3d indexPerMm_;
+  std::vector<std::size_t> cells_;
+  std::vector<float> bounds_;
+};
+
+}  // namespace
+
+std::vector<TurnedFace> turnedFaces(const PatchMesh& mesh, const SplineField& field,
+                                    const Progress& progress) {
+  return FacingCheck(mesh, field).run(progress);
+}
+
+}  // namespace angiomesh
