@@ -15,6 +15,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/surface_step.h"
+#include "core/quality/mesh_faults.h"
 #include "core/surface/mesh_edges.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/tri_mesh.h"
@@ -28,6 +29,7 @@ namespace {
 struct MeshOptions {
   ParameterOptions settings;
   std::string input, output, label;
+  Soundness soundness;
   bool estimate = false, json = false;
 };
 
@@ -126,8 +128,20 @@ int mesh(const MeshOptions& options, const Progress& progress) {
     throw InputError("there is no surface in it", options.input,
                      "give a level set function that is negative inside, or a mask");
   // Flat triangles inscribed in a thin vessel lose more of the mask's volume than its wall does.
+  std::size_t left = 0;
   if (input.label)
-    made.mesh = smoothSurface(made.mesh, all.smooth, &field, rest.sub(0.9, 1.0), made.ports);
+    made.mesh =
+        smoothSurface(made.mesh, all.smooth, &field, rest.sub(0.9, 0.97), made.ports, &left);
+  if (left > 0) printWarning(leftUnsmoothed(left));
+  Soundness soundness = options.soundness;
+  soundness.fault =
+      surfaceFault(made.mesh, params.border == SurfaceBorder::Cap, nullptr, rest.sub(0.97, 1.0));
+  if (!soundness.mayWrite()) {
+    for (const std::string& warning : made.origin.warnings()) printWarning(warning);
+    return soundness.refuse("nothing was written",
+                            "smooth the image or the mask there, or choose longer edges "
+                            "(surface.edgeMinMm) or surface.method=marching-cubes");
+  }
   MeshWriteOptions write;
   // Of what it was made of; it also says that the names are ours.
   write.key = contentHash(input.phi);
@@ -166,6 +180,7 @@ void addMesh(CLI::App& program, Session& session) {
                     "Only estimate the number of triangles; writes nothing");
   command->add_flag("--json", options->json,
                     "Print the block 'surface' of report.json, and 'source'");
+  addSoundness(*command, options->soundness);
   addSettings(*command, options->settings);
   addCuts(*command, options->settings);
   command->callback([options, &session] {

@@ -56,6 +56,23 @@ std::vector<std::string> plainPatchNames(const LoadedMesh& loaded, bool& any) {
   return names;
 }
 
+bool Soundness::mayWrite() const {
+  if (fault.empty()) return true;
+  if (allowed) printWarning(fault + ": a flow solver will refuse it");
+  return allowed;
+}
+
+int Soundness::refuse(const std::string& left, const std::string& advice) const {
+  printError(fault + ": " + left + "; " + advice +
+             ", or write it all the same with --allow-unsound");
+  return GateFailed;
+}
+
+void addSoundness(CLI::App& command, Soundness& soundness) {
+  command.add_flag("--allow-unsound", soundness.allowed,
+                   "Write the surface even if it cuts itself or is no manifold");
+}
+
 void writeChecked(const TriMesh& mesh, const std::filesystem::path& place, const std::string& name,
                   const MeshWriteOptions& options) {
   for (const std::string& warning : writeMesh(mesh, place, options))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <CLI/App.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,6 +22,20 @@ MeshReadOptions meshReadOptions(const std::string& frame, const std::string& uni
 /// of its user, and kept. In files of anybody those that may be of files and patients become
 /// numbers; `any`: there were some.
 std::vector<std::string> plainPatchNames(const LoadedMesh& loaded, bool& any);
+
+/// What a command that writes a surface does with one that a solver could not take.
+struct Soundness {
+  bool allowed = false;  ///< --allow-unsound
+  std::string fault;     ///< "the surface cuts itself in ..."; empty: none
+
+  /// Whether it may be written. Says so in a warning where it may although it has a fault.
+  [[nodiscard]] bool mayWrite() const;
+  /// One line on stderr; `left` says what of the result was written, in words. Returns the exit
+  /// code.
+  [[nodiscard]] int refuse(const std::string& left, const std::string& advice) const;
+};
+/// Adds --allow-unsound.
+void addSoundness(CLI::App& command, Soundness& soundness);
 
 /// Writes a mesh, says its warnings with `name`, and reads it back to see that the file holds it.
 /// @throws as writeMesh() and checkMeshFile()

@@ -14,6 +14,7 @@
 #include "core/image/projection.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/segmentation_mask.h"
+#include "core/quality/mesh_faults.h"
 #include "core/quality/overlap.h"
 #include "io/files.h"
 #include "io/image_io.h"
@@ -37,6 +38,7 @@ struct RunCommandOptions {
   ParameterOptions settings;
   ReadOptions reading;
   std::string input, output, until = "quality", truth;
+  Soundness soundness;
   bool force = false;
 };
 
@@ -108,12 +110,33 @@ void writeVolumes(const RunResult& result, Step until, const OutputFolder& folde
   }
 }
 
-void writeMeshes(const RunResult& result, const OutputFolder& folder) {
+/// The last mesh of a run, null where it made none.
+const TriMesh* finalMesh(const RunResult& result) {
+  if (result.smoothed) return result.smoothed.get();
+  return result.surface ? result.surface->mesh.get() : nullptr;
+}
+
+/// What a solver could not take of the last mesh, in words.
+std::string faultOf(const RunResult& result, const Progress& progress) {
+  const TriMesh* mesh = finalMesh(result);
+  if (mesh == nullptr) return {};
+  const bool closed = result.params.surface.border == SurfaceBorder::Cap;
+  return surfaceFault(*mesh, closed, result.quality ? &result.quality->mesh : nullptr, progress);
+}
+
+void writeMarchingCubes(const RunResult& result, const OutputFolder& folder) {
+  if (!result.surface) return;
   MeshWriteOptions write;
   write.key = result.key;
-  const TriMesh* mesh = result.smoothed  ? result.smoothed.get()
-                        : result.surface ? result.surface->mesh.get()
-                                         : nullptr;
+  folder.add("marching-cubes.ply", [&](const std::filesystem::path& place) {
+    writeChecked(*result.surface->marchingCubes, place, "marching-cubes.ply", write);
+  });
+}
+
+void writeSurface(const RunResult& result, const OutputFolder& folder) {
+  MeshWriteOptions write;
+  write.key = result.key;
+  const TriMesh* mesh = finalMesh(result);
   if (mesh == nullptr) return;
   const auto add = [&](const char* name, const TriMesh& what) {
     folder.add(name,
@@ -133,9 +156,6 @@ void writeMeshes(const RunResult& result, const OutputFolder& folder) {
     write.patchNames.clear();
     add("vessels.stl", plain);
   }
-  write = {};
-  write.key = result.key;
-  add("marching-cubes.ply", *result.surface->marchingCubes);
 }
 
 int run(const RunCommandOptions& options, const Progress& progress) {
@@ -166,7 +186,13 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   writing.report(0.2);
   writeVolumes(result, runOptions.until, folder);
   writing.report(0.4);
-  if (!result.failure) writeMeshes(result, folder);
+  Soundness soundness = options.soundness;
+  if (!result.failure) soundness.fault = faultOf(result, writing);
+  const bool sound = soundness.mayWrite();
+  if (!result.failure) {
+    if (sound) writeSurface(result, folder);
+    writeMarchingCubes(result, folder);
+  }
   writing.report(0.7);
   if (const Volume<float>* phi = finalPhi(result))
     folder.add("preview.png", [&](const std::filesystem::path& place) {
@@ -177,10 +203,17 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   writing.report(1.0);
   folder.commit();
   printSummary(result, measures);
-  if (!result.failure) return Done;
-  printError(result.failure->why +
-             "; what was computed before is kept, phi.nrrd and mask.nrrd in " + options.output);
-  return UserCanChange;
+  if (result.failure) {
+    printError(result.failure->why +
+               "; what was computed before is kept, phi.nrrd and mask.nrrd in " + options.output);
+    return UserCanChange;
+  }
+  if (!sound)
+    return soundness.refuse(
+        "the rest of the result was written without it",
+        "look at its place in the image, and smooth more (preprocess.*), choose "
+        "longer edges (surface.edgeMinMm) or surface.method=marching-cubes");
+  return Done;
 }
 
 }  // namespace
@@ -196,6 +229,7 @@ void addRun(CLI::App& program, Session& session) {
   addCuts(*command, options->settings);
   command->add_option("--until", options->until,
                       "Last step: preprocess, vesselness, seeds, evolve, surface, smooth, quality");
+  addSoundness(*command, options->soundness);
   command->add_option("--truth", options->truth, "Mask to compare the result with");
   command->add_flag("--force", options->force, "Replace a former run in the output folder");
   command->callback([options, &session] {

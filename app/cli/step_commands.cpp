@@ -9,6 +9,7 @@
 #include "app/cli/options.h"
 #include "app/cli/output_folder.h"
 #include "core/pipeline/pipeline.h"
+#include "core/quality/mesh_faults.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/spline_field.h"
 #include "io/image_io.h"
@@ -20,6 +21,7 @@ namespace {
 struct StepOptions {
   ParameterOptions settings;
   ReadOptions reading;
+  Soundness soundness;
   std::string input, output, phi, label, method;
 };
 
@@ -54,6 +56,7 @@ int segmentCommand(const StepOptions& options, const Progress& progress) {
 }
 
 int smoothCommand(const StepOptions& options, const Progress& progress) {
+  Soundness soundness = options.soundness;
   const Parameters params = options.settings.parameters();
   const LoadedMesh loaded = loadMesh(options.input);
   for (const std::string& warning : loaded.warnings) printWarning(warning);
@@ -61,8 +64,16 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
   if (!options.phi.empty())
     phi.emplace(readMeshInput(options.phi, options.label, progress.sub(0.0, 0.3)).phi,
                 params.surface.spline);
-  const TriMesh smooth =
-      smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr, progress.sub(0.3, 1.0));
+  std::size_t left = 0;
+  const TriMesh smooth = smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr,
+                                       progress.sub(0.3, 0.9), {}, &left);
+  if (left > 0) printWarning(leftUnsmoothed(left));
+  soundness.fault = surfaceFault(smooth, false, nullptr, progress.sub(0.9, 1.0));
+  if (!soundness.mayWrite())
+    return soundness.refuse("nothing was written",
+                            surfaceFault(loaded.mesh, false).empty()
+                                ? "smooth less (smooth.iterations)"
+                                : "it was so before: repair or make the surface anew");
   MeshWriteOptions write;
   write.key = loaded.key;
   bool numbered = false;
@@ -118,6 +129,7 @@ void addSmooth(CLI::App& program, Session& session) {
   const auto options = addStep(program, session, "smooth", "Smooth a mesh", "Mesh",
                                "Mesh to write: .ply, .stl, .obj or .vtp", smoothCommand);
   CLI::App* command = program.get_subcommand("smooth");
+  addSoundness(*command, options->soundness);
   command->add_option(
       "--phi", options->phi,
       "Level set function, mask or label image whose wall 'keep-wall' keeps (else the mesh's)");

@@ -17,6 +17,7 @@
 #include "core/pipeline/evolve_step.h"
 #include "core/pipeline/expected_surface.h"
 #include "core/pipeline/segments.h"
+#include "core/quality/mesh_faults.h"
 #include "core/vesselness/thickest.h"
 
 namespace angiomesh {
@@ -370,16 +371,24 @@ void Pipeline::makeSurfaces(RunResult& run, const RunOptions& options,
   const SplineField field(*run.surface->uncutPhi, params.surface.spline);
   run.smoothed = state_->obtain<TriMesh>(Step::Smooth, run.key, run, [&](Warnings& warnings) {
     if (params.smooth.method == SmoothMethod::None) return run.surface->mesh;
-    auto smoothed = std::make_shared<const TriMesh>(smoothSurface(
-        *run.surface->mesh, params.smooth, &field, progress.sub(0.88, 0.94), run.surface->ports));
+    std::size_t left = 0;
+    auto smoothed = std::make_shared<const TriMesh>(smoothSurface(*run.surface->mesh, params.smooth,
+                                                                  &field, progress.sub(0.88, 0.94),
+                                                                  run.surface->ports, &left));
+    if (left > 0) warnings.push_back(leftUnsmoothed(left));
     for (std::string& fault : portFaults(run.surface->ports, *smoothed))
       warnings.push_back(std::move(fault));
     return smoothed;
   });
   run.ports = measuredPorts(run.surface->ports, *run.smoothed);
   if (!wanted(Step::Quality)) return;
-  run.quality = state_->obtain<QualityResult>(Step::Quality, run.key, run, [&](Warnings&) {
-    return std::make_shared<const QualityResult>(measure(run, field, progress.sub(0.94, 1.0)));
+  run.quality = state_->obtain<QualityResult>(Step::Quality, run.key, run, [&](Warnings& warnings) {
+    auto quality =
+        std::make_shared<const QualityResult>(measure(run, field, progress.sub(0.94, 1.0)));
+    std::string fault = surfaceFault(*run.smoothed, params.surface.border == SurfaceBorder::Cap,
+                                     &quality->mesh, progress);
+    if (!fault.empty()) warnings.push_back(std::move(fault));
+    return quality;
   });
 }
 

@@ -12,12 +12,13 @@
 namespace angiomesh {
 namespace {
 
-std::vector<std::uint32_t> brokenFaces(const TriMesh& mesh) {
+std::vector<std::uint32_t> brokenFaces(const TriMesh& mesh, bool closed) {
   std::vector<std::uint32_t> broken;
   const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
   for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
     const std::size_t end = edgeRunEnd(sides, i);
-    if (end - i == 1 || (end - i == 2 && sides[i].forward != sides[i + 1].forward)) continue;
+    if (end - i == 1 && !closed) continue;
+    if (end - i == 2 && sides[i].forward != sides[i + 1].forward) continue;
     for (std::size_t k = i; k < end; ++k) broken.push_back(sides[k].triangle);
   }
   const HalfEdges edges(mesh);
@@ -81,12 +82,21 @@ std::string MeshFaults::text() const {
          placeText(placeLps);
 }
 
-MeshFaults findFaults(const TriMesh& mesh, const Progress& progress) {
+MeshFaults findFaults(const TriMesh& mesh, bool closed, const Progress& progress) {
   MeshFaults faults;
   faults.meeting = selfIntersections(mesh, progress);
-  faults.broken = brokenFaces(mesh);
+  faults.broken = brokenFaces(mesh, closed);
   locateFaults(mesh, faults);
   return faults;
+}
+
+std::string surfaceFault(const TriMesh& mesh, bool closed, const MeshQuality* known,
+                         const Progress& progress) {
+  if (known != nullptr && known->selfIntersections == 0 && known->nonManifoldEdges == 0 &&
+      known->nonManifoldVertices == 0 && known->oriented && (known->closed || !closed))
+    return {};
+  const MeshFaults faults = findFaults(mesh, closed, progress);
+  return faults.none() ? std::string() : "the surface " + faults.text();
 }
 
 }  // namespace angiomesh

@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/quality/mesh_quality.h"
 #include "core/surface/tri_mesh.h"
 
 namespace angiomesh {
 
 /// Where a mesh is no surface that a solver could take: triangles that meet outside what they
 /// share, edges of more than two triangles or of two that disagree in orientation, vertices of more
-/// than one fan. Rims are no fault.
+/// than one fan. Rims are a fault only of what is to be closed.
 struct MeshFaults {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting;  ///< see selfIntersections()
   std::vector<std::uint32_t> broken;  ///< triangles at such edges and vertices, sorted
@@ -31,7 +32,12 @@ struct MeshFaults {
 void locateFaults(const TriMesh& mesh, MeshFaults& faults);
 
 /// @throws Cancelled
-MeshFaults findFaults(const TriMesh& mesh, const Progress& progress = {});
+MeshFaults findFaults(const TriMesh& mesh, bool closed, const Progress& progress = {});
+
+/// "the surface cuts itself in ...", as text() has it, empty where it has no fault. `known`, where
+/// not null, is the mesh's quality, which may tell that at once. @throws Cancelled
+std::string surfaceFault(const TriMesh& mesh, bool closed, const MeshQuality* known = nullptr,
+                         const Progress& progress = {});
 
 /// "L 1.0 P 2.0 S 3.0 mm"
 std::string placeText(const Eigen::Vector3d& pointLps);

@@ -280,9 +280,13 @@ void RemeshWorker::repair() {
     const std::vector<Job> start = badFaces();
     if (start.empty()) return;
     std::priority_queue<Job> queue(std::less<Job>(), start);
-    // What cannot be made good must not take for ever; least of all folds, which mostly lie where
-    // the wall has a crease that no triangle can follow. Counted in triangles looked at.
-    std::size_t quota = 100 * (mesh_.halfEdgeSlots() / 3) + 3000000, foldQuota = quota / 8;
+    // What cannot be made good, as on a wall of noise, must not take for ever; least of all folds,
+    // which mostly lie where the wall has a crease that no triangle can follow. Counted in
+    // triangles looked at.
+    const std::size_t faces = mesh_.halfEdgeSlots() / 3;
+    const bool hopeless = 20 * start.size() > faces + 4000;
+    if (hopeless && level > 0) return;
+    std::size_t quota = (hopeless ? 20 : 100) * faces + 3000000, foldQuota = quota / 8;
     while (!queue.empty()) {
       progress_.check();
       const Job job = queue.top();

@@ -64,12 +64,12 @@ TriMesh smoothSoundly(const TriMesh& mesh,
                       const std::function<TriMesh(const std::vector<char>& frozen)>& smooth,
                       std::size_t& left, const Progress& progress) {
   std::vector<char> frozen(mesh.points.size(), 0);
-  constexpr int attempts = 6;
+  constexpr int attempts = 4;
   TriMesh smoothed;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     smoothed = smooth(frozen);
     const Pairs pairs = selfIntersections(smoothed, progress);
-    if (!freezeMeeting(smoothed, pairs, frozen, attempt < 2 ? 1 : 3)) return smoothed;
+    if (!freezeMeeting(smoothed, pairs, frozen, 1 << attempt)) return smoothed;
   }
   putBack(mesh, smoothed, left, progress);
   return smoothed;

@@ -199,4 +199,9 @@ TriMesh smoothSurface(const TriMesh& mesh, const SmoothParams& params, const Spl
   return smoothed;
 }
 
+std::string leftUnsmoothed(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " component" : " components") +
+         " of the surface stayed unsmoothed: smoothed they would cut themselves or others";
+}
+
 }  // namespace angiomesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -59,5 +60,8 @@ TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params,
 TriMesh smoothSurface(const TriMesh& mesh, const SmoothParams& params,
                       const SplineField* phi = nullptr, const Progress& progress = {},
                       const std::vector<Port>& ports = {}, std::size_t* left = nullptr);
+
+/// A sentence on components that smoothSurface() left alone.
+std::string leftUnsmoothed(std::size_t count);
 
 }  // namespace angiomesh

@@ -20,13 +20,15 @@ using Eigen::Vector3d;
 constexpr std::uint32_t none = SurfaceCheck::none;
 
 /// Remeshings of one group before the reference's own triangles are taken.
-constexpr int kAttempts = 4;
+constexpr int kAttempts = 5;
 /// Vertices of the reference keep this share of a grid edge from its ends.
 constexpr double kClearOfCorners = 0.12;
 /// Where more of the triangles meet than one in so many, filling anew does not help.
 constexpr std::size_t kFewMeet = 50;
 /// Where more meet than one in so many, remeshing does not.
 constexpr std::size_t kManyMeet = 10;
+/// So many vertices of the reference may be a detail that is smaller than the edges.
+constexpr std::size_t kDetail = 40;
 
 void append(PatchMesh& to, const PatchMesh& from) {
   const auto offset = static_cast<std::uint32_t>(to.mesh.points.size());
@@ -118,10 +120,11 @@ class SoundMaker {
     for (std::size_t t = 0; t < parts_.label.size(); ++t)
       for (const std::uint32_t v : contour_.mesh.triangles[t]) partOfPoint[v] = parts_.label[t];
     DisjointSets sets(first + parts_.count);
-    std::vector<char> missed(parts_.count, 0);
+    std::vector<char> missed(parts_.count, 0), much(parts_.count, 0);
     for (const SurfaceCheck::Reached& r : check.reached) {
       const std::uint32_t component = partOfPoint[r.component];
       if (r.part == none) missed[component] = 1;
+      if (r.missed > kDetail && 4 * r.missed > r.landmarks) much[component] = 1;
       for (const std::uint32_t part : r.parts) sets.join(part, first + component);
     }
     std::map<std::uint32_t, std::uint32_t> numbers;
@@ -138,7 +141,8 @@ class SoundMaker {
     setGroups(numbers.size(), SurfaceMethod::AdvancingFront);
     lacking_.assign(numbers.size(), 0);
     for (std::uint32_t i = 0; i < parts_.count; ++i)
-      if (missed[i] != 0 && groupOfPart_[i] >= reached) lacking_[groupOfPart_[i]] = 1;
+      if (much[i] != 0 || (missed[i] != 0 && groupOfPart_[i] >= reached))
+        lacking_[groupOfPart_[i]] = 1;
   }
 
   void replaceLacking() {
@@ -147,7 +151,7 @@ class SoundMaker {
     for (std::size_t g = 0; g < list.size(); ++g) {
       if (lacking_[g] == 0) continue;
       made_.groups[g].method = SurfaceMethod::Remesh;
-      made_.groups[g].instead = "no front reached it";
+      made_.groups[g].instead = "the front did not reach it, or not all of it";
       list[g] = 1;
       any = true;
     }

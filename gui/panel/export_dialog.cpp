@@ -203,8 +203,15 @@ void ExportDialog::refreshHint() {
   if (!ports.empty() && !format.holdsNames) {
     hints << tr("⚠ It loses the names of the %1 ports: STL, ASCII has them.").arg(ports.size());
   }
+  const MeshQuality* quality = controller_.quality(kind());
+  const bool sound = !quality || (quality->selfIntersections == 0 && quality->oriented &&
+                                  quality->nonManifoldEdges + quality->nonManifoldVertices == 0);
+  if (!sound) {
+    hints << tr(
+        "⚠ This mesh cuts itself or is no manifold: a flow solver will refuse it. Marching "
+        "cubes of the same level set may do.");
+  }
   if (isFolder(format)) {
-    const MeshQuality* quality = controller_.quality(kind());
     if (ports.empty()) {
       hints << tr("⚠ This mesh has no ports: nothing could flow in or out.");
     }
