@@ -10,7 +10,9 @@
 #include "core/quality/self_intersection.h"
 #include "core/surface/mend_mesh.h"
 #include "core/surface/mesh_edges.h"
+#include "core/surface/point_grid.h"
 #include "core/surface/remesh.h"
+#include "core/surface/triangle_tree.h"
 
 namespace angiomesh {
 namespace {
@@ -20,13 +22,15 @@ using Eigen::Vector3d;
 constexpr std::uint32_t none = SurfaceCheck::none;
 
 /// Remeshings of one group before the reference's own triangles are taken.
-constexpr int kAttempts = 5;
+constexpr int kAttempts = 6;
 /// Vertices of the reference keep this share of a grid edge from its ends.
 constexpr double kClearOfCorners = 0.12;
 /// Where more of the triangles meet than one in so many, filling anew does not help.
 constexpr std::size_t kFewMeet = 50;
 /// Where more meet than one in so many, remeshing does not.
 constexpr std::size_t kManyMeet = 10;
+/// Where the wanted edges are too long for the part, so many voxels.
+constexpr double kFineVoxels = 0.35;
 /// So many vertices of the reference may be a detail that is smaller than the edges.
 constexpr std::size_t kDetail = 40;
 
@@ -41,6 +45,33 @@ void append(PatchMesh& to, const PatchMesh& from) {
     to.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
+/// Lengths of the guidance field, shorter around given places.
+class FineSize : public EdgeSize {
+ public:
+  FineSize(const GuidanceField& size, double shortestMm) : size_(size), shortest_(shortestMm) {}
+
+  void add(const Vector3d& place) {
+    grid_.insert(static_cast<std::uint32_t>(places_.size()), place, shortest_);
+    places_.push_back(place);
+  }
+  [[nodiscard]] double at(const Vector3d& pointLps) const override {
+    double length = size_.at(pointLps);
+    if (length <= shortest_ || places_.empty()) return length;
+    grid_.forEachNear(pointLps, (length - shortest_) / kSlope, shortest_, [&](std::uint32_t id) {
+      length = std::min(length, shortest_ + kSlope * (places_[id] - pointLps).norm());
+    });
+    return length;
+  }
+
+ private:
+  static constexpr double kSlope = 0.25;
+
+  const GuidanceField& size_;
+  double shortest_;
+  std::vector<Vector3d> places_;
+  PointGrid grid_;
+};
+
 /// Per group.
 using Faults = std::map<std::uint32_t, MeshFaults>;
 
@@ -51,7 +82,8 @@ class SoundMaker {
         progress_(progress),
         geometry_(ground.field.geometry()),
         parts_(meshComponents(ground.reference.mesh)),
-        contour_(ground.reference) {
+        contour_(ground.reference),
+        size_(ground.size, fineMm()) {
     contour_.origin.assign(contour_.patch.size(), FaceOrigin::Contour);
     keepOffCorners();
   }
@@ -237,16 +269,46 @@ class SoundMaker {
         g.instead =
             (g.method == SurfaceMethod::Remesh ? "remeshed it " : "the front's ") + found.text();
       }
-      // The front's faults say little of where a remeshed surface has some.
-      if (g.method == SurfaceMethod::Remesh) hold(found, attempts_[group]);
-      const bool hopeless =
-          g.method == SurfaceMethod::Remesh && kManyMeet * found.meeting.size() > triangles[group];
-      g.method = attempts_[group]++ < kAttempts && !hopeless ? SurfaceMethod::Remesh
-                                                             : SurfaceMethod::MarchingCubes;
+      const bool remeshed = g.method == SurfaceMethod::Remesh;
+      g.method = SurfaceMethod::Remesh;
+      if (remeshed && edgesAt(found) > 1.5 * fineMm()) {
+        refine(found);
+      } else if (remeshed) {
+        // The front's faults say little of where a remeshed surface has some.
+        hold(found, attempts_[group]);
+        if (kManyMeet * found.meeting.size() > triangles[group]) attempts_[group] = kAttempts;
+      }
+      if (attempts_[group]++ >= kAttempts) g.method = SurfaceMethod::MarchingCubes;
       list[group] = any = true;
     }
     if (any) remake(list);
     return any;
+  }
+
+  /// Edges that follow any bend that the grid can hold.
+  [[nodiscard]] double fineMm() const { return kFineVoxels * geometry_.voxelMm(); }
+
+  // The mean of the longest edges of the triangles that meet, mm.
+  [[nodiscard]] double edgesAt(const MeshFaults& faults) const {
+    double sum = 0.0;
+    for (const auto& pair : faults.meeting)
+      for (const std::uint32_t t : {pair.first, pair.second}) {
+        const auto c = cornersOf(made_.mesh.mesh, t);
+        sum += std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+      }
+    return faults.meeting.empty() ? 0.0 : 0.5 * sum / static_cast<double>(faults.meeting.size());
+  }
+
+  // Asks for shorter edges where triangles meet.
+  void refine(const MeshFaults& faults) {
+    std::vector<std::uint32_t> meeting;
+    for (const auto& [a, b] : faults.meeting) meeting.insert(meeting.end(), {a, b});
+    std::sort(meeting.begin(), meeting.end());
+    meeting.erase(std::unique(meeting.begin(), meeting.end()), meeting.end());
+    for (const std::uint32_t t : meeting) {
+      const auto c = cornersOf(made_.mesh.mesh, t);
+      size_.add((c[0] + c[1] + c[2]) / 3.0);
+    }
   }
 
   // Marks the cells around the faults.
@@ -304,8 +366,7 @@ class SoundMaker {
     };
     const PatchMesh start = pick(SurfaceMethod::Remesh);
     if (!start.patch.empty())
-      append(mesh,
-             remesh(start, ground_.field, ground_.size, ground_.ends, progress_, heldOf(start)));
+      append(mesh, remesh(start, ground_.field, size_, ground_.ends, progress_, heldOf(start)));
     append(mesh, pick(SurfaceMethod::MarchingCubes));
   }
 
@@ -329,6 +390,7 @@ class SoundMaker {
   const Geometry& geometry_;
   MeshComponents parts_;  ///< of the reference
   PatchMesh contour_;     ///< the reference, off the corners, with groups
+  FineSize size_;
   std::vector<std::uint32_t> groupOfPart_;
   std::vector<char> lacking_;  ///< per group
   std::vector<int> attempts_;  ///< per group, by remeshing

@@ -43,7 +43,8 @@ struct SoundSurface {
 /// components of the reference, and the parts of the mesh that `check` says reach them. In turn a
 /// group is
 /// - of the front: filled anew where it meets itself;
-/// - remeshed from the reference; where that meets anything the reference's triangles stay, in
+/// - remeshed from the reference, with shorter edges where those wanted are longer than the part is
+///   thick; where that meets anything still the reference's triangles stay, in
 ///   surroundings that grow with each of some attempts;
 /// - the reference itself, which meets nothing as each triangle lies in a cell of its own, its
 ///   vertices kept away from the corners of the grid.
