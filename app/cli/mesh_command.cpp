@@ -136,6 +136,7 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   Soundness soundness = options.soundness;
   soundness.fault =
       surfaceFault(made.mesh, params.border == SurfaceBorder::Cap, nullptr, rest.sub(0.97, 1.0));
+  if (soundness.fault.empty()) soundness.fault = made.origin.fault();
   if (!soundness.mayWrite()) {
     for (const std::string& warning : made.origin.warnings()) printWarning(warning);
     return soundness.refuse("nothing was written",

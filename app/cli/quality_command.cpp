@@ -71,12 +71,15 @@ std::vector<std::string> failures(const Gate& gate, const MeshQuality& q) {
     std::snprintf(text, sizeof text, format, value, bound);
     list.emplace_back(text);
   };
-  limit(q.minAngleMin < gate.leastAngleDeg, "least angle %.2f degrees, below %g", q.minAngleMin,
+  // No mesher chooses the angles in corners of the outline.
+  const double least = q.corners ? q.corners->otherMinAngle : q.minAngleMin;
+  const double most = q.corners ? q.corners->otherMaxAngle : q.maxAngleMax;
+  const double ratio = q.corners ? q.corners->otherRadiusRatio : q.radiusRatioMin;
+  limit(least < gate.leastAngleDeg, "least angle %.2f degrees, below %g", least,
         gate.leastAngleDeg);
-  limit(q.maxAngleMax > gate.mostAngleDeg, "largest angle %.2f degrees, above %g", q.maxAngleMax,
-        gate.mostAngleDeg);
-  limit(q.radiusRatioMin < gate.leastRadiusRatio, "least radius ratio %.3f, below %g",
-        q.radiusRatioMin, gate.leastRadiusRatio);
+  limit(most > gate.mostAngleDeg, "largest angle %.2f degrees, above %g", most, gate.mostAngleDeg);
+  limit(ratio < gate.leastRadiusRatio, "least radius ratio %.3f, below %g", ratio,
+        gate.leastRadiusRatio);
   return list;
 }
 

@@ -188,6 +188,7 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   writing.report(0.4);
   Soundness soundness = options.soundness;
   if (!result.failure) soundness.fault = faultOf(result, writing);
+  if (soundness.fault.empty() && result.surface) soundness.fault = result.surface->origin.fault();
   const bool sound = soundness.mayWrite();
   if (!result.failure) {
     if (sound) writeSurface(result, folder);

@@ -32,6 +32,11 @@ void printShape(const std::vector<NamedQuality>& columns) {
   printRow("smallest angle, least (deg)", columns, [](Q q) { return text("%.2f", q.minAngleMin); });
   printRow("  1st percentile", columns, [](Q q) { return text("%.2f", q.minAngleP01); });
   printRow("  mean", columns, [](Q q) { return text("%.2f", q.minAngleMean); });
+  if (std::any_of(columns.begin(), columns.end(),
+                  [](const NamedQuality& c) { return c.quality->corners.has_value(); }))
+    printRow("  outside corners of caps", columns, [](Q q) {
+      return text("%.2f", q.corners ? q.corners->otherMinAngle : q.minAngleMin);
+    });
   printRow("largest angle, most (deg)", columns, [](Q q) { return text("%.2f", q.maxAngleMax); });
   printRow("below 20 deg (%)", columns, [](Q q) { return text("%.3f", q.below20Percent); });
   printRow("below 30 deg (%)", columns, [](Q q) { return text("%.3f", q.below30Percent); });

@@ -49,6 +49,15 @@ Json meshBlock(const MeshQuality& q) {
     block["max_angle_deg"] = {{"max", q.maxAngleMax}, {"p99", q.maxAngleP99}};
     block["radius_ratio"] = {
         {"min", q.radiusRatioMin}, {"p01", q.radiusRatioP01}, {"mean", q.radiusRatioMean}};
+    if (q.corners)
+      block["corners"] = {{"triangles", q.corners->triangles},
+                          {"min_angle_deg", q.corners->minAngle},
+                          {"max_angle_deg", q.corners->maxAngle},
+                          {"radius_ratio", q.corners->radiusRatio},
+                          {"elsewhere",
+                           {{"min_angle_deg", q.corners->otherMinAngle},
+                            {"max_angle_deg", q.corners->otherMaxAngle},
+                            {"radius_ratio", q.corners->otherRadiusRatio}}}};
     block["edge_length_mm"] = {{"min", q.edgeMinMm}, {"mean", q.edgeMeanMm}, {"max", q.edgeMaxMm}};
     block["below_20_deg_percent"] = q.below20Percent;
     block["below_30_deg_percent"] = q.below30Percent;

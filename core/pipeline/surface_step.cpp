@@ -123,6 +123,13 @@ std::size_t SurfaceOrigin::unverified() const {
                     [](const SurfaceComponent& part) { return !part.verified; }));
 }
 
+std::string SurfaceOrigin::fault() const {
+  for (std::size_t i = 0; i < components.size(); ++i)
+    if (!components[i].faults.empty())
+      return "surface component " + std::to_string(i + 1) + " " + components[i].faults;
+  return {};
+}
+
 std::vector<std::string> SurfaceOrigin::warnings() const {
   std::vector<std::string> list;
   std::size_t named = 0, replaced = 0;

@@ -30,6 +30,8 @@ struct SurfaceOrigin {
   std::vector<Handle> handles;
 
   [[nodiscard]] std::size_t unverified() const;
+  /// What is left wrong with the first component that no method could make soundly, in words.
+  [[nodiscard]] std::string fault() const;
   /// A sentence for each component that another method had to make, for each that was not verified,
   /// for each piece that was left out, and for each handle too small to be relied on.
   [[nodiscard]] std::vector<std::string> warnings() const;

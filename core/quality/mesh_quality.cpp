@@ -160,6 +160,42 @@ std::vector<TriangleShape> shapesOf(const TriMesh& mesh) {
   return shapes;
 }
 
+// Per triangle: 1 where two of its sides border two other patches.
+std::vector<char> inCorners(const TriMesh& mesh) {
+  std::vector<char> corner(mesh.triangles.size(), 0);
+  if (mesh.patch.empty()) return corner;
+  std::vector<std::uint32_t> first(corner.size(), 0);  // 1 + the other patch of a side
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
+    if (edgeRunEnd(sides, i) != i + 2) continue;
+    const std::array<std::uint32_t, 2> both{sides[i].triangle, sides[i + 1].triangle};
+    if (mesh.patch[both[0]] == mesh.patch[both[1]]) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::uint32_t other = mesh.patch[both[1 - k]] + 1U;
+      std::uint32_t& known = first[both[k]];
+      if (known != 0 && known != other) corner[both[k]] = 1;
+      known = other;
+    }
+  }
+  return corner;
+}
+
+void measureCorners(const TriMesh& mesh, const std::vector<TriangleShape>& shapes, MeshQuality& q) {
+  const std::vector<char> corner = inCorners(mesh);
+  CornerShapes c;
+  for (std::size_t t = 0; t < shapes.size(); ++t) {
+    const bool in = corner[t] != 0;
+    double& least = in ? c.minAngle : c.otherMinAngle;
+    double& most = in ? c.maxAngle : c.otherMaxAngle;
+    double& ratio = in ? c.radiusRatio : c.otherRadiusRatio;
+    if (in) ++c.triangles;
+    least = std::min(least, static_cast<double>(shapes[t].minAngle));
+    most = std::max(most, static_cast<double>(shapes[t].maxAngle));
+    ratio = std::min(ratio, static_cast<double>(shapes[t].radiusRatio));
+  }
+  if (c.triangles > 0) q.corners = c;
+}
+
 void measureShapes(const TriMesh& mesh, MeshQuality& q) {
   const std::vector<TriangleShape> shapes = shapesOf(mesh);
   if (shapes.empty()) return;
@@ -175,6 +211,7 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (isDegenerate(cornersOf(mesh, static_cast<std::uint32_t>(i)))) ++q.degenerateTriangles;
   }
+  measureCorners(mesh, shapes, q);
   q.minAngleMean = meanOf(smallest);
   q.radiusRatioMean = meanOf(ratios);
   for (auto* values : {&smallest, &largest, &ratios}) std::sort(values->begin(), values->end());

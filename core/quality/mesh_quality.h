@@ -29,6 +29,14 @@ struct CurvedDeviation {
   double max = 0.0;
 };
 
+/// Triangles in corners where the surface's own outline leaves no choice: two of their sides border
+/// two other patches, as where a rim meets an edge of the volume. And what the others come to.
+struct CornerShapes {
+  std::size_t triangles = 0;
+  double minAngle = 180.0, maxAngle = 0.0, radiusRatio = 1.0;  ///< the worst in such corners
+  double otherMinAngle = 180.0, otherMaxAngle = 0.0, otherRadiusRatio = 1.0;  ///< elsewhere
+};
+
 /// What a mesh is worth to a solver; the fields of `mesh` in report.json, same meanings and units.
 struct MeshQuality {
   std::size_t vertices = 0, triangles = 0;
@@ -47,7 +55,8 @@ struct MeshQuality {
          minAngleMean = 0.0;  ///< smallest angle of each triangle, degrees
   double maxAngleMax = 0.0, maxAngleP99 = 0.0;
   double radiusRatioMin = 0.0, radiusRatioP01 = 0.0,
-         radiusRatioMean = 0.0;  ///< 2 r / R, 1 is equilateral
+         radiusRatioMean = 0.0;         ///< 2 r / R, 1 is equilateral
+  std::optional<CornerShapes> corners;  ///< where there are such triangles
   double edgeMinMm = 0.0, edgeMeanMm = 0.0, edgeMaxMm = 0.0;
   double below20Percent = 0.0, below30Percent = 0.0;  ///< of triangles, by smallest angle
   std::optional<DeviationStats> vertexDeviation,

@@ -69,7 +69,11 @@ TriMesh smoothSoundly(const TriMesh& mesh,
   for (int attempt = 0; attempt < attempts; ++attempt) {
     smoothed = smooth(frozen);
     const Pairs pairs = selfIntersections(smoothed, progress);
-    if (!freezeMeeting(smoothed, pairs, frozen, 1 << attempt)) return smoothed;
+    if (pairs.empty()) return smoothed;
+    if (freezeMeeting(smoothed, pairs, frozen, 1 << attempt)) continue;
+    // What is frozen and meets did so before.
+    if (!selfIntersections(mesh, progress).empty()) return smoothed;
+    break;
   }
   putBack(mesh, smoothed, left, progress);
   return smoothed;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QElapsedTimer>
 #include <QTest>
+#include <array>
 #include <csignal>
 #include <limits>
 
@@ -286,6 +287,42 @@ class TestCliFailures : public QObject, CliFolder {
     QCOMPARE(result.code, 4);
     QVERIFY(result.errors.contains("cancelled"));
     QCOMPARE(filesIn(dir.path()), before);
+  }
+
+  // Two boxes that cross: a solver refuses what smoothing makes of them.
+  void aSurfaceThatCutsItselfIsRefused() {
+    QByteArray obj;
+    for (int box = 0; box < 2; ++box)
+      for (int v = 0; v < 8; ++v)
+        obj += QString("v %1 %2 %3\n")
+                   .arg((v & 1) + 0.4 * box)
+                   .arg((v >> 1 & 1) + 0.3 * box)
+                   .arg((v >> 2 & 1) + 0.2 * box)
+                   .toLatin1();
+    const int sides[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                             {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+    for (int box = 0; box < 2; ++box)
+      for (const auto& s : sides)
+        for (const auto& t : {std::array{s[0], s[1], s[2]}, std::array{s[0], s[2], s[3]}})
+          obj += QString("f %1 %2 %3\n")
+                     .arg(t[0] + 8 * box)
+                     .arg(t[1] + 8 * box)
+                     .arg(t[2] + 8 * box)
+                     .toLatin1();
+    writeBytes(at("crossing.obj"), obj);
+    const QStringList before = filesIn(dir.path());
+    const CliResult refused = cli({"smooth", "crossing.obj", "-o", "smooth.ply"});
+    QCOMPARE(refused.code, 3);
+    QCOMPARE(filesIn(dir.path()), before);
+    QVERIFY2(refused.errors.contains("cuts itself in 1 place, near L "),
+             refused.errors.constData());
+    QVERIFY2(refused.errors.contains("--allow-unsound"), refused.errors.constData());
+    const CliResult allowed =
+        cli({"smooth", "crossing.obj", "-o", "smooth.ply", "--allow-unsound"});
+    QCOMPARE(allowed.code, 0);
+    QVERIFY2(allowed.errors.contains("warning: the surface cuts itself"),
+             allowed.errors.constData());
+    QVERIFY(QFile::remove(at("smooth.ply")) && QFile::remove(at("crossing.obj")));
   }
 };
 

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/pipeline/surface_step.h"
+#include "core/quality/mesh_faults.h"
+#include "core/quality/mesh_quality.h"
+#include "core/surface/cell_bounds.h"
+#include "core/surface/facing_check.h"
+#include "core/surface/smooth_soundly.h"
+#include "core/surface/smoothing.h"
+#include "core/surface/zero_set_mesh.h"
+#include "tests/core/analytic.h"
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+// Fields that a front, or a remesher, ties up.
+Volume<float> fieldNamed(const QString& name) {
+  if (name == "noise") return shapes::noise({7, 6, 7}, 7);
+  if (name == "anisotropic noise") {
+    Volume<float> phi = shapes::noise({6, 6, 6}, 11);
+    phi.geometry.spacing = {0.4, 0.4, 2.0};
+    return phi;
+  }
+  if (name == "thin sheets")
+    // Two that lean towards each other, each thinner than a tenth of a voxel.
+    return analytic::sampled(analytic::cube(20), [](const Vector3d& p) {
+      const double a = std::abs(p.z() - 7.3 - 0.11 * p.x()) - 0.04;
+      const double b = std::abs(p.z() - 9.6) - 0.04;
+      const double rim = std::hypot(p.x() - 9.5, p.y() - 9.5) - 7.4;
+      return std::max(std::min(a, b), rim);
+    });
+  if (name == "saddles on the grid")
+    return analytic::sampled(analytic::cube(13), [](const Vector3d& p) {
+      return std::cos(0.5 * M_PI * p.x()) * std::cos(0.5 * M_PI * p.y()) +
+             0.3 * std::cos(0.5 * M_PI * p.z());
+    });
+  // Values that are clamped but for voxels barely inside, as of a segmentation of noise.
+  return [] {
+    Volume<float> phi(analytic::cube(9), 2.0F);
+    for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+      if (randomUniform(3, i) < 0.35) phi.voxels[i] = randomUniform(4, i) < 0.7 ? -0.002F : -0.6F;
+    return phi;
+  }();
+}
+
+const char* const kFields[] = {"noise", "anisotropic noise", "thin sheets", "saddles on the grid",
+                               "plateau"};
+
+TriMesh twoCrossingCubes() {
+  TriMesh mesh = shapes::cube();
+  const TriMesh other = shapes::cube();
+  for (const Vector3d& p : other.points) mesh.points.push_back(p + Vector3d(0.4, 0.3, 0.2));
+  for (const auto& t : other.triangles) mesh.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+  return mesh;
+}
+
+}  // namespace
+
+class TestSoundSurface : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void nothingThatCutsItselfIsHandedOut_data() {
+    QTest::addColumn<QString>("field");
+    QTest::addColumn<int>("method");
+    for (const char* name : kFields)
+      for (const SurfaceMethod method : {SurfaceMethod::AdvancingFront, SurfaceMethod::Remesh})
+        QTest::addRow("%s, %d", name, static_cast<int>(method))
+            << QString(name) << static_cast<int>(method);
+  }
+  void nothingThatCutsItselfIsHandedOut() {
+    QFETCH(QString, field);
+    QFETCH(int, method);
+    const Volume<float> phi = fieldNamed(field);
+    SurfaceParams params;
+    params.method = static_cast<SurfaceMethod>(method);
+    params.minComponentMm3 = 0.0;
+    params.sizing.edgeMinMm = 0.3;
+    const SplineField spline(phi, params.spline);
+    const MadeSurface made = makeSurface(phi, spline, params);
+    QVERIFY(!made.mesh.triangles.empty());
+    const MeshFaults faults = findFaults(made.mesh, true);
+    QVERIFY2(faults.none(), faults.text().c_str());
+    std::size_t replaced = 0;
+    for (const SurfaceComponent& part : made.origin.components) {
+      QVERIFY(part.faults.empty());
+      QVERIFY(part.method == params.method || !part.instead.empty());
+      if (!part.instead.empty()) ++replaced;
+    }
+    QVERIFY(made.origin.warnings().size() >= std::min<std::size_t>(replaced, 20));
+    // Smoothing ties nothing up again.
+    for (const SmoothMethod how : {SmoothMethod::KeepWall, SmoothMethod::Taubin}) {
+      SmoothParams smooth;
+      smooth.method = how;
+      smooth.iterations = 10;
+      const MeshFaults after = findFaults(smoothSurface(made.mesh, smooth, &spline), true);
+      QVERIFY2(after.none(), after.text().c_str());
+    }
+  }
+
+  void whatIsMadeOtherwiseIsSaid() {
+    SurfaceOrigin origin;
+    SurfaceComponent part;
+    part.verified = true;
+    part.triangles = 12;
+    part.method = SurfaceMethod::MarchingCubes;
+    part.instead = "the front's cuts itself in 2 places, such as near L 1.0 P 2.0 S 3.0 mm";
+    origin.components = {part};
+    QCOMPARE(origin.warnings().size(), std::size_t{1});
+    QVERIFY(QString::fromStdString(origin.warnings()[0]).contains("made by marching cubes"));
+    QVERIFY(QString::fromStdString(origin.warnings()[0]).contains("L 1.0 P 2.0 S 3.0"));
+  }
+
+  void isTheSameForAnyNumberOfThreads() {
+    const Volume<float> phi = fieldNamed("plateau");
+    SurfaceParams params;
+    params.sizing.edgeMinMm = 0.3;
+    const SplineField spline(phi, params.spline);
+    setThreads(1);
+    const MadeSurface one = makeSurface(phi, spline, params);
+    setThreads(3);
+    const MadeSurface three = makeSurface(phi, spline, params);
+    setThreads(0);
+    QVERIFY(one.mesh.points == three.mesh.points);
+    QVERIFY(one.mesh.triangles == three.mesh.triangles);
+  }
+
+  void faultsAreFoundAndCounted() {
+    QVERIFY(findFaults(shapes::cube(), true).none());
+    const MeshFaults crossing = findFaults(twoCrossingCubes(), true);
+    QVERIFY(!crossing.meeting.empty() && crossing.broken.empty());
+    QCOMPARE(crossing.places, std::size_t{1});
+    QVERIFY(crossing.placeLps.minCoeff() > 0.0 && crossing.placeLps.maxCoeff() < 1.4);
+    QVERIFY(QString::fromStdString(crossing.text()).startsWith("cuts itself in 1 place, near L "));
+    TriMesh open = shapes::cube();
+    open.triangles.pop_back();
+    QVERIFY(findFaults(open, false).none());
+    QVERIFY(!findFaults(open, true).none());
+    TriMesh twice = shapes::cube();
+    twice.triangles.push_back({0, 1, 7});
+    QVERIFY(!findFaults(twice, false).broken.empty());
+    QVERIFY(surfaceFault(shapes::cube(), true).empty());
+    const MeshQuality known = measureQuality(twoCrossingCubes());
+    QVERIFY(!surfaceFault(twoCrossingCubes(), true, &known).empty());
+  }
+
+  void whatNoFreezingHelpsComesBack() {
+    TriMesh apart = twoCrossingCubes();
+    for (std::size_t v = 8; v < 16; ++v) apart.points[v].x() += 3.0;
+    std::size_t left = 0;
+    // A filter that heeds nothing: the second cube always ends in the first.
+    const TriMesh smoothed = smoothSoundly(apart,
+                                           [&](const std::vector<char>&) {
+                                             TriMesh moved = apart;
+                                             for (std::size_t v = 8; v < 16; ++v)
+                                               moved.points[v].x() -= 3.0;
+                                             return moved;
+                                           },
+                                           left, {});
+    QVERIFY(smoothed.points == apart.points);
+    QCOMPARE(left, std::size_t{2});
+  }
+
+  void boundsOfTheSlopeHoldAndClose() {
+    const Volume<float> phi = shapes::noise({8, 8, 8}, 21);
+    for (const SplineKind kind :
+         {SplineKind::InterpolatingBspline, SplineKind::Bspline, SplineKind::CatmullRom}) {
+      const SplineField field(phi, kind);
+      for (std::uint64_t i = 0; i < 40; ++i) {
+        const Vector3d way =
+            Vector3d(randomNormal(1, 3 * i), randomNormal(1, 3 * i + 1), randomNormal(1, 3 * i + 2))
+                .normalized();
+        const Vector3d low(2.0 + randomUniform(2, 3 * i), 3.0 + 0.5 * randomUniform(2, 3 * i + 1),
+                           4.0 + 0.2 * randomUniform(2, 3 * i + 2));
+        const Index3 cell{2, 3, 4};
+        double wide = 0.0;
+        for (const double side : {0.4, 0.05}) {
+          const Vector3d high = (low + Vector3d::Constant(side)).cwiseMin(Vector3d(3.0, 4.0, 5.0));
+          const auto bounds = slopeBounds(field, cell, low, high, way);
+          for (std::uint64_t k = 0; k < 20; ++k) {
+            Vector3d at = low;
+            for (int a = 0; a < 3; ++a)
+              at[a] += randomUniform(5, 100 * i + 3 * k + static_cast<std::uint64_t>(a)) *
+                       (high[a] - low[a]);
+            const double slope = field.at(phi.geometry.toPhysical(at)).gradient.dot(way);
+            QVERIFY(slope > bounds[0] - 1e-6 && slope < bounds[1] + 1e-6);
+          }
+          if (side > 0.1)
+            wide = bounds[1] - bounds[0];
+          else
+            QVERIFY(bounds[1] - bounds[0] < 0.5 * wide + 1e-9);
+        }
+      }
+    }
+  }
+
+  // Coarse triangles on a ball: a bound of the second derivatives times their size is too loose,
+  // boxes that are halved show that nothing turns away. A triangle turned over is found.
+  void turnedFacesAreToldFromLooseBounds() {
+    const Vector3d c{15.4, 15.2, 15.7};
+    const Volume<float> phi = analytic::sampled(
+        analytic::cube(32), [&](const Vector3d& p) { return analytic::ball(p, c, 9.3); });
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
+    PatchMesh mesh;
+    mesh.mesh = shapes::icosahedron();
+    for (Vector3d& p : mesh.mesh.points) p = c + 9.3 * p.normalized();
+    if (enclosedVolumeMm3(mesh.mesh) < 0.0)
+      for (auto& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
+    mesh.patch.assign(mesh.mesh.triangles.size(), 0);
+    mesh.place.assign(mesh.mesh.points.size(), Place::onWall());
+    mesh.origin.assign(mesh.patch.size(), FaceOrigin::Front);
+    QVERIFY(turnedFaces(mesh, field, {}).empty());
+    std::swap(mesh.mesh.triangles[3][1], mesh.mesh.triangles[3][2]);
+    const auto turned = turnedFaces(mesh, field, {});
+    QCOMPARE(turned.size(), std::size_t{1});
+    QCOMPARE(turned[0].triangle, 3U);
+    QVERIFY(turned[0].measured && turned[0].degrees > 120.0);
+  }
+
+  // A part too thin for the edges that are asked for is made of shorter ones.
+  void thinPartsGetShorterEdges() {
+    const Volume<float> phi = analytic::sampled(analytic::cube(28), [](const Vector3d& p) {
+      return std::min(analytic::ball(p, {8.0, 13.5, 13.5}, 5.0),
+                      analytic::tube(p, {21.3, 13.4, 13.6}, Vector3d::UnitY(), 0.9));
+    });
+    SurfaceParams params;
+    params.minComponentMm3 = 0.0;
+    params.sizing.edgeMinMm = params.sizing.edgeMaxMm = 2.5;
+    const SplineField spline(phi, params.spline);
+    const MadeSurface made = makeSurface(phi, spline, params);
+    QVERIFY(findFaults(made.mesh, true).none());
+    QCOMPARE(measureQuality(made.mesh).components, 2);
+  }
+
+  void cornersOfTheOutlineAreMeasuredApart() {
+    TriMesh cube = shapes::cube();
+    QVERIFY(!measureQuality(cube).corners);
+    for (std::uint16_t t = 0; t < 12; ++t) cube.patch.push_back(static_cast<std::uint16_t>(t / 2));
+    const MeshQuality q = measureQuality(cube);
+    QVERIFY(q.corners.has_value());
+    QCOMPARE(q.corners->triangles, std::size_t{12});
+    QVERIFY(std::abs(q.corners->minAngle - 45.0) < 1e-3);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestSoundSurface)
+#include "tst_sound_surface.moc"
