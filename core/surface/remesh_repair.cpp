@@ -284,9 +284,11 @@ void RemeshWorker::repair() {
     // which mostly lie where the wall has a crease that no triangle can follow. Counted in
     // triangles looked at.
     const std::size_t faces = mesh_.halfEdgeSlots() / 3;
-    const bool hopeless = 20 * start.size() > faces + 4000;
+    const bool hopeless = 20 * start.size() > faces + 1000;
     if (hopeless && level > 0) return;
-    std::size_t quota = (hopeless ? 20 : 100) * faces + 3000000, foldQuota = quota / 8;
+    std::size_t quota =
+                    (hopeless ? 20 : 100) * faces + std::min<std::size_t>(3000 * faces, 3000000),
+                foldQuota = quota / 8;
     while (!queue.empty()) {
       progress_.check();
       const Job job = queue.top();

@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 constexpr std::uint32_t none = SurfaceCheck::none;
 
 /// Remeshings of one group before the reference's own triangles are taken.
-constexpr int kAttempts = 6;
+constexpr int kAttempts = 5;
 /// Vertices of the reference keep this share of a grid edge from its ends.
 constexpr double kClearOfCorners = 0.12;
 /// Where more of the triangles meet than one in so many, filling anew does not help.

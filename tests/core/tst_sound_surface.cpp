@@ -82,7 +82,7 @@ class TestSoundSurface : public QObject {
     SurfaceParams params;
     params.method = static_cast<SurfaceMethod>(method);
     params.minComponentMm3 = 0.0;
-    params.sizing.edgeMinMm = 0.3;
+    params.sizing.edgeMinMm = 0.5;
     const SplineField spline(phi, params.spline);
     const MadeSurface made = makeSurface(phi, spline, params);
     QVERIFY(!made.mesh.triangles.empty());
@@ -121,7 +121,7 @@ class TestSoundSurface : public QObject {
   void isTheSameForAnyNumberOfThreads() {
     const Volume<float> phi = fieldNamed("plateau");
     SurfaceParams params;
-    params.sizing.edgeMinMm = 0.3;
+    params.sizing.edgeMinMm = 0.5;
     const SplineField spline(phi, params.spline);
     setThreads(1);
     const MadeSurface one = makeSurface(phi, spline, params);
