@@ -286,9 +286,11 @@ void RemeshWorker::repair() {
     const std::size_t faces = mesh_.halfEdgeSlots() / 3;
     const bool hopeless = 20 * start.size() > faces + 1000;
     if (hopeless && level > 0) return;
+    // Held triangles are none that could be made good; those beside them mostly neither.
     std::size_t quota =
-                    (hopeless ? 20 : 100) * faces + std::min<std::size_t>(3000 * faces, 3000000),
-                foldQuota = quota / 8;
+        ((hopeless ? 20 : 100) * faces + std::min<std::size_t>(3000 * faces, 3000000)) /
+        (partly_ ? 8 : 1);
+    std::size_t foldQuota = quota / 8;
     while (!queue.empty()) {
       progress_.check();
       const Job job = queue.top();

@@ -72,7 +72,10 @@ RemeshWorker::RemeshWorker(const PatchMesh& start, const RemeshGround& ground,
                            const Progress& progress, const std::vector<char>& held)
     : mesh_(start), ground_(ground), progress_(progress) {
   for (std::uint32_t v = 0; v < held.size(); ++v)
-    if (held[v] != 0) mesh_.lock(v);
+    if (held[v] != 0) {
+      mesh_.lock(v);
+      partly_ = true;
+    }
   if (mesh_.vertexSlots() > cached) mesh_.reorder();
   const double reach = 0.3 * ground_.voxelMm();
   parallelFor(0, mesh_.vertexSlots(), blockSize, [&](std::size_t first, std::size_t last) {

@@ -103,6 +103,7 @@ class RemeshWorker {
   std::vector<std::uint32_t> marks_;
   std::uint32_t mark_ = 0;
   std::size_t effort_ = 0;  ///< triangles looked at by repair()
+  bool partly_ = false;     ///< some vertices are held
   std::vector<std::uint32_t> faces_, touched_;
 };
 

@@ -22,9 +22,9 @@ namespace {
 
 // Fields that a front, or a remesher, ties up.
 Volume<float> fieldNamed(const QString& name) {
-  if (name == "noise") return shapes::noise({7, 6, 7}, 7);
+  if (name == "noise") return shapes::noise({6, 6, 6}, 7);
   if (name == "anisotropic noise") {
-    Volume<float> phi = shapes::noise({6, 6, 6}, 11);
+    Volume<float> phi = shapes::noise({5, 5, 4}, 11);
     phi.geometry.spacing = {0.4, 0.4, 2.0};
     return phi;
   }
@@ -43,7 +43,7 @@ Volume<float> fieldNamed(const QString& name) {
     });
   // Values that are clamped but for voxels barely inside, as of a segmentation of noise.
   return [] {
-    Volume<float> phi(analytic::cube(9), 2.0F);
+    Volume<float> phi(analytic::cube(7), 2.0F);
     for (std::size_t i = 0; i < phi.voxels.size(); ++i)
       if (randomUniform(3, i) < 0.35) phi.voxels[i] = randomUniform(4, i) < 0.7 ? -0.002F : -0.6F;
     return phi;
@@ -82,7 +82,7 @@ class TestSoundSurface : public QObject {
     SurfaceParams params;
     params.method = static_cast<SurfaceMethod>(method);
     params.minComponentMm3 = 0.0;
-    params.sizing.edgeMinMm = 0.5;
+    params.sizing.edgeMinMm = 0.3;
     const SplineField spline(phi, params.spline);
     const MadeSurface made = makeSurface(phi, spline, params);
     QVERIFY(!made.mesh.triangles.empty());
@@ -121,7 +121,7 @@ class TestSoundSurface : public QObject {
   void isTheSameForAnyNumberOfThreads() {
     const Volume<float> phi = fieldNamed("plateau");
     SurfaceParams params;
-    params.sizing.edgeMinMm = 0.5;
+    params.sizing.edgeMinMm = 0.3;
     const SplineField spline(phi, params.spline);
     setThreads(1);
     const MadeSurface one = makeSurface(phi, spline, params);
