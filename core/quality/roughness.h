@@ -21,8 +21,9 @@ namespace angiomesh {
 /// - angle: of each edge at the vertex, by how much the angle between its two triangles differs
 ///   from the one that they have with all four corners moved onto the fitted wall: what
 ///   neither the triangles' size nor the wall's curvature explains.
-/// Each is taken at up to 20,000 vertices spread evenly over the list, fewer where a vessel has
-/// very many of them around it, weighted by area.
+/// Waves longer than the window belong to the shape: on vessels of 1 to 2 voxels of radius those of
+/// a voxel are seen in part only. Each is taken at up to 20,000 vertices spread evenly over the
+/// list, fewer where a vessel has very many of them around it, weighted by area.
 struct Roughness {
   double spreadMm = 0.0;    ///< median
   double spread95Mm = 0.0;  ///< 95th percentile; branchings and tips count as well
