@@ -67,7 +67,10 @@ Json toJson(const CachedEvolve& evolve) {
                      {"largestShiftVoxels", r.label->largestShiftVoxels},
                      {"maskVolumeMm3", r.label->maskVolumeMm3}};
   if (r.wall)
-    json["wall"] = {{"spreadVoxels", r.wall->spreadVoxels}, {"heldVoxels", r.wall->heldVoxels}};
+    json["wall"] = {{"spreadVoxels", r.wall->spreadVoxels},
+                    {"heldVoxels", r.wall->heldVoxels},
+                    {"filledHoles", r.wall->filledHoles},
+                    {"cutHandles", r.wall->cutHandles}};
   if (r.voxelwise) json["voxelwise"] = contentHash(*r.voxelwise);
   return json;
 }
@@ -91,7 +94,8 @@ CachedEvolve fromJson(const Json& json) {
   }
   if (json.contains("wall")) {
     const Json& wall = json.at("wall");
-    r.wall = {wall.at("spreadVoxels").get<double>(), wall.at("heldVoxels").get<std::size_t>()};
+    r.wall = {wall.at("spreadVoxels").get<double>(), wall.at("heldVoxels").get<std::size_t>(),
+              wall.at("filledHoles").get<std::size_t>(), wall.at("cutHandles").get<std::size_t>()};
   }
   evolve.report.step = Step::Evolve;
   evolve.report.key = json.at("key").get<std::string>();

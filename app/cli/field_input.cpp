@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/levelset/mask_distance.h"
+#include "core/pipeline/wall_step.h"
 #include "io/image_io.h"
 
 namespace angiomesh::cli {
@@ -31,7 +32,7 @@ Volume<float> readPhiOrMask(const std::string& path) {
 }
 
 MeshInput readMeshInput(const std::string& path, const std::string& label,
-                        const Progress& progress) {
+                        const SmoothWallParams& wall, const Progress& progress) {
   MeshInput input;
   if (label.empty()) {
     // Before anything that a label image with layers does not go through.
@@ -46,8 +47,8 @@ MeshInput readMeshInput(const std::string& path, const std::string& label,
   LabelMask chosen = readLabel(path, label, progress.sub(0.0, 0.2));
   input.label = chosen.label;
   input.otherLabels = !chosen.onlyOne;
-  MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 1.0));
-  input.phi = std::move(made.phi);
+  MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 0.7));
+  input.phi = smoothMask(std::move(made.phi), wall, progress.sub(0.7, 1.0));
   input.largestShiftVoxels = made.largestShiftVoxels;
   input.maskVolumeMm3 = made.maskVolumeMm3;
   return input;

@@ -6,6 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/lumen/smooth_wall.h"
 #include "io/label_image.h"
 
 namespace angiomesh::cli {
@@ -23,9 +24,9 @@ struct MeshInput {
 };
 
 /// A level set function (float, with negative values) as it is; of anything else the label that is
-/// chosen (see readLabel()) as a smooth distance.
+/// chosen (see readLabel()) as the distance to a wall that `wall` makes smooth.
 /// @throws IoError, InputError, Cancelled
 MeshInput readMeshInput(const std::string& path, const std::string& label,
-                        const Progress& progress);
+                        const SmoothWallParams& wall, const Progress& progress);
 
 }  // namespace angiomesh::cli

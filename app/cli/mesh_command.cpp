@@ -108,7 +108,8 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   if (!options.estimate) checkOutputFile(options.output);
   const Parameters all = options.settings.parameters();
   const SurfaceParams& params = all.surface;
-  const MeshInput input = readMeshInput(options.input, options.label, progress.sub(0.0, 0.3));
+  const MeshInput input =
+      readMeshInput(options.input, options.label, all.wall, progress.sub(0.0, 0.3));
   const SplineField field(input.phi, params.spline);
   const Progress rest = progress.sub(0.3, 1.0);
   std::vector<std::string> remarks;

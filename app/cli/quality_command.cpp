@@ -166,7 +166,9 @@ int quality(const QualityOptions& options, const Progress& progress) {
   const SurfaceParams surface = options.surface();
   std::optional<SplineField> phi;
   if (!options.phi.empty())
-    phi.emplace(readMeshInput(options.phi, options.label, progress.sub(0.0, 0.2)).phi,
+    phi.emplace(readMeshInput(options.phi, options.label, options.settings.parameters().wall,
+                              progress.sub(0.0, 0.2))
+                    .phi,
                 surface.spline);
   const SplineField* field = phi ? &*phi : nullptr;
   const TriMesh mesh = measuredMesh(options);

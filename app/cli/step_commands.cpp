@@ -62,7 +62,7 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   std::optional<SplineField> phi;
   if (!options.phi.empty())
-    phi.emplace(readMeshInput(options.phi, options.label, progress.sub(0.0, 0.3)).phi,
+    phi.emplace(readMeshInput(options.phi, options.label, params.wall, progress.sub(0.0, 0.3)).phi,
                 params.surface.spline);
   std::size_t left = 0;
   const TriMesh smooth = smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr,

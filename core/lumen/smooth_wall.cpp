@@ -6,8 +6,8 @@
 
 #include "core/base/parallel.h"
 #include "core/levelset/local_levels.h"
+#include "core/levelset/voxel_topology.h"
 #include "core/lumen/local_quadric.h"
-#include "core/lumen/simple_point.h"
 #include "core/lumen/wall_cells.h"
 
 namespace angiomesh {
@@ -96,14 +96,13 @@ class WallFitter {
     weigh();
   }
 
-  /// Fisher's information of a square voxel of wall is (contrast / noise)^2 / (2 sqrt(pi) s), with
-  /// s = 0.6 before it is measured.
   void weigh() {
     for (std::size_t n = 0; n < cells_.size(); ++n) {
       if (number_[n] == kNoEvidence) continue;
       const float contrast = contrastAt(number_[n]);
       if (contrast > 0.0F)
-        uncertainty_[n] = static_cast<float>(1.4585 * evidence_->noise) / contrast;
+        uncertainty_[n] =
+            static_cast<float>(wallUncertainty(evidence_->noise / static_cast<double>(contrast)));
       else
         number_[n] = kNoEvidence;
     }
@@ -260,10 +259,10 @@ class WallFitter {
     if (weights > 0.0F) bends_[n] = {bend.mean / weights, bend.gauss / weights};
   }
 
-  [[nodiscard]] Neighbourhood around(std::uint32_t voxel) const {
+  [[nodiscard]] VoxelBits around(std::uint32_t voxel) const {
     const Geometry& g = phi_.geometry;
     const Index3 p = g.indexOf(voxel);
-    Neighbourhood object = 0;
+    VoxelBits object = 0;
     unsigned bit = 0;
     for (int k = -1; k <= 1; ++k)
       for (int j = -1; j <= 1; ++j)
@@ -292,7 +291,7 @@ class WallFitter {
     for (std::size_t before = waiting.size() + 1; waiting.size() < before;) {
       before = waiting.size();
       std::erase_if(waiting, [&](const Change& change) {
-        if (!isSimplePoint(around(change.voxel))) return false;
+        if (!voxelTopology(around(change.voxel)).simple()) return false;
         phi_.voxels[change.voxel] = change.value;
         return true;
       });

@@ -40,6 +40,8 @@ double minimiser(double low, double high, const Cost& cost) {
 
 }  // namespace
 
+double wallUncertainty(double noiseToContrast) { return 1.4584536 * noiseToContrast; }
+
 double WallProfile::argument(double distance, const WallBend& bend) const {
   const double half = 0.5 * static_cast<double>(bend.mean);
   const double root = std::sqrt(std::max(half * half - static_cast<double>(bend.gauss), 0.0));

@@ -18,6 +18,11 @@ struct WallEvidence {
   int meanSteps = 0;  ///< of averaging the lumen's brightness along vessels, see meanAlong()
 };
 
+/// The standard deviation of the place of a square voxel of wall, working voxels, by the ratio of
+/// noise to contrast: from Fisher's information, contrast^2 / (2 sqrt(pi) s noise^2), of voxels
+/// that see the wall through a point spread of s = 0.6 working voxels.
+double wallUncertainty(double noiseToContrast);
+
 /// The curvature of a wall at a cell's foot: sum and product of the principal curvatures, per
 /// working voxel.
 struct WallBend {

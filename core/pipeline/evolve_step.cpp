@@ -10,7 +10,7 @@
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/mask_distance.h"
 #include "core/levelset/redistance.h"
-#include "core/lumen/smooth_wall.h"
+#include "core/pipeline/wall_step.h"
 
 namespace angiomesh {
 namespace {
@@ -81,18 +81,6 @@ EvolveResult evolveOtherwise(const Volume<float>& image, const SeedsResult& seed
   return result;
 }
 
-/// Completes a result by the wall that was placed voxel by voxel, made smooth if that is asked for.
-void placeWall(Volume<float> phi, WallEvidence* evidence, const SmoothWallParams& params,
-               EvolveResult& result, const Progress& progress) {
-  result.phi = std::make_shared<const Volume<float>>(std::move(phi));
-  if (!params.enabled) return;
-  result.voxelwise = result.phi;
-  SmoothWall wall = smoothWall(*result.voxelwise, evidence, params, progress.sub(0.0, 0.6));
-  result.wall = {wall.spreadVoxels, wall.heldVoxels};
-  result.phi = std::make_shared<const Volume<float>>(
-      redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0)));
-}
-
 }  // namespace
 
 EvolveResult makeSegmentation(const Volume<float>& image,
@@ -155,7 +143,7 @@ EvolveResult makeSegmentation(const Volume<float>& image,
   found = {};
   releaseFreedMemory();
   phi = redistance(std::move(phi), 5.0, rest.sub(0.4, 0.6));
-  placeWall(std::move(phi), told, params.wall, result, rest.sub(0.6, 1.0));
+  placeWall(std::move(phi), told, params.wall, result, warnings, rest.sub(0.6, 1.0));
   return result;
 }
 
@@ -177,7 +165,8 @@ EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
   result.label = {voxels, made.largestShiftVoxels, made.maskVolumeMm3};
   result.converged = true;
   result.stopReason = StopReason::Converged;
-  placeWall(std::move(made.phi), nullptr, params.wall, result, progress.sub(0.6, 1.0));
+  std::vector<std::string> none;
+  placeWall(std::move(made.phi), nullptr, params.wall, result, none, progress.sub(0.6, 1.0));
   return result;
 }
 

@@ -66,6 +66,7 @@ struct LabelFacts {
 struct WallFacts {
   double spreadVoxels = 0.0;
   std::size_t heldVoxels = 0;
+  std::size_t filledHoles = 0, cutHandles = 0;  ///< that the wall's uncertainty explains
 };
 
 struct EvolveResult {

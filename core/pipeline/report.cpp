@@ -144,7 +144,9 @@ Json segmentationBlock(const RunResult& result) {
                            {"v_avg", evolve.thresholds.vAverage},
                            {"clamped", evolve.thresholds.clamped}};
   if (evolve.wall) {
-    Json& wall = block["wall"] = {{"held_voxels", evolve.wall->heldVoxels}};
+    Json& wall = block["wall"] = {{"held_voxels", evolve.wall->heldVoxels},
+                                  {"filled_holes", evolve.wall->filledHoles},
+                                  {"cut_handles", evolve.wall->cutHandles}};
     if (evolve.wall->spreadVoxels > 0.0) wall["spread_voxels"] = evolve.wall->spreadVoxels;
   }
   if (evolve.label)
@@ -167,12 +169,9 @@ std::string methodId(SurfaceMethod made) {
 }
 
 Json componentBlock(const SurfaceComponent& part) {
-  Json block{{"triangles", part.triangles},
-             {"euler", part.euler},
-             {"genus", part.genus()},
-             {"boundary_loops", part.boundaryLoops},
-             {"method", methodId(part.method)},
-             {"verified", part.verified}};
+  Json block{{"triangles", part.triangles},     {"euler", part.euler},
+             {"genus", part.genus()},           {"boundary_loops", part.boundaryLoops},
+             {"method", methodId(part.method)}, {"verified", part.verified}};
   if (!part.instead.empty()) block["instead"] = part.instead;
   if (!part.verified) block["why"] = part.why;
   if (part.boundaryLoops == 0) block["volume_mm3"] = part.volumeMm3;

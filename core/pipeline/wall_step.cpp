@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/wall_step.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "core/levelset/close_handles.h"
+#include "core/levelset/redistance.h"
+
+namespace angiomesh {
+namespace {
+
+/// More of one kind would hide what else there is to say.
+constexpr std::size_t kNamed = 10;
+/// Standard deviations of the wall's place that a handle has to exceed to be believed.
+constexpr double kSure = 3.0;
+/// Working voxels: a voxel's own doubt, and what no noise explains.
+constexpr double kLeastDoubt = 0.15, kLargestDoubt = 0.5;
+
+/// How far the wall may be wrong at each voxel, mm.
+Volume<float> doubtOf(const Geometry& geometry, const WallEvidence& evidence) {
+  const double voxel = geometry.voxelMm();
+  Volume<float> doubt(geometry, static_cast<float>(kLargestDoubt * voxel));
+  for (std::size_t e = 0; e < evidence.band.size(); ++e) {
+    const auto contrast = static_cast<double>(evidence.lumen[e] - evidence.around[e]);
+    if (!(contrast > 0.0)) continue;
+    const double deviation = wallUncertainty(evidence.noise / contrast);
+    doubt.voxels[evidence.band.voxel[e]] =
+        static_cast<float>(std::clamp(kSure * deviation, kLeastDoubt, kLargestDoubt) * voxel);
+  }
+  return doubt;
+}
+
+void closeHandles(Volume<float>& phi, const WallEvidence& evidence, EvolveResult& result,
+                  std::vector<std::string>& warnings, const Progress& progress) {
+  HandleLimits limits;
+  limits.depth = kLargestDoubt * phi.geometry.voxelMm();
+  const Volume<float> doubt = doubtOf(phi.geometry, evidence);
+  const std::vector<HandleChange> changes = closeSmallHandles(phi, limits, &doubt, progress);
+  for (const HandleChange& change : changes) {
+    ++(change.filled ? result.wall->filledHoles : result.wall->cutHandles);
+    if (result.wall->filledHoles + result.wall->cutHandles > kNamed) continue;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "%s near L %.1f P %.1f S %.1f mm, which the noise explains, was %s (%zu voxels)",
+                  change.filled ? "a hole through a vessel" : "a thin loop", change.placeLps.x(),
+                  change.placeLps.y(), change.placeLps.z(), change.filled ? "filled" : "cut",
+                  change.voxels);
+    warnings.emplace_back(text);
+  }
+  if (changes.size() > kNamed)
+    warnings.push_back(std::to_string(changes.size() - kNamed) +
+                       " more holes and loops that the noise explains were closed");
+}
+
+}  // namespace
+
+void placeWall(Volume<float> phi, WallEvidence* evidence, const SmoothWallParams& params,
+               EvolveResult& result, std::vector<std::string>& warnings, const Progress& progress) {
+  if (!params.enabled) {
+    result.phi = std::make_shared<const Volume<float>>(std::move(phi));
+    return;
+  }
+  result.wall.emplace();
+  if (evidence != nullptr) closeHandles(phi, *evidence, result, warnings, progress.sub(0.0, 0.1));
+  result.voxelwise = std::make_shared<const Volume<float>>(std::move(phi));
+  SmoothWall wall = smoothWall(*result.voxelwise, evidence, params, progress.sub(0.1, 0.6));
+  result.wall->spreadVoxels = wall.spreadVoxels;
+  result.wall->heldVoxels = wall.heldVoxels;
+  result.phi = std::make_shared<const Volume<float>>(
+      redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0)));
+}
+
+Volume<float> smoothMask(Volume<float> phi, const SmoothWallParams& params,
+                         const Progress& progress) {
+  if (!params.enabled) return phi;
+  SmoothWall wall = smoothWall(std::move(phi), nullptr, params, progress.sub(0.0, 0.6));
+  return redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0));
+}
+
+}  // namespace angiomesh
