@@ -159,6 +159,10 @@ class TestHandles : public QObject {
 
   void aHoleThroughAVesselIsShort() {
     const Geometry g = cube(32);
+    // In a wide one the section is deepest far from the hole, and the loop shortest beside it.
+    const std::vector<Handle> wide = handlesOf(tubeWithAHole(g, 7.7, {15, 16, 14}));
+    QCOMPARE(wide.size(), std::size_t{1});
+    QVERIFY(wide[0].depthMm > 2.5 && wide[0].lengthMm < 8.0);
     const std::vector<Handle> found = handlesOf(tubeWithAHole(g, 3.7, {15, 16, 14}));
     QCOMPARE(found.size(), std::size_t{1});
     QVERIFY2(found[0].lengthMm < 8.0, qPrintable(QString::number(found[0].lengthMm)));
