@@ -30,14 +30,10 @@ const Eigen::Vector3d kAlongX(1.0, 0.0, 0.0), kAlongY(0.0, 1.0, 0.0), kAlongZ(0.
 
 /// A tube along z with a channel of one voxel through it along x.
 Volume<float> tubeWithAHole(const Geometry& g, double radius, const Index3& at) {
-  Volume<float> phi = fieldOf(g, [&](const auto& x) {
-    return tube(x, g.toPhysical({1.0 * at[0], 1.0 * at[1], 1.0 * at[2]}), kAlongZ, radius);
+  const Eigen::Vector3d c = g.toPhysical({1.0 * at[0], 1.0 * at[1], 1.0 * at[2]});
+  return fieldOf(g, [&](const auto& x) {
+    return std::max(tube(x, c, kAlongZ, radius), -tube(x, c, kAlongX, 0.3));
   });
-  for (int i = 0; i < g.size[0]; ++i) {
-    float& value = phi.at(i, at[1], at[2]);
-    value = std::max(value, 0.3F);
-  }
-  return phi;
 }
 
 /// Euler's number of the voxels as closed cubes, which is that of 26-connected objects.
