@@ -47,6 +47,7 @@ const std::vector<Departure>& departures() {
       {"all on", nullptr, {}},
       {"start = seeds", nullptr, {{"levelset.start", "seeds"}}},
       {"refine off", nullptr, {{"levelset.refine", "false"}}},
+      {"wall.smooth off", nullptr, {{"wall.smooth", "false"}}},
       {"refineLevel = 0.5", nullptr, {{"levelset.refineLevel", "0.5"}}},
       {"refineAlong = 0", nullptr, {{"levelset.refineAlong", "0"}}},
       {"refineAcross = 0", nullptr, {{"levelset.refineAcross", "0"}}},

@@ -66,12 +66,14 @@ class WallFitter {
     progress.report(0.3);
     for (int round = 0; evidence_ != nullptr && round < kRounds; ++round) {
       cells_.place(phi_, progress);
-      if (round == 0) profile_.spread = spread();
+      if (round == 0) out.spreadVoxels = spread();
+      if (out.spreadVoxels > 0.0) profile_.spread = out.spreadVoxels;
       levelLumen();
-      fit(params_.reach, residuals(), progress);
+      const std::vector<Reading> readings = residuals();
+      doubt(readings);
+      fit(params_.reach, readings, progress);
       progress.report(0.3 * (round + 2));
     }
-    if (evidence_ != nullptr) out.spreadVoxels = profile_.spread;
     out.heldVoxels = keepTopology();
     out.phi = std::move(phi_);
     return out;
@@ -137,12 +139,12 @@ class WallFitter {
     weigh();
   }
 
+  /// The point spread, 0 where the walls do not tell.
   [[nodiscard]] double spread() const {
     if (params_.spreadVoxels) return *params_.spreadVoxels;
     std::vector<float> radius(cells_.size());
     for (std::size_t n = 0; n < cells_.size(); ++n) radius[n] = frames_[n].radius;
-    const double measured = measureSpread(cells_, *evidence_, number_, radius, bends_);
-    return measured > 0.0 ? measured : profile_.spread;
+    return measureSpread(cells_, *evidence_, number_, radius, bends_);
   }
 
   [[nodiscard]] std::vector<Reading> residuals() const {
@@ -164,6 +166,30 @@ class WallFitter {
       }
     });
     return list;
+  }
+
+  /// Where voxels around a place differ from the profile by more than noise does, as in a lumen
+  /// that is not evenly bright or where neighbouring voxels share their noise, the wall is as
+  /// uncertain as that.
+  void doubt(const std::vector<Reading>& readings) {
+    constexpr float reach = 3.5F;
+    constexpr int enough = 12;
+    parallelFor(0, cells_.size(), kGrain, [&](std::size_t first, std::size_t last) {
+      for (std::size_t n = first; n < last; ++n) {
+        if (frames_[n].radius == 0.0F) continue;
+        double sum = 0.0;
+        int count = 0;
+        cells_.forBox(cells_[n].foot, Vector3f::Constant(reach), [&](std::size_t m) {
+          const Reading& r = readings[m];
+          if (r.weight == 0.0F) return;
+          sum += static_cast<double>(r.outwards * r.outwards * r.weight);
+          ++count;
+        });
+        if (count < enough) continue;
+        const auto seen = static_cast<float>(wallUncertainty(std::sqrt(sum / count)));
+        uncertainty_[n] = std::max(uncertainty_[n], seen);
+      }
+    });
   }
 
   [[nodiscard]] double windowOf(std::size_t n, double reach) const {

@@ -24,7 +24,7 @@ struct SmoothWallParams {
 /// What came of it.
 struct SmoothWall {
   Volume<float> phi;          ///< mm, to be redistanced; beyond 2.3 working voxels as it was
-  double spreadVoxels = 0.0;  ///< of the point spread; 0 without an image
+  double spreadVoxels = 0.0;  ///< of the point spread; 0 where it could not be measured
   std::size_t heldVoxels =
       0;  ///< kept on their side, as the vessel would have come apart or closed
 };

@@ -11,7 +11,7 @@ namespace angiomesh {
 namespace {
 
 constexpr double kLeastSpread = 0.2, kLargestSpread = 1.6;
-constexpr std::size_t kMostCells = 50000;
+constexpr std::size_t kFewestCells = 200, kMostCells = 50000;
 constexpr std::size_t kGrain = 1024;
 
 /// The smallest value of a function with one minimum (golden section).
@@ -68,12 +68,16 @@ double measureSpread(const WallCells& cells, const WallEvidence& evidence,
                      const std::vector<std::uint32_t>& number, const std::vector<float>& radius,
                      const std::vector<WallBend>& bends) {
   std::vector<std::uint32_t> chosen;
-  for (std::uint32_t n = 0; n < cells.size(); ++n) {
-    if (number[n] == kNoEvidence || std::fabs(cells[n].distance) > 2.0F || radius[n] < 2.0F)
-      continue;
-    if (evidence.lumen[number[n]] > evidence.around[number[n]]) chosen.push_back(n);
+  for (const float least : {2.0F, 1.2F}) {
+    if (chosen.size() >= kFewestCells) break;
+    chosen.clear();
+    for (std::uint32_t n = 0; n < cells.size(); ++n) {
+      if (number[n] == kNoEvidence || std::fabs(cells[n].distance) > 2.0F || radius[n] < least)
+        continue;
+      if (evidence.lumen[number[n]] > evidence.around[number[n]]) chosen.push_back(n);
+    }
   }
-  if (chosen.empty()) return 0.0;
+  if (chosen.size() < kFewestCells) return 0.0;
   const std::size_t stride = 1 + (chosen.size() - 1) / kMostCells;
   const std::size_t count = (chosen.size() - 1) / stride + 1;
   const auto cost = [&](double spread) {

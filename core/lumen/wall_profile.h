@@ -43,7 +43,8 @@ struct WallProfile {
 };
 
 /// The point spread that explains the image best around the walls of vessels of a radius of at
-/// least 2 working voxels; by 50,000 cells at most. 0 where there are none.
+/// least 2 working voxels, or 1.2 where those are few; by 50,000 cells at most. 0 where there are
+/// too few.
 /// @param number per cell, where it stands in `evidence`; kNoEvidence where it does not
 /// @param radius of the vessel at each cell, working voxels; 0 unknown
 double measureSpread(const WallCells& cells, const WallEvidence& evidence,

@@ -200,7 +200,6 @@ void addWall(FieldTable& t) {
       t.real("wall.reach", ANGIOMESH_MEMBER(wall.reach), 2.0, 30.0, "",
              "how far around each place of the wall is looked at: times the fourth root of the "
              "vessel's radius times the wall's uncertainty, voxels; more is smoother");
-  reach.main = true;
   reach.idle = ofSmooth;
   Field& spread =
       t.real("wall.spreadVoxels", ANGIOMESH_MEMBER(wall.spreadVoxels), 0.2, 3.0, "voxels",

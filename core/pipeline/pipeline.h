@@ -71,8 +71,8 @@ struct WallFacts {
 
 struct EvolveResult {
   std::shared_ptr<const Volume<float>> phi;  ///< redistanced, mm, clamped at +-5 working voxels
-  /// The same before the wall was made smooth, whose sign is the segmentation voxel by voxel; empty
-  /// where it was not.
+  /// The same before the wall was made smooth, where its sign is the segmentation voxel by voxel
+  /// (see placeWall()); else empty.
   std::shared_ptr<const Volume<float>> voxelwise;
   Thresholds thresholds;               ///< of the level set method alone
   std::optional<double> lower, upper;  ///< intensities, of the methods that go by them

@@ -19,7 +19,8 @@ double levelMm(const RunResult& result, const Geometry& grid) {
   const Geometry& g = result.evolve->phi->geometry;
   const bool placed = p.segmentation.method == SegmentationMethod::LevelSet && p.lumen.enabled;
   const bool same = g.spacing.isApprox(grid.spacing, 1e-6);
-  return placed && !same ? std::max(0.5 - p.lumen.level, 0.0) * g.voxelMm() : 0.0;
+  const bool ofVoxels = result.evolve->voxelwise || !result.evolve->wall;
+  return placed && ofVoxels && !same ? std::max(0.5 - p.lumen.level, 0.0) * g.voxelMm() : 0.0;
 }
 
 }  // namespace

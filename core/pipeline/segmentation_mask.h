@@ -5,11 +5,11 @@
 
 namespace angiomesh {
 
-/// The voxels of `grid` that belong to the vessels of a run, as far as it went. Voxel by voxel the
-/// segmentation is the wall before it was made smooth: levelset.refineLevel counts a voxel through
-/// whose centre the wall runs among the vessel, which a wall that is smooth knows nothing of. On
-/// another grid than the working one a voxel may therefore have its centre up to 0.5 -
-/// levelset.refineLevel working voxels outside.
+/// The voxels of `grid` that belong to the vessels of a run, as far as it went: those whose centre
+/// lies inside the wall. Where the wall before it was made smooth counts (EvolveResult::voxelwise),
+/// levelset.refineLevel has a voxel through whose centre the wall runs among the vessel; on another
+/// grid than the working one a voxel may then have its centre up to 0.5 - levelset.refineLevel
+/// working voxels outside.
 /// @param phi of the run (EvolveResult::phi, SurfaceResult::phi), or of some of its components
 /// @throws InputError when the run did not get as far as the evolution
 Volume<std::uint8_t> segmentationMask(const RunResult& result, const Volume<float>& phi,

@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kNamed = 10;
 /// Standard deviations of the wall's place that a handle has to exceed to be believed.
 constexpr double kSure = 3.0;
+/// Working voxels: the least point spread of a scanner. That of voxels alone is 0.29.
+constexpr double kScanner = 0.4;
 /// Working voxels: a voxel's own doubt, and what no noise explains.
 constexpr double kLeastDoubt = 0.15, kLargestDoubt = 0.5;
 
@@ -68,6 +70,7 @@ void placeWall(Volume<float> phi, WallEvidence* evidence, const SmoothWallParams
   result.voxelwise = std::make_shared<const Volume<float>>(std::move(phi));
   SmoothWall wall = smoothWall(*result.voxelwise, evidence, params, progress.sub(0.1, 0.6));
   result.wall->spreadVoxels = wall.spreadVoxels;
+  if (wall.spreadVoxels >= kScanner) result.voxelwise = nullptr;
   result.wall->heldVoxels = wall.heldVoxels;
   result.phi = std::make_shared<const Volume<float>>(
       redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0)));

@@ -11,7 +11,9 @@ namespace angiomesh {
 
 /// Completes a result by the wall that was placed voxel by voxel: closes holes and cuts handles
 /// that the wall's uncertainty explains, each named in `warnings`, and makes the wall smooth. Where
-/// params.enabled is false the wall stays as it was placed.
+/// params.enabled is false the wall stays as it was placed. Of an image without a point spread of
+/// 0.4 working voxels or more, whose voxels say by themselves how full they are, and of a mask the
+/// segmentation stays that of voxels (EvolveResult::voxelwise); else it is the smooth wall's.
 /// @param phi signed distance, mm, clamped at +-5 working voxels
 /// @param evidence null of a mask, whose handles stay: nothing speaks against them
 /// @throws Cancelled

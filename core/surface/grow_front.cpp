@@ -21,9 +21,11 @@ constexpr std::uint32_t none = SurfaceCover::none;
 // Grows the wall, and knows which places of the zero set it has reached.
 class Wall {
  public:
-  Wall(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size)
+  Wall(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size,
+       const CutAway& away)
       : landmarks_(landmarks),
         size_(size),
+        away_(away),
         surface_(field, size),
         front_(surface_),
         cover_(size.slope()) {}
@@ -123,6 +125,8 @@ class Wall {
       const double base = (second.point - seed.point).norm();
       if (!surface_.turn(seed, second, {0.5 * base, 0.866 * base}, third)) continue;
       if (cover_.reach(second) != none || cover_.reach(third) != none) continue;
+      // A first triangle across a section would grow over what is cut away.
+      if (takenAway(seed) || takenAway(second) || takenAway(third)) continue;
       const std::uint32_t a = front_.addVertex(seed), b = front_.addVertex(second);
       front_.startAt({a, b, front_.addVertex(third)});
       return true;
@@ -130,8 +134,13 @@ class Wall {
     return false;
   }
 
+  [[nodiscard]] bool takenAway(const FrontPoint& place) const {
+    return !away_.empty() && away_.beyond(place.point);
+  }
+
   const Landmarks& landmarks_;
   const GuidanceField& size_;
+  const CutAway& away_;
   WallSurface surface_;
   AdvancingFront front_;
   SurfaceCover cover_;
@@ -204,7 +213,7 @@ PatchMesh growFront(const Landmarks& landmarks, const SplineField& field, const 
                     SurfaceBorder border, const Progress& progress) {
   const bool caps = border == SurfaceBorder::Cap;
   const BorderCurves curves = borderCurves(field, size, ends, away, chordAngle, caps);
-  Wall grown(landmarks, field, size);
+  Wall grown(landmarks, field, size, away);
   grown.addRims(curves);
   grown.run(progress);
   PatchMesh out;

@@ -8,6 +8,7 @@
 #include "core/phantom/rasterise.h"
 #include "core/phantom/shape.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/segmentation_mask.h"
 #include "core/quality/overlap.h"
 #include "tests/core/analytic.h"
 
@@ -81,7 +82,7 @@ class TestCtPreset : public QObject {
     RunOptions options;
     options.until = Step::Evolve;
     const RunResult run = pipeline.run(preset("ct"), options);
-    const Volume<std::uint8_t> mask = insideMask(*run.evolve->phi);
+    const Volume<std::uint8_t> mask = segmentationMask(run, ct.vessels.geometry);
     QCOMPARE(farFromTruth(mask, ct.vessels), std::size_t{0});
     QCOMPARE(connectedComponents(mask).sizes.size(), std::size_t{2});
     const double overlap = compareMasks(mask, ct.vessels).overlap;

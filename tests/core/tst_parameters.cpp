@@ -76,6 +76,7 @@ class TestParameters : public QObject {
                                          "levelset.maxIterations",
                                          "levelset.checkEvery",
                                          "levelset.refine",
+                                         "wall.smooth",
                                          "levelset.acrossCrests",
                                          "surface.spline",
                                          "levelset.stepVoxels",

@@ -68,7 +68,8 @@ class TestPipeline : public QObject {
     QVERIFY(!run.quality->marchingCubes.fromFrontPercent);
     QCOMPARE(mesh.triangles, run.surface->mesh->triangles.size());
     QVERIFY(mesh.radiusRatioMean > run.quality->marchingCubes.radiusRatioMean);
-    QVERIFY(mesh.vertexDeviation && mesh.vertexDeviation->meanMm < 0.02);
+    // Vertices lie outside by what inscribed triangles miss: of the radius, rho^2 / 16 or so.
+    QVERIFY(mesh.vertexDeviation && mesh.vertexDeviation->meanMm < 3.0 * 0.4 * 0.4 / 16.0);
     QVERIFY(run.quality->unsmoothed.vertexDeviation->maxMm < 1e-3);
     QVERIFY(std::fabs(mesh.volumeMm3 / static_cast<double>(run.surface->insideVoxels) - 1.0) < 0.2);
   }

@@ -229,8 +229,9 @@ class TestSmoothWall : public QObject {
     QVERIFY2(std::fabs(made.after.mean) < mean, qPrintable(found));
     QVERIFY2(made.after.spread < spread, qPrintable(found));
     QVERIFY2(made.after.angle < angle, qPrintable(found));
-    QVERIFY2(made.after.spread < made.before.spread, qPrintable(found));
-    QVERIFY2(made.after.angle < 1.05 * made.before.angle, qPrintable(found));
+    if (noise == 0.0) return;
+    QVERIFY2(made.after.spread < 0.7 * made.before.spread, qPrintable(found));
+    QVERIFY2(made.after.angle < 0.6 * made.before.angle, qPrintable(found));
   }
 
   // A ball on a tube: the crease between them is not filled.
