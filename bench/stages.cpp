@@ -13,8 +13,8 @@
 #include "bench/itk_volume.h"
 #include "bench/printed_method.h"
 #include "core/image/curvature_flow.h"
-#include "core/levelset/lumen.h"
 #include "core/levelset/redistance.h"
+#include "core/lumen/lumen.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 

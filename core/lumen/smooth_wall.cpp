@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/levelset/local_levels.h"
 #include "core/levelset/voxel_topology.h"
+#include "core/lumen/local_levels.h"
 #include "core/lumen/local_quadric.h"
 #include "core/lumen/wall_cells.h"
 
@@ -157,8 +157,8 @@ class WallFitter {
         // Around the axis of a vessel the model does not hold.
         if (frames_[n].radius > 0.0F && d < -0.8 * static_cast<double>(frames_[n].radius)) continue;
         const std::size_t e = number_[n];
-        const double seen = static_cast<double>((evidence_->value[e] - evidence_->around[e]) /
-                                                (evidence_->lumen[e] - evidence_->around[e]));
+        const double seen =
+            static_cast<double>((evidence_->value[e] - evidence_->around[e]) / contrastAt(e));
         const double x = profile_.argument(d, bends_[n]);
         const double slope = profile_.slope(x);
         const double more = std::clamp(seen - WallProfile::share(x), -1.0, 1.0);
@@ -223,7 +223,9 @@ class WallFitter {
     const VesselFrame& frame = frames_[n];
     const bool inImage = !readings.empty();
     const auto window = static_cast<float>(windowOf(n, reach));
-    const float part = inImage ? std::max(static_cast<float>(kPart), 2.5F / window) : 0.0F;
+    const float part =
+        inImage ? static_cast<float>(std::max(kPart, kSmallestWindow / static_cast<double>(window)))
+                : 0.0F;
     const auto margin = static_cast<float>(inImage ? kTelling : kNear);
     LocalQuadric wide(static_cast<double>(window)), narrow(static_cast<double>(window * part));
     cells_.forBox(cell.foot, frame.half(window) + Vector3f::Constant(margin), [&](std::size_t m) {

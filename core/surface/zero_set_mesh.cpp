@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::uint32_t none = SurfaceCheck::none;
 
-
 class Mesher {
  public:
   Mesher(const SplineField& field, const GuidanceField& size, const SizingParams& sizing,

@@ -7,9 +7,9 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/levelset/axis_smoothing.h"
-#include "core/levelset/local_levels.h"
-#include "core/levelset/lumen.h"
+#include "core/lumen/axis_smoothing.h"
+#include "core/lumen/local_levels.h"
+#include "core/lumen/lumen.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/local_levels.h"
+#include "core/lumen/local_levels.h"
 
 #include <Eigen/Core>
 #include <algorithm>

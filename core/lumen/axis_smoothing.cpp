@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/axis_smoothing.h"
+#include "core/lumen/axis_smoothing.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

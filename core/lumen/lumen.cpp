@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/lumen.h"
+#include "core/lumen/lumen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 
 #include "core/base/large_pages.h"
 #include "core/base/parallel.h"
-#include "core/levelset/axis_smoothing.h"
 #include "core/levelset/cell_band.h"
-#include "core/levelset/local_levels.h"
 #include "core/levelset/seeds.h"
+#include "core/lumen/axis_smoothing.h"
+#include "core/lumen/local_levels.h"
 
 namespace angiomesh {
 namespace {
