@@ -17,6 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSlabVoxels = 2.0;
+constexpr int kThinVesselCells = 3;
 /// Rims closer than this would leave no room for triangles between them.
 constexpr double kLeastGapVoxels = 1.5;
 
@@ -240,22 +241,26 @@ bool CutAway::takenAt(const Vector3d& pointLps) const {
   if (empty()) return false;
   const Geometry& g = voxels.geometry;
   const Vector3d index = g.toIndex(pointLps);
-  Index3 nearest{};
+  Index3 cell{};
   for (std::size_t a = 0; a < 3; ++a)
-    nearest[a] = std::clamp(static_cast<int>(std::floor(index[static_cast<Eigen::Index>(a)])), 0,
-                            std::max(g.size[a] - 2, 0));
-  double least = std::numeric_limits<double>::max();
-  bool is = false;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Index3 p{nearest[0] + (corner & 1), nearest[1] + (corner >> 1 & 1),
-                   nearest[2] + (corner >> 2 & 1)};
-    if (!g.contains(p[0], p[1], p[2]) || voxels.at(p[0], p[1], p[2]) == kOutside) continue;
-    const double d = (Vector3d(p[0], p[1], p[2]) - index).cwiseProduct(g.spacing).squaredNorm();
-    if (d >= least) continue;
-    least = d;
-    is = voxels.at(p[0], p[1], p[2]) == kTaken;
+    cell[a] = std::clamp(static_cast<int>(std::floor(index[static_cast<Eigen::Index>(a)])), 0,
+                         std::max(g.size[a] - 2, 0));
+  // The corners of the cell; a thin vessel may run through cells of which none is inside.
+  for (int around = 0; around <= kThinVesselCells; ++around) {
+    double least = std::numeric_limits<double>::max();
+    bool is = false;
+    for (int k = cell[2] - around; k <= cell[2] + 1 + around; ++k)
+      for (int j = cell[1] - around; j <= cell[1] + 1 + around; ++j)
+        for (int i = cell[0] - around; i <= cell[0] + 1 + around; ++i) {
+          if (!g.contains(i, j, k) || voxels.at(i, j, k) == kOutside) continue;
+          const double d = (Vector3d(i, j, k) - index).cwiseProduct(g.spacing).squaredNorm();
+          if (d >= least) continue;
+          least = d;
+          is = voxels.at(i, j, k) == kTaken;
+        }
+    if (least < std::numeric_limits<double>::max()) return is;
   }
-  return is;
+  return false;
 }
 
 bool CutAway::beyond(const Vector3d& pointLps) const {

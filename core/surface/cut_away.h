@@ -25,7 +25,8 @@ struct CutAway {
   [[nodiscard]] std::vector<CutPlane> planes() const;
   /// "the cut 'NAME'", or its number, for messages.
   [[nodiscard]] std::string nameOf(std::size_t cut) const;
-  /// Whether the voxel inside phi < 0 that is nearest among the corners of a point's cell is taken.
+  /// Whether the voxel inside phi < 0 that is nearest to a point is taken: among the corners of its
+  /// cell, or, where none of these is inside, among those up to three cells around.
   [[nodiscard]] bool takenAt(const Eigen::Vector3d& pointLps) const;
   /// Whether a point of phi = 0 does not count for the surface that is left: its voxels are taken,
   /// or it lies within two voxels beyond a section.

@@ -88,6 +88,20 @@ class TestCuts : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void aThinVesselBetweenVoxelsIsTakenToo() {
+    Geometry g;
+    g.size = {12, 12, 12};
+    CutAway away;
+    away.sections.resize(1);
+    away.voxels = Volume<std::uint8_t>(g, CutAway::kOutside);
+    away.voxels.at(5, 5, 5) = CutAway::kTaken;
+    away.voxels.at(9, 5, 5) = CutAway::kLeft;
+    QVERIFY(away.takenAt({5.4, 5.4, 5.4}));
+    QVERIFY(away.takenAt({6.6, 5.4, 5.4}));
+    QVERIFY(!away.takenAt({7.6, 5.4, 5.4}));
+    QVERIFY(!away.takenAt({1.2, 1.2, 1.2}));
+  }
+
   void everyMethodEndsATubeAtItsCuts_data() {
     QTest::addColumn<bool>("remeshed");
     QTest::addColumn<bool>("open");
