@@ -99,7 +99,7 @@ class TestCuts : public QObject {
     QVERIFY(away.takenAt({5.4, 5.4, 5.4}));
     QVERIFY(away.takenAt({6.6, 5.4, 5.4}));
     QVERIFY(!away.takenAt({7.6, 5.4, 5.4}));
-    QVERIFY(!away.takenAt({1.2, 1.2, 1.2}));
+    QVERIFY(!away.takenAt({0.4, 0.4, 0.4}));
   }
 
   void everyMethodEndsATubeAtItsCuts_data() {
