@@ -10,6 +10,11 @@
 namespace angiomesh {
 namespace {
 
+void requireSegmentation(const RunResult& result) {
+  if (!result.evolve)
+    throw InputError("there is no segmentation yet", "mask", "run the step evolve first");
+}
+
 /// What phi rises by where a component was left out or a cut ends a vessel, at least, working
 /// voxels.
 constexpr float kTaken = 0.05F;
@@ -27,8 +32,7 @@ double levelMm(const RunResult& result, const Geometry& grid) {
 
 Volume<std::uint8_t> segmentationMask(const RunResult& result, const Volume<float>& phi,
                                       const Geometry& grid) {
-  if (!result.evolve)
-    throw InputError("there is no segmentation yet", "mask", "run the step evolve first");
+  requireSegmentation(result);
   const double level = levelMm(result, grid);
   if (!result.evolve->voxelwise) return maskOnGrid(phi, grid, level);
   const Volume<float>& smooth = *result.evolve->phi;
@@ -43,8 +47,7 @@ Volume<std::uint8_t> segmentationMask(const RunResult& result, const Volume<floa
 }
 
 Volume<std::uint8_t> segmentationMask(const RunResult& result, const Geometry& grid) {
-  if (!result.evolve)
-    throw InputError("there is no segmentation yet", "mask", "run the step evolve first");
+  requireSegmentation(result);
   return segmentationMask(result, result.surface ? *result.surface->phi : *result.evolve->phi,
                           grid);
 }

@@ -57,6 +57,14 @@ void closeHandles(Volume<float>& phi, const WallEvidence& evidence, EvolveResult
                        " more holes and loops that the noise explains were closed");
 }
 
+/// The smooth wall, its phi a distance again.
+SmoothWall smoothWallDistance(Volume<float> phi, WallEvidence* evidence,
+                              const SmoothWallParams& params, const Progress& progress) {
+  SmoothWall wall = smoothWall(std::move(phi), evidence, params, progress.sub(0.0, 0.6));
+  wall.phi = redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0));
+  return wall;
+}
+
 }  // namespace
 
 void placeWall(Volume<float> phi, WallEvidence* evidence, const SmoothWallParams& params,
@@ -68,19 +76,17 @@ void placeWall(Volume<float> phi, WallEvidence* evidence, const SmoothWallParams
   result.wall.emplace();
   if (evidence != nullptr) closeHandles(phi, *evidence, result, warnings, progress.sub(0.0, 0.1));
   result.voxelwise = std::make_shared<const Volume<float>>(std::move(phi));
-  SmoothWall wall = smoothWall(*result.voxelwise, evidence, params, progress.sub(0.1, 0.6));
-  result.wall->spreadVoxels = wall.spreadVoxels;
+  SmoothWall wall = smoothWallDistance(*result.voxelwise, evidence, params, progress.sub(0.1, 1.0));
   if (wall.spreadVoxels >= kScanner) result.voxelwise = nullptr;
+  result.wall->spreadVoxels = wall.spreadVoxels;
   result.wall->heldVoxels = wall.heldVoxels;
-  result.phi = std::make_shared<const Volume<float>>(
-      redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0)));
+  result.phi = std::make_shared<const Volume<float>>(std::move(wall.phi));
 }
 
 Volume<float> smoothMask(Volume<float> phi, const SmoothWallParams& params,
                          const Progress& progress) {
   if (!params.enabled) return phi;
-  SmoothWall wall = smoothWall(std::move(phi), nullptr, params, progress.sub(0.0, 0.6));
-  return redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0));
+  return smoothWallDistance(std::move(phi), nullptr, params, progress).phi;
 }
 
 }  // namespace angiomesh
