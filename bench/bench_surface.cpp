@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct Options {
   int size = 128;
   double radius = 4.0;
   double noise = 0.0;
-  double rho = 0.4;
+  std::optional<double> rho;
   int threads = 0;
   int repeat = 3;
   bool defaults = false;
@@ -84,12 +85,8 @@ int run(const Options& options) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   setThreads(options.threads);
   const Volume<float> phi = makePhi(options);
-  SizingParams sizing;
-  sizing.rho = options.rho;
-  if (!options.defaults) {
-    sizing.etaCompensated = false;
-    sizing.edgesAround = 0;
-  }
+  SizingParams sizing = options.defaults ? SizingParams{} : SizingParams::printed();
+  if (options.rho) sizing.rho = *options.rho;
   const SplineField field(phi, SplineKind::InterpolatingBspline);
   const GuidanceField guidance(field, sizing);
   const double triangleMm2 = guidance.estimatedAreaMm2() / guidance.estimatedTriangles();

@@ -19,6 +19,7 @@
 #include "core/surface/mesh_edges.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/tri_mesh.h"
+#include "core/surface/wall_field.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
 #include "io/ports_file.h"
@@ -110,7 +111,7 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   const SurfaceParams& params = all.surface;
   const MeshInput input =
       readMeshInput(options.input, options.label, all.wall, progress.sub(0.0, 0.3));
-  const SplineField field(input.phi, params.spline);
+  const SplineField field = wallField(input.phi, params.spline);
   const Progress rest = progress.sub(0.3, 1.0);
   std::vector<std::string> remarks;
   const CutAway away = makeCuts(field, input.phi, all.ports, remarks, rest.sub(0.0, 0.1));

@@ -17,6 +17,7 @@
 #include "core/quality/zero_set_measure.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/spline_field.h"
+#include "core/surface/wall_field.h"
 #include "io/files.h"
 #include "io/mesh_io.h"
 
@@ -166,10 +167,10 @@ int quality(const QualityOptions& options, const Progress& progress) {
   const SurfaceParams surface = options.surface();
   std::optional<SplineField> phi;
   if (!options.phi.empty())
-    phi.emplace(readMeshInput(options.phi, options.label, options.settings.parameters().wall,
-                              progress.sub(0.0, 0.2))
-                    .phi,
-                surface.spline);
+    phi = wallField(readMeshInput(options.phi, options.label, options.settings.parameters().wall,
+                                  progress.sub(0.0, 0.2))
+                        .phi,
+                    surface.spline);
   const SplineField* field = phi ? &*phi : nullptr;
   const TriMesh mesh = measuredMesh(options);
   const MeshQuality mine = measureQuality(mesh, field, progress.sub(0.0, 0.4));

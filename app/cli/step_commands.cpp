@@ -12,6 +12,7 @@
 #include "core/quality/mesh_faults.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/spline_field.h"
+#include "core/surface/wall_field.h"
 #include "io/image_io.h"
 #include "io/mesh_io.h"
 
@@ -62,8 +63,9 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   std::optional<SplineField> phi;
   if (!options.phi.empty())
-    phi.emplace(readMeshInput(options.phi, options.label, params.wall, progress.sub(0.0, 0.3)).phi,
-                params.surface.spline);
+    phi = wallField(
+        readMeshInput(options.phi, options.label, params.wall, progress.sub(0.0, 0.3)).phi,
+        params.surface.spline);
   std::size_t left = 0;
   const TriMesh smooth = smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr,
                                        progress.sub(0.3, 0.9), {}, &left);

@@ -33,12 +33,7 @@ std::string decimals(const char* format, double value) {
 
 }  // namespace
 
-PanelRecipe::PanelRecipe() {
-  sizing.rho = 0.4;
-  sizing.etaInverse = 0.8;
-  sizing.etaCompensated = false;
-  sizing.edgesAround = 0;
-}
+PanelRecipe::PanelRecipe() { sizing = SizingParams::printed(); }
 
 std::vector<FigurePlan> thesisFigures() {
   const PanelRecipe standard;

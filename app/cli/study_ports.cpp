@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/pipeline/cuts.h"
+#include "core/surface/wall_field.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
 
@@ -85,7 +86,7 @@ std::size_t faultsOfFormats(const TriMesh& mesh, const std::vector<Port>& ports,
 
 PortStudy::PortStudy(Source source, const Parameters& params, const Progress& progress)
     : pipeline_(std::move(source)), params_(params), uncut_(pipeline_.run(params, {}, progress)) {
-  field_ = std::make_unique<SplineField>(*uncut_.surface->phi, params.surface.spline);
+  field_ = std::make_unique<SplineField>(wallField(*uncut_.surface->phi, params.surface.spline));
   skeleton_ = skeletonOf(*uncut_.surface->phi, progress);
 }
 

@@ -9,6 +9,7 @@
 #include "core/lumen/local_levels.h"
 #include "core/lumen/local_quadric.h"
 #include "core/lumen/wall_cells.h"
+#include "core/surface/wall_field.h"
 
 namespace angiomesh {
 namespace {
@@ -55,7 +56,8 @@ class WallFitter {
     start_.resize(cells_.size());
     for (std::size_t n = 0; n < cells_.size(); ++n)
       start_[n] = phi_.voxels[cells_[n].voxel] / voxelMm_;
-    cells_.place(phi_, progress);
+    // Not wallField(): bending a wall as rough as voxels are would draw it inwards.
+    cells_.place(SplineField(phi_, SplineKind::InterpolatingBspline), progress);
     frames_ = vesselFrames(phi_, cells_, kNear, kStretch, progress);
     if (evidence_ != nullptr) findEvidence();
   }
@@ -65,7 +67,7 @@ class WallFitter {
     fit(evidence_ != nullptr ? kFirstReach * params_.reach : params_.reach, {}, progress);
     progress.report(0.3);
     for (int round = 0; evidence_ != nullptr && round < kRounds; ++round) {
-      cells_.place(phi_, progress);
+      cells_.place(wallField(phi_, SplineKind::InterpolatingBspline), progress);
       if (round == 0) out.spreadVoxels = spread();
       if (out.spreadVoxels > 0.0) profile_.spread = out.spreadVoxels;
       levelLumen();

@@ -65,18 +65,17 @@ WallCells::WallCells(const Volume<float>& phi, double reachVoxels)
   }
 }
 
-void WallCells::place(const Volume<float>& phi, const Progress& progress) {
-  const SplineField field(phi, SplineKind::InterpolatingBspline);
+void WallCells::place(const SplineField& phi, const Progress& progress) {
   const Vector3d step = step_.cast<double>();
   parallelFor(0, cells_.size(), kGrain, [&](std::size_t first, std::size_t last) {
     progress.check();
     for (std::size_t n = first; n < last; ++n) {
       WallCell& cell = cells_[n];
-      const Index3 p = phi.geometry.indexOf(cell.voxel);
+      const Index3 p = phi.geometry().indexOf(cell.voxel);
       const Vector3d x = step.cwiseProduct(Vector3d(p[0], p[1], p[2]));
       Vector3d at = x, normal = Vector3d::Zero();
       for (int i = 0; i < 6; ++i) {
-        const SplineField::Jet jet = field.atIndex(at.cwiseQuotient(step));
+        const SplineField::Jet jet = phi.atIndex(at.cwiseQuotient(step));
         const Vector3d slope = jet.gradient.cwiseQuotient(step);
         const double square = slope.squaredNorm();
         if (square < 1e-12) break;

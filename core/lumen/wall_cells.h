@@ -9,6 +9,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 
@@ -27,9 +28,9 @@ class WallCells {
   /// @param phi signed distance, mm
   WallCells(const Volume<float>& phi, double reachVoxels);
 
-  /// Finds feet, normals and distances of all cells on the interpolating cubic through `phi`, which
-  /// has the grid of the one before.
-  void place(const Volume<float>& phi, const Progress& progress);
+  /// Finds feet, normals and distances of all cells on the zero set of `phi`, which has the same
+  /// grid.
+  void place(const SplineField& phi, const Progress& progress);
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] const WallCell& operator[](std::size_t n) const { return cells_[n]; }

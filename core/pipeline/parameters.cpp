@@ -352,8 +352,7 @@ Parameters preset(std::string_view name) {
   params.lumen.enabled = false;
   params.wall.enabled = false;
   params.surface.spline = SplineKind::Bspline;
-  params.surface.sizing.etaCompensated = false;
-  params.surface.sizing.edgesAround = 0;
+  params.surface.sizing = SizingParams::printed();
   params.surface.border = SurfaceBorder::Open;
   params.smooth.method = SmoothMethod::Taubin;
   return params;

@@ -18,6 +18,7 @@
 #include "core/pipeline/expected_surface.h"
 #include "core/pipeline/segments.h"
 #include "core/quality/mesh_faults.h"
+#include "core/surface/wall_field.h"
 #include "core/vesselness/thickest.h"
 
 namespace angiomesh {
@@ -27,7 +28,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 2, 2, 6, 4, 4, 3};
+constexpr std::array<int, kStepCount> kStepVersions{1, 1, 2, 2, 6, 5, 4, 3};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -97,7 +98,7 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   result.uncutPhi = withoutDropped(evolved.phi, segments, progress.sub(0.1, 0.14));
   result.components = std::move(segments.components);
   result.insideVoxels = segments.insideVoxels;
-  const SplineField field(*result.uncutPhi, p.spline);
+  const SplineField field = wallField(*result.uncutPhi, p.spline);
   const CutAway away =
       makeCuts(field, *result.uncutPhi, params.ports, warnings, progress.sub(0.14, 0.18));
   result.phi = result.uncutPhi;
@@ -151,7 +152,7 @@ QualityResult measure(const RunResult& run, const SplineField& field, const Prog
   // Marching cubes follows phi with the edges that cuts made in it.
   std::optional<SplineField> ended;
   if (run.surface->phi != run.surface->uncutPhi)
-    ended.emplace(*run.surface->phi, run.params.surface.spline);
+    ended = wallField(*run.surface->phi, run.params.surface.spline);
   result.marchingCubes = measureQuality(*run.surface->marchingCubes, ended ? &*ended : &field,
                                         progress.sub(0.0, 0.33));
   result.unsmoothed = run.surface->mesh == run.surface->marchingCubes
@@ -368,7 +369,7 @@ void Pipeline::makeSurfaces(RunResult& run, const RunOptions& options,
   });
   run.ports = run.surface->ports;
   if (!wanted(Step::Smooth)) return;
-  const SplineField field(*run.surface->uncutPhi, params.surface.spline);
+  const SplineField field = wallField(*run.surface->uncutPhi, params.surface.spline);
   run.smoothed = state_->obtain<TriMesh>(Step::Smooth, run.key, run, [&](Warnings& warnings) {
     if (params.smooth.method == SmoothMethod::None) return run.surface->mesh;
     std::size_t left = 0;

@@ -47,7 +47,7 @@ void addSizing(FieldTable& t) {
   };
   Field& rho = add(t.real("surface.rho", ANGIOMESH_MEMBER(surface.sizing.rho), 0.02, 2.0, "rad",
                           "accuracy: the angle that an edge subtends on the osculating circle, eq. "
-                          "4.1; smaller is finer"));
+                          "4.1; smaller is finer, down to edgeMinVoxels"));
   rho.main = rho.logarithmic = true;
   add(t.real("surface.etaInverse", ANGIOMESH_MEMBER(surface.sizing.etaInverse), 0.3, 0.99, "",
              "1/eta of eq. 4.2: the wanted edge length grows by at most 1 - 1/eta per length; "
@@ -61,6 +61,12 @@ void addSizing(FieldTable& t) {
   add(t.countOrNone("surface.edgesAround", ANGIOMESH_MEMBER(surface.sizing.edgesAround), 3.0, 96.0,
                     "at least so many edges around any vessel; none: the curvature alone counts"))
       .main = true;
+  Field& resolved = add(t.real(
+      "surface.edgeMinVoxels", ANGIOMESH_MEMBER(surface.sizing.edgeMinVoxels), 0.02, 20.0, "voxels",
+      "curvature asks for no shorter edge than this, in edges of a cube as large as a "
+      "voxel; none: no limit"));
+  resolved.emptyWord = "none";
+  resolved.main = resolved.logarithmic = true;
   Field& least = add(t.real("surface.edgeMinMm", ANGIOMESH_MEMBER(surface.sizing.edgeMinMm), 1e-3,
                             1e3, "mm", "no shorter edge is wanted; none: no limit"));
   least.emptyWord = "none";

@@ -57,8 +57,8 @@ MadeSurface bySize(const SplineField& field, const SurfaceParams& params, const 
     made.origin.estimatedTriangles = expected.triangles;
     made.origin.smoothTriangles = expected.smoothTriangles;
   }
-  ZeroSetMesh zeroSet = meshZeroSet(field, size, params.sizing, params.method, params.border,
-                                    progress.sub(0.0, 1.0), away);
+  ZeroSetMesh zeroSet =
+      meshZeroSet(field, size, params.method, params.border, progress.sub(0.0, 1.0), away);
   made.mesh = std::move(zeroSet.mesh);
   made.origin.components = std::move(zeroSet.components);
   if (!expect) made.origin.estimatedTriangles = zeroSet.estimatedTriangles;

@@ -8,6 +8,7 @@
 
 #include "core/levelset/close_handles.h"
 #include "core/levelset/redistance.h"
+#include "core/surface/wall_field.h"
 
 namespace angiomesh {
 namespace {
@@ -61,7 +62,7 @@ void closeHandles(Volume<float>& phi, const WallEvidence& evidence, EvolveResult
 SmoothWall smoothWallDistance(Volume<float> phi, WallEvidence* evidence,
                               const SmoothWallParams& params, const Progress& progress) {
   SmoothWall wall = smoothWall(std::move(phi), evidence, params, progress.sub(0.0, 0.6));
-  wall.phi = redistance(std::move(wall.phi), 5.0, progress.sub(0.6, 1.0));
+  wall.phi = redistance(withRoundRidges(wall.phi), 5.0, progress.sub(0.6, 1.0));
   return wall;
 }
 

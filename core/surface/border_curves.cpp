@@ -28,13 +28,12 @@ constexpr double kDetour =
 class Tracer {
  public:
   Tracer(const SplineField& field, const GuidanceField& size, const EndPlanes& ends,
-         const CutAway& away, double chordAngle)
+         const CutAway& away)
       : field_(field),
         grid_(field.geometry()),
         size_(size),
         ends_(ends),
         away_(away),
-        chordAngle_(chordAngle),
         follow_(static_cast<std::size_t>(ends.count())) {
     curves_.caps.resize(follow_.size());
   }
@@ -194,9 +193,8 @@ class Tracer {
     const SplineField::SecondJet jet = field_.secondAt(p);
     const double slope = ends_.along(plane, jet.gradient).norm();
     const double bend = std::fabs(tangent.dot(jet.hessian * tangent));
-    if (chordAngle_ > 0.0 && bend * length > chordAngle_ * slope)
-      length = std::max(chordAngle_ * slope / bend, 0.7 * length);
-    return length;
+    return slope > 0.0 ? std::min(length, std::max(size_.idealLength(bend / slope), 0.7 * length))
+                       : length;
   }
 
   // Divides a polyline of the trace evenly by the wanted length. Returns the new inner vertices; of
@@ -335,7 +333,6 @@ class Tracer {
   const GuidanceField& size_;
   const EndPlanes& ends_;
   const CutAway& away_;
-  double chordAngle_;
   BorderTrace trace_;
   std::vector<double> room_;  // per point of the trace, mm
   BorderCurves curves_;
@@ -347,9 +344,8 @@ class Tracer {
 }  // namespace
 
 BorderCurves borderCurves(const SplineField& field, const GuidanceField& size,
-                          const EndPlanes& ends, const CutAway& away, double chordAngle,
-                          bool caps) {
-  return Tracer(field, size, ends, away, chordAngle).run(caps);
+                          const EndPlanes& ends, const CutAway& away, bool caps) {
+  return Tracer(field, size, ends, away).run(caps);
 }
 
 }  // namespace angiomesh

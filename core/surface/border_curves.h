@@ -20,10 +20,10 @@ struct BorderCurves {
 };
 
 /// Rims: where phi = 0 meets the planes (traceBorder()), divided evenly by the wanted edge
-/// length, which also follows the curve's own curvature (chordAngle = edge length times curvature)
+/// length, which also follows the curve's own curvature (GuidanceField::idealLength())
 /// and the distance to the curves' other parts in the same plane. With `caps` also the edges of the
 /// volume inside phi, and the loops around each cap.
 BorderCurves borderCurves(const SplineField& field, const GuidanceField& size,
-                          const EndPlanes& ends, const CutAway& away, double chordAngle, bool caps);
+                          const EndPlanes& ends, const CutAway& away, bool caps);
 
 }  // namespace angiomesh

@@ -209,10 +209,10 @@ void fillCap(PatchMesh& out, const std::vector<std::vector<std::uint32_t>>& loop
 }
 
 PatchMesh growFront(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size,
-                    const EndPlanes& ends, const CutAway& away, double chordAngle,
-                    SurfaceBorder border, const Progress& progress) {
+                    const EndPlanes& ends, const CutAway& away, SurfaceBorder border,
+                    const Progress& progress) {
   const bool caps = border == SurfaceBorder::Cap;
-  const BorderCurves curves = borderCurves(field, size, ends, away, chordAngle, caps);
+  const BorderCurves curves = borderCurves(field, size, ends, away, caps);
   Wall grown(landmarks, field, size, away);
   grown.addRims(curves);
   grown.run(progress);

@@ -26,11 +26,11 @@ Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const Guida
 
 /// The zero set of `field` without what `away` takes, and its caps, meshed by advancing fronts: one
 /// from each of its rims in the planes that it ends in, and one from a seed on each component of
-/// its landmarks that the fronts before have not reached. `chordAngle` as for borderCurves().
+/// its landmarks that the fronts before have not reached.
 /// @throws Cancelled
 PatchMesh growFront(const Landmarks& landmarks, const SplineField& field, const GuidanceField& size,
-                    const EndPlanes& ends, const CutAway& away, double chordAngle,
-                    SurfaceBorder border, const Progress& progress);
+                    const EndPlanes& ends, const CutAway& away, SurfaceBorder border,
+                    const Progress& progress);
 
 /// Fills the part of a plane inside closed loops of points in it (the part to their left) with
 /// triangles of the wanted size: a cap. The loops are vertices of `out`, in `loopPoints` with their

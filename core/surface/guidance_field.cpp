@@ -240,8 +240,12 @@ GuidanceField::~GuidanceField() = default;
 
 double GuidanceField::at(const Eigen::Vector3d& pointLps) const { return data_->at(pointLps); }
 
+double GuidanceField::idealLength(double curvature) const {
+  return data_->ideal.limited(data_->ideal.fromCurvature(curvature));
+}
+
 double GuidanceField::idealLength(const SplineField::SecondJet& jet) const {
-  return data_->ideal.limited(data_->ideal.fromCurvature(principalCurvatures(jet).maximal()));
+  return idealLength(principalCurvatures(jet).maximal());
 }
 
 const std::vector<GuidanceField::Sample>& GuidanceField::samples() const {

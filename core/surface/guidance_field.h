@@ -39,8 +39,10 @@ class GuidanceField {
   /// further away all samples are looked at.
   [[nodiscard]] double at(const Eigen::Vector3d& pointLps) const;
 
-  /// The length that the curvature at a point of the zero set asks for by itself, mm, after the
-  /// factor 1/eta and the limits edgeMinMm and edgeMaxMm (not the thickness limit).
+  /// The length that a curvature (1/mm, of the zero set or a curve on it) asks for by itself, mm,
+  /// after the factor 1/eta and all limits but that of thickness.
+  [[nodiscard]] double idealLength(double curvature) const;
+  /// The same of the largest curvature at a point of the zero set.
   [[nodiscard]] double idealLength(const SplineField::SecondJet& jet) const;
 
   [[nodiscard]] const std::vector<Sample>& samples() const;

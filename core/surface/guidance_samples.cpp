@@ -375,12 +375,13 @@ IdealLength::IdealLength(const SplineField& field, const SizingParams& params) {
   shortest_ = 0.02 * g.voxelMm();
   const Eigen::Vector3d size(g.size[0], g.size[1], g.size[2]);
   longest_ = std::max(g.spacing.cwiseProduct(size).norm(), shortest_);
+  resolved_ = params.edgeMinVoxels.value_or(0.0) * std::cbrt(g.spacing.prod());
   edgeMin_ = std::max(params.edgeMinMm.value_or(shortest_), shortest_);
   edgeMax_ = std::min(params.edgeMaxMm.value_or(longest_), longest_);
 }
 
 double IdealLength::fromCurvature(double kappaMax) const {
-  return chord_ < longest_ * kappaMax ? chord_ / kappaMax : longest_;
+  return std::max(chord_ < longest_ * kappaMax ? chord_ / kappaMax : longest_, resolved_);
 }
 
 double IdealLength::limited(double lengthMm) const {

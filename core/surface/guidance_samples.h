@@ -21,7 +21,8 @@ class IdealLength {
  public:
   IdealLength(const SplineField& field, const SizingParams& params);
 
-  /// After the factor 1/eta, before thickness and the limits edgeMinMm and edgeMaxMm, mm.
+  /// After the factor 1/eta and the limit edgeMinVoxels, before thickness and the limits edgeMinMm
+  /// and edgeMaxMm, mm.
   [[nodiscard]] double fromCurvature(double kappaMax) const;
   /// The edge of which `edgesAround` go round a tube as thick as `thicknessMm`.
   [[nodiscard]] double fromThickness(double thicknessMm) const { return around_ * thicknessMm; }
@@ -35,6 +36,7 @@ class IdealLength {
   double chord_ = 0.0;   ///< length at a curvature of 1/mm
   double around_ = 0.0;  ///< sin(pi / edgesAround), 0 without that limit
   double shortest_ = 0.0, longest_ = 0.0;
+  double resolved_ = 0.0;  ///< curvature asks for no shorter edge
   double edgeMin_ = 0.0, edgeMax_ = 0.0;
 };
 

@@ -26,10 +26,9 @@ constexpr std::uint32_t none = SurfaceCheck::none;
 
 class Mesher {
  public:
-  Mesher(const SplineField& field, const GuidanceField& size, const SizingParams& sizing,
-         SurfaceBorder border, const CutAway& away, const Progress& progress)
+  Mesher(const SplineField& field, const GuidanceField& size, SurfaceBorder border,
+         const CutAway& away, const Progress& progress)
       : field_(field),
-        sizing_(sizing),
         border_(border),
         away_(away),
         ends_(field.geometry(), away.planes()),
@@ -49,7 +48,7 @@ class Mesher {
       start.group = meshComponents(reference_.mesh).label;
       mesh = remesh(start, field_, size_, ends_, progress_.sub(0.25, 0.8));
     } else {
-      mesh = growFront(landmarks_, field_, size_, ends_, away_, chordAngle(), border_, progress_);
+      mesh = growFront(landmarks_, field_, size_, ends_, away_, border_, progress_);
       progress_.report(0.5);
       mendBroken(mesh);
       dropBroken(mesh);
@@ -65,11 +64,6 @@ class Mesher {
   }
 
  private:
-  [[nodiscard]] double chordAngle() const {
-    const double angle = 2.0 * std::sin(0.5 * sizing_.rho) * sizing_.curvatureRelax;
-    return sizing_.etaCompensated ? angle : angle * sizing_.etaInverse;
-  }
-
   // Where fronts met in a way that leaves no manifold, which takes a zero set that all but touches
   // itself, the place is filled anew.
   void mendBroken(PatchMesh& mesh) const {
@@ -126,7 +120,6 @@ class Mesher {
   }
 
   const SplineField& field_;
-  const SizingParams& sizing_;
   SurfaceBorder border_;
   const CutAway& away_;
   EndPlanes ends_;
@@ -144,13 +137,12 @@ ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, Su
     throw InputError("marching cubes makes no sized triangles", "surface.method",
                      "use advancing-front or remesh");
   const GuidanceField size(field, sizing, progress.sub(0.0, 0.15), &away);
-  return meshZeroSet(field, size, sizing, method, border, progress, away);
+  return meshZeroSet(field, size, method, border, progress, away);
 }
 
-ZeroSetMesh meshZeroSet(const SplineField& field, const GuidanceField& size,
-                        const SizingParams& sizing, SurfaceMethod method, SurfaceBorder border,
-                        const Progress& progress, const CutAway& away) {
-  return Mesher(field, size, sizing, border, away, progress).run(method);
+ZeroSetMesh meshZeroSet(const SplineField& field, const GuidanceField& size, SurfaceMethod method,
+                        SurfaceBorder border, const Progress& progress, const CutAway& away) {
+  return Mesher(field, size, border, away, progress).run(method);
 }
 
 }  // namespace angiomesh

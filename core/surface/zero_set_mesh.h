@@ -67,8 +67,8 @@ ZeroSetMesh meshZeroSet(const SplineField& field, const SizingParams& sizing, Su
                         const CutAway& away = {});
 
 /// The same with the sizes at hand: those of the field without what `away` takes.
-ZeroSetMesh meshZeroSet(const SplineField& field, const GuidanceField& size,
-                        const SizingParams& sizing, SurfaceMethod method, SurfaceBorder border,
-                        const Progress& progress = {}, const CutAway& away = {});
+ZeroSetMesh meshZeroSet(const SplineField& field, const GuidanceField& size, SurfaceMethod method,
+                        SurfaceBorder border, const Progress& progress = {},
+                        const CutAway& away = {});
 
 }  // namespace angiomesh

@@ -269,6 +269,8 @@ FieldValue CaseController::suggestedValue(const Field& field) const {
                 : 0.5 * (params_.levelset.bMin + params_.levelset.bMax);
   } else if (field.key == "surface.edgesAround") {
     value = SizingParams().edgesAround;
+  } else if (field.key == "surface.edgeMinVoxels") {
+    value = SizingParams().edgeMinVoxels.value_or(0.5);
   } else if (field.key == "surface.edgeMinMm") {
     value = std::min(0.2 * voxel, params_.surface.sizing.edgeMaxMm.value_or(voxel));
   } else if (field.key == "surface.edgeMaxMm") {

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/cuts.h"
 #include "core/pipeline/expected_surface.h"
+#include "core/surface/wall_field.h"
 #include "gui/model/case_controller.h"
 
 namespace angiomesh {
@@ -19,7 +20,7 @@ struct CaseController::EstimateJob {
 
   void execute() noexcept {
     try {
-      const SplineField field(*phi, params.spline);
+      const SplineField field = wallField(*phi, params.spline);
       std::vector<std::string> remarks;
       const CutAway away = makeCuts(field, *phi, ports, remarks, progress);
       expected = expectSurface(*phi, field, params, progress, away);

@@ -61,8 +61,11 @@ std::pair<double, double> CaseController::sliderRange(const Field& field) const 
   } else if (field.key == "surface.edgeMinMm" || field.key == "surface.edgeMaxMm") {
     low = 0.02 * voxel;
     high = 20.0 * voxel;
-  } else if (field.key == "surface.rho") {
+  } else if (field.key == "surface.edgeMinVoxels") {
     low = 0.1;
+    high = 4.0;
+  } else if (field.key == "surface.rho") {
+    low = 0.05;
     high = 1.2;
   } else if (field.key == "surface.edgesAround") {
     high = 48.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/model/port_job.h"
+#include "core/surface/wall_field.h"
 
 #include <cstdio>
 #include <exception>
@@ -46,7 +47,7 @@ void PortJob::execute() noexcept {
 
 void PortJob::prepare(bool withSkeleton) {
   if (!ground.field) {
-    ground.field = std::make_shared<const SplineField>(*ground.phi, ground.spline);
+    ground.field = std::make_shared<const SplineField>(wallField(*ground.phi, ground.spline));
   }
   progress.check();
   if (withSkeleton && !ground.skeleton) {

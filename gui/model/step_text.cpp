@@ -101,6 +101,7 @@ const std::map<std::string, QString>& labels() {
       {"surface.etaInverse", QStringLiteral("Size ratio 1/η")},
       {"surface.etaCompensated", QStringLiteral("1/η for gradation alone")},
       {"surface.curvatureRelax", QStringLiteral("Curvature relax")},
+      {"surface.edgeMinVoxels", QStringLiteral("Finest edge")},
       {"surface.edgeMinMm", QStringLiteral("Shortest edge")},
       {"surface.edgeMaxMm", QStringLiteral("Longest edge")},
       {"smooth.lambda", QStringLiteral("λ")},

@@ -33,6 +33,7 @@ struct Cut {
                                  double rho = 0.4) const {
     SizingParams sizing;
     sizing.rho = rho;
+    sizing.edgeMinVoxels.reset();
     return meshZeroSet(field, sizing, method, border, {}, away);
   }
 };
@@ -251,8 +252,7 @@ class TestCuts : public QObject {
     const Geometry g = phantomGeometry(params);
     const auto phi = shapes::sampled(g, [&](const Vector3d& p) { return shape.signedDistance(p); });
     const SplineField field(phi, SplineKind::InterpolatingBspline);
-    const ZeroSetMesh whole =
-        meshZeroSet(field, {}, SurfaceMethod::AdvancingFront, SurfaceBorder::Cap);
+    const ZeroSetMesh whole = Cut(phi, {}).mesh();
     QCOMPARE(whole.components.size(), std::size_t{2});
     QCOMPARE(whole.ports.size(), std::size_t{4});
     // The nearest point of one vessel to the other.

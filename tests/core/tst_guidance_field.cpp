@@ -23,12 +23,7 @@ SplineField fieldOf(const Geometry& g, const std::function<double(const Eigen::V
 }
 
 /// The thesis's own setting: curvature alone.
-SizingParams curvatureOnly() {
-  SizingParams p;
-  p.etaCompensated = false;
-  p.edgesAround = 0;
-  return p;
-}
+SizingParams curvatureOnly() { return SizingParams::printed(); }
 
 Eigen::Vector3d jitter(std::uint64_t i) {
   return {randomUniform(7, 3 * i) - 0.5, randomUniform(7, 3 * i + 1) - 0.5,
@@ -100,7 +95,7 @@ class TestGuidanceField : public QObject {
     const double r = 5.0;
     const SplineField field = fieldOf(g, [&](const auto& x) { return tube(x, c, axis, r); });
     SizingParams p;
-    p.curvatureRelax = 10.0;
+    p.curvatureRelax = 40.0;
     for (const int n : {6, 12, 20}) {
       p.edgesAround = n;
       const GuidanceField guidance(field, p);

@@ -85,6 +85,8 @@ class TestParameters : public QObject {
                                          "surface.border",
                                          "smooth.method",
                                          "surface.etaCompensated",
+                                         "surface.rho",
+                                         "surface.edgeMinVoxels",
                                          "surface.edgesAround"};
     QVERIFY(different == expected);
     QVERIFY_EXCEPTION_THROWN(preset("thesys"), InputError);

@@ -29,10 +29,7 @@ struct Scene {
 
   Scene(const Volume<float>& phi, int eulerNumber) : euler(eulerNumber) {
     field = std::make_unique<SplineField>(phi, SplineKind::InterpolatingBspline);
-    SizingParams params;
-    params.etaCompensated = false;
-    params.edgesAround = 0;
-    size = std::make_unique<GuidanceField>(*field, params);
+    size = std::make_unique<GuidanceField>(*field, SizingParams::printed());
     start.mesh = marchingCubes(phi);
     start.place.assign(start.mesh.points.size(), Place::onWall());
     start.patch.assign(start.mesh.triangles.size(), 0);

@@ -21,11 +21,8 @@ struct Scene {
 
   Scene(const Volume<float>& phi, double rho, SurfaceBorder border = SurfaceBorder::Cap) {
     field = std::make_unique<SplineField>(phi, SplineKind::InterpolatingBspline);
-    SizingParams sizing;
-    sizing.rho = rho;
-    sizing.etaCompensated = false;
-    sizing.edgesAround = 0;
-    mesh = meshZeroSet(*field, sizing, SurfaceMethod::AdvancingFront, border).mesh;
+    mesh =
+        meshZeroSet(*field, SizingParams::printed(rho), SurfaceMethod::AdvancingFront, border).mesh;
   }
   [[nodiscard]] TriMesh kept() const { return keepWallSmooth(mesh, {}, field.get()); }
 };

@@ -24,7 +24,8 @@ Volume<float> twoBalls() {
 
 SurfaceParams plain() {
   SurfaceParams params;
-  params.sizing.edgesAround = 0;
+  params.sizing = SizingParams::printed();
+  params.sizing.etaCompensated = true;
   return params;
 }
 

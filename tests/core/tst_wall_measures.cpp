@@ -90,9 +90,8 @@ class TestWallMeasures : public QObject {
     // On a ball the wanted length is the same everywhere.
     const double radius = 6.0;
     const SplineField field(quadraticBall(analytic::cube(22), radius), SplineKind::CatmullRom);
-    SizingParams params;
-    params.rho = 0.5;
-    params.edgesAround = 0;
+    SizingParams params = SizingParams::printed(0.5);
+    params.etaCompensated = true;
     const GuidanceField wanted(field, params);
     const double g = 2.0 * std::sin(0.25) * radius;
     TriMesh mesh = shapes::icosphere(3);

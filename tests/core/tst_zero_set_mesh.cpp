@@ -17,13 +17,7 @@ using Eigen::Vector3d;
 namespace {
 
 // The accuracy that the bars are set for.
-SizingParams literal(double rho = 0.4) {
-  SizingParams params;
-  params.rho = rho;
-  params.etaCompensated = false;
-  params.edgesAround = 0;
-  return params;
-}
+SizingParams literal(double rho = 0.4) { return SizingParams::printed(rho); }
 
 ZeroSetMesh meshed(const Volume<float>& phi, const SizingParams& sizing = literal(),
                    SurfaceBorder border = SurfaceBorder::Cap,

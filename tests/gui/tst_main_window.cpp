@@ -198,9 +198,9 @@ class TestMainWindow : public QObject {
     c.controller().run(Step::Evolve);
     QVERIFY2(note->text().contains("about"), qPrintable(note->text()));
     const double usual = *c.controller().estimatedTriangles();
-    c.controller().setField("surface.rho", 0.2);
+    c.controller().setField("surface.edgeMinVoxels", 0.3);
     QVERIFY(*c.controller().estimatedTriangles() > 1.5 * usual);
-    c.controller().setField("surface.rho", 0.4);
+    c.controller().setField("surface.edgeMinVoxels", 0.5);
     c.controller().run(Step::Surface);
     QVERIFY2(note->text().contains("from the front"), qPrintable(note->text()));
     QVERIFY2(note->text().contains("verified"), qPrintable(note->text()));
