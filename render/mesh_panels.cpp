@@ -90,7 +90,7 @@ void addPart(vtkRenderWindow* window, const std::array<double, 4>& part, Surface
 }  // namespace
 
 Picture renderMeshPanels(const std::vector<MeshPanel>& panels, const Box& detail, int panelWidth,
-                         int panelHeight) {
+                         int panelHeight, bool edges) {
   Meshes rows[2];  // the whole, the detail
   for (const MeshPanel& panel : panels) {
     rows[0].push_back(std::make_shared<TriMesh>(*panel.mesh));
@@ -110,7 +110,7 @@ Picture renderMeshPanels(const std::vector<MeshPanel>& panels, const Box& detail
       const double right = static_cast<double>(i + 1) / count;
       actors.push_back(std::make_unique<SurfaceActor>(std::array<double, 3>{0.84, 0.27, 0.21}));
       actors.back()->setMesh(meshes[number]);
-      actors.back()->setEdgesVisible(near);
+      actors.back()->setEdgesVisible(near && edges);
       addPart(window, {left, near ? 0.0 : 0.5, right, near ? 0.5 : 1.0}, *actors.back(), bounds,
               front, near ? std::string() : panels[number].title);
     }

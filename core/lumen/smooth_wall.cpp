@@ -24,7 +24,9 @@ constexpr double kFarthest = 0.9;     // that a value may change
 constexpr double kLargestStep = 0.7;  // in one fit
 constexpr double kFirstReach = 0.75;  // of the window: the first fit only has to be smooth
 constexpr double kStretch = 2.0;
-constexpr double kSteadiness = 0.3;         // voxel^2: see LocalQuadric
+// See LocalQuadric: in voxel^2 for each voxel that a square voxel of wall is uncertain by. The more
+// noise there is in the image, the more do the directions found before count.
+constexpr double kSteadiness = 8.0;
 constexpr double kLeastUncertainty = 0.04;  // of aliasing, where there is no noise
 constexpr double kSmallestWindow = 2.5, kLargestWindow = 14.0;
 // Where a window this much narrower finds another place, by so many standard deviations, the wall
@@ -194,10 +196,14 @@ class WallFitter {
     });
   }
 
+  [[nodiscard]] double uncertaintyAt(std::size_t n) const {
+    return std::max(static_cast<double>(uncertainty_[n]), kLeastUncertainty);
+  }
+
   [[nodiscard]] double windowOf(std::size_t n, double reach) const {
     const double radius = std::max(static_cast<double>(frames_[n].radius), 0.7);
-    const double u = std::max(static_cast<double>(uncertainty_[n]), kLeastUncertainty);
-    return std::clamp(reach * std::sqrt(std::sqrt(u * radius)), kSmallestWindow, kLargestWindow);
+    return std::clamp(reach * std::sqrt(std::sqrt(uncertaintyAt(n) * radius)), kSmallestWindow,
+                      kLargestWindow);
   }
 
   /// Moves the wall to the quadrics fitted to the wall, or to what `readings` say if there are any.
@@ -243,9 +249,10 @@ class WallFitter {
         narrow.add(
             {way / (window * part), other.normal, weight * kernel(square / (part * part)), target});
     });
-    LocalQuadric::Fit fit = wide.solve(kSteadiness);
+    const double steadiness = kSteadiness * uncertaintyAt(n);
+    LocalQuadric::Fit fit = wide.solve(steadiness);
     if (!fit.found || fit.weight < 0.5) return false;
-    if (const LocalQuadric::Fit close = narrow.solve(kSteadiness);
+    if (const LocalQuadric::Fit close = narrow.solve(steadiness);
         close.found && close.weight >= 0.5) {
       const double deviation =
           std::max(kWindowNoise * static_cast<double>(uncertainty_[n]), kLeastDeviation) /

@@ -17,7 +17,7 @@ struct SmoothWallParams {
   /// product of the vessel's radius and the uncertainty of a square voxel of wall, all in working
   /// voxels. Bias grows with the window and noise falls with it; the power balances them over
   /// radii of 1.3 to 6 voxels and noise up to a quarter of the contrast.
-  double reach = 6.5;
+  double reach = 5.5;
   std::optional<double> spreadVoxels;  ///< of the image's point spread; empty: measured
 };
 

@@ -153,6 +153,11 @@ class TestCliFailures : public QObject, CliFolder {
     row("smooth good.mha -o out.ply");
     row("quality mesh.ply");
     row("quality missing.ply");
+    row("snapshot . -o picture.png");
+    row("snapshot . . -o picture.png");
+    row("snapshot . --at 1,2,3 -o picture.png");
+    row("snapshot . --at 1,2 --width 3 -o picture.png");
+    row("snapshot . --at 1,2,3 --width -3 -o picture.png");
     row("evaluate good.mha good.nrrd extra");
     row("evaluate truth.mha missing.mha");
     row("convert good.mha -o out.xyz");
