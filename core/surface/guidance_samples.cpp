@@ -16,6 +16,9 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int brickCells = 8;
+/// The chord of 0.8 radian of a circle of radius 1: longer edges would cut sharp bends off, however
+/// small these are.
+constexpr double kSharpestTurn = 0.7788366846173010;
 
 /// The lattice of bricks of 8^3 cells.
 struct Bricks {
@@ -381,7 +384,11 @@ IdealLength::IdealLength(const SplineField& field, const SizingParams& params) {
 }
 
 double IdealLength::fromCurvature(double kappaMax) const {
-  return std::max(chord_ < longest_ * kappaMax ? chord_ / kappaMax : longest_, resolved_);
+  const auto spanning = [&](double chord) {
+    return chord < longest_ * kappaMax ? chord / kappaMax : longest_;
+  };
+  const double length = spanning(chord_);
+  return std::max(length, std::min(resolved_, spanning(kSharpestTurn)));
 }
 
 double IdealLength::limited(double lengthMm) const {

@@ -36,7 +36,7 @@ class IdealLength {
   double chord_ = 0.0;   ///< length at a curvature of 1/mm
   double around_ = 0.0;  ///< sin(pi / edgesAround), 0 without that limit
   double shortest_ = 0.0, longest_ = 0.0;
-  double resolved_ = 0.0;  ///< curvature asks for no shorter edge
+  double resolved_ = 0.0;  ///< curvature asks for no shorter edge, but in sharp bends
   double edgeMin_ = 0.0, edgeMax_ = 0.0;
 };
 

@@ -13,7 +13,7 @@ struct SizingParams {
   double curvatureRelax = 1.0;  ///< kappa_max is divided by it
   int edgesAround = 12;         ///< at least so many edges around any vessel; 0: no limit
   /// Curvature asks for no shorter edge than this, in edges of a cube as large as a voxel: images
-  /// tell no more of the wall.
+  /// tell no more of the wall. But no edge spans more than 0.8 radian of a bend.
   std::optional<double> edgeMinVoxels = 0.5;
   std::optional<double> edgeMinMm, edgeMaxMm;
 
