@@ -270,7 +270,7 @@ FieldValue CaseController::suggestedValue(const Field& field) const {
   } else if (field.key == "surface.edgesAround") {
     value = SizingParams().edgesAround;
   } else if (field.key == "surface.edgeMinVoxels") {
-    value = SizingParams().edgeMinVoxels.value_or(0.5);
+    value = SizingParams().edgeMinVoxels.value_or(1.0);
   } else if (field.key == "surface.edgeMinMm") {
     value = std::min(0.2 * voxel, params_.surface.sizing.edgeMaxMm.value_or(voxel));
   } else if (field.key == "surface.edgeMaxMm") {

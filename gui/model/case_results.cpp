@@ -65,7 +65,7 @@ std::pair<double, double> CaseController::sliderRange(const Field& field) const 
     low = 0.1;
     high = 4.0;
   } else if (field.key == "surface.rho") {
-    low = 0.05;
+    low = 0.02;
     high = 1.2;
   } else if (field.key == "surface.edgesAround") {
     high = 48.0;

@@ -200,7 +200,7 @@ class TestMainWindow : public QObject {
     const double usual = *c.controller().estimatedTriangles();
     c.controller().setField("surface.edgeMinVoxels", 0.3);
     QVERIFY(*c.controller().estimatedTriangles() > 1.5 * usual);
-    c.controller().setField("surface.edgeMinVoxels", 0.5);
+    c.controller().setField("surface.edgeMinVoxels", 0.4);
     c.controller().run(Step::Surface);
     QVERIFY2(note->text().contains("from the front"), qPrintable(note->text()));
     QVERIFY2(note->text().contains("verified"), qPrintable(note->text()));
