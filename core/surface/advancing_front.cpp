@@ -9,6 +9,20 @@
 
 namespace angiomesh {
 
+void AdvancingFront::expect(double triangles) {
+  constexpr double most = 1 << 25;
+  const auto count = static_cast<std::size_t>(std::clamp(1.05 * triangles, 0.0, most));
+  triangles_.reserve(count);
+  origins_.reserve(count);
+  const std::size_t vertices = count / 2;
+  vertices_.reserve(vertices);
+  spacing_.reserve(vertices);
+  leaving_.reserve(vertices);
+  seen_.reserve(vertices);
+  used_.reserve(vertices);
+  all_.reserve(vertices);
+}
+
 std::uint32_t AdvancingFront::addVertex(const FrontPoint& point, double spacing) {
   vertices_.push_back(point);
   spacing_.push_back(spacing);
@@ -44,7 +58,7 @@ void AdvancingFront::dropEdge(std::uint32_t id) {
   std::uint32_t* link = &leaving_[e.from];
   while (*link != id) link = &edges_[*link].nextLeaving;
   *link = e.nextLeaving;
-  if (leaving_[e.from] == none) grid_.remove(e.from);
+  if (leaving_[e.from] == none) grid_.remove(e.from, vertices_[e.from].point, spacing_[e.from]);
   e.alive = false;
   ++e.stamp;
   freeEdges_.push_back(id);

@@ -26,6 +26,9 @@ class AdvancingFront {
 
   explicit AdvancingFront(const FrontSurface& surface) : surface_(surface) {}
 
+  /// Makes room for a mesh of about so many triangles.
+  void expect(double triangles);
+
   /// `spacing` is the surface's wanted length there, where the vertex wants another one.
   std::uint32_t addVertex(const FrontPoint& point, double spacing);
   std::uint32_t addVertex(const FrontPoint& point) { return addVertex(point, point.length); }

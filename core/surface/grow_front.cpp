@@ -28,7 +28,9 @@ class Wall {
         away_(away),
         surface_(field, size),
         front_(surface_),
-        cover_(size.slope()) {}
+        cover_(front_.vertices(), size.slope()) {
+    front_.expect(size.estimatedTriangles());
+  }
 
   void addRims(const BorderCurves& curves) {
     for (const FrontPoint& p : curves.points) front_.addVertex(p, surface_.lengthAt(p.point));
@@ -37,7 +39,7 @@ class Wall {
 
   void run(const Progress& progress) {
     front_.run(progress);
-    noteReached();
+    cover_.update();
     // A piece of the reference that no front has reached is a component of its own, unless it is a
     // detail smaller than the edges: a few vertices next to the rest.
     const std::vector<std::uint32_t> cluster = unreachedClusters();
@@ -58,7 +60,7 @@ class Wall {
         continue;
       }
       front_.run(progress);
-      noteReached();
+      cover_.update();
     }
     startFromSamples(progress);
     front_.close();
@@ -84,12 +86,8 @@ class Wall {
       if (open[i] == 0 || !placeOf(samples[i], place) || cover_.reach(place) != none) continue;
       if (!startFrom(place)) continue;
       front_.run(progress);
-      noteReached();
+      cover_.update();
     }
-  }
-
-  void noteReached() {
-    while (cover_.size() < front_.vertices().size()) cover_.add(front_.vertices()[cover_.size()]);
   }
 
   // Joins the landmarks that the mesh does not reach along the reference's edges; none elsewhere.

@@ -133,8 +133,8 @@ void matchLandmarks(const PatchMesh& mesh, const SplineField& field, const Guida
       vertices[v].length = size.at(vertices[v].point);
     }
   });
-  SurfaceCover cover(size.slope());
-  for (const FrontPoint& v : vertices) cover.add(v);
+  SurfaceCover cover(vertices, size.slope());
+  cover.update();
   std::vector<std::uint32_t> by(landmarks.points.size(), SurfaceCheck::none);
   parallelFor(0, by.size(), 1024, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {

@@ -13,16 +13,18 @@ namespace angiomesh {
 /// Tells which places of a surface the vertices of a mesh reach.
 class SurfaceCover {
  public:
-  /// `slope`: by how much the wanted length may change per mm.
-  explicit SurfaceCover(double slope) : slope_(slope) {}
+  /// `slope`: by how much the wanted length may change per mm. `vertices`, which may only be
+  /// appended to, must outlive the object.
+  SurfaceCover(const std::vector<FrontPoint>& vertices, double slope)
+      : vertices_(vertices), slope_(slope) {}
 
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  void add(const FrontPoint& vertex) {
-    grid_.insert(static_cast<std::uint32_t>(vertices_.size()), vertex.point, vertex.length);
-    vertices_.push_back(vertex);
+  /// Takes in the vertices that are new.
+  void update() {
+    for (; size_ < vertices_.size(); ++size_)
+      grid_.insert(size_, vertices_[size_].point, vertices_[size_].length);
   }
-  [[nodiscard]] std::size_t size() const { return vertices_.size(); }
 
   /// The nearest vertex less than one wanted edge away on the same sheet (by its normal); none.
   [[nodiscard]] std::uint32_t reach(const FrontPoint& place) const {
@@ -42,8 +44,9 @@ class SurfaceCover {
  private:
   static constexpr double kMargin = 0.7;  // the wanted length is known to so much
 
+  const std::vector<FrontPoint>& vertices_;
   double slope_;
-  std::vector<FrontPoint> vertices_;
+  std::uint32_t size_ = 0;  ///< so many vertices are in the grid
   PointGrid grid_;
 };
 
