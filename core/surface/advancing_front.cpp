@@ -78,7 +78,15 @@ void AdvancingFront::push(std::uint32_t id, Class kind, double shape) {
   const auto rank = static_cast<std::uint64_t>(std::clamp(20.0 * shape, 0.0, 1e6));
   const std::uint64_t key = (static_cast<std::uint64_t>(kind) << 60U) | (rank << 32U) |
                             static_cast<std::uint64_t>(age_++);
-  heap_.push({key, id, e.stamp});
+  if (heap_.size() > 4 * (edges_.size() - freeEdges_.size()) + 4096) dropVoid();
+  heap_.push_back({key, id, e.stamp});
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+// Without the entries that changes have made void the heap stays as small as the front.
+void AdvancingFront::dropVoid() {
+  std::erase_if(heap_, [this](const HeapEntry& entry) { return !valid(entry); });
+  std::make_heap(heap_.begin(), heap_.end());
 }
 
 // The neighbourhood of the edge has changed. There is never more room than before: an edge that
@@ -122,9 +130,10 @@ void AdvancingFront::startAlong(const std::vector<std::uint32_t>& loop) {
 void AdvancingFront::run(const Progress& progress) {
   std::size_t rounds = 0;
   while (!heap_.empty()) {
-    const HeapEntry top = heap_.top();
-    heap_.pop();
-    if (!edges_[top.edge].alive || edges_[top.edge].stamp != top.stamp) continue;
+    std::pop_heap(heap_.begin(), heap_.end());
+    const HeapEntry top = heap_.back();
+    heap_.pop_back();
+    if (!valid(top)) continue;
     if (++rounds % 4096 == 0) progress.check();
     switch (edges_[top.edge].kind) {
       case Class::Free:

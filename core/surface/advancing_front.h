@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <queue>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -112,6 +111,10 @@ class AdvancingFront {
   std::uint32_t newEdge(std::uint32_t from, std::uint32_t to);
   void dropEdge(std::uint32_t id);
   void join(std::uint32_t before, std::uint32_t after);
+  [[nodiscard]] bool valid(const HeapEntry& entry) const {
+    return edges_[entry.edge].alive && edges_[entry.edge].stamp == entry.stamp;
+  }
+  void dropVoid();
   void push(std::uint32_t id, Class kind, double shape);
   void refresh(std::uint32_t id);
   std::uint32_t addTriangle(const Triangle& t, FaceOrigin origin);
@@ -127,7 +130,7 @@ class AdvancingFront {
   std::vector<std::uint32_t> leaving_;  ///< per vertex: a front edge that leaves it
   PointGrid grid_;                      ///< the vertices on fronts
   PointGrid all_;                       ///< all vertices
-  std::priority_queue<HeapEntry> heap_;
+  std::vector<HeapEntry> heap_;
   std::uint32_t age_ = 0;
   std::vector<Near> near_;
   std::vector<std::uint32_t> seen_;  ///< per vertex: the last collect() that found it
