@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/surface/half_edges.h"
 
-#include "core/surface/mesh_edges.h"
-
 namespace angiomesh {
 
-HalfEdges::HalfEdges(const TriMesh& mesh)
+HalfEdges::HalfEdges(const TriMesh& mesh, const std::vector<EdgeSide>& sides)
     : triangles_(mesh.triangles),
       twin_(3 * mesh.triangles.size(), none),
       leaving_(mesh.points.size(), none),
       irregular_(mesh.points.size(), 0) {
-  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
-  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-    const std::size_t count = edgeRunEnd(sides, i) - i;
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    end = edgeRunEnd(sides, i);
+    const std::size_t count = end - i;
     if (count == 1) continue;
     if (count > 2 || sides[i].forward == sides[i + 1].forward) {
       irregular_[sides[i].low] = irregular_[sides[i].high] = 1;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/surface/mesh_edges.h"
 #include "core/surface/tri_mesh.h"
 
 namespace angiomesh {
@@ -16,7 +17,9 @@ class HalfEdges {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  explicit HalfEdges(const TriMesh& mesh);
+  explicit HalfEdges(const TriMesh& mesh) : HalfEdges(mesh, sortedEdgeSides(mesh)) {}
+  /// With the mesh's sortedEdgeSides().
+  HalfEdges(const TriMesh& mesh, const std::vector<EdgeSide>& sides);
 
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& triangles() const {
     return triangles_;

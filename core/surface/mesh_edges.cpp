@@ -2,9 +2,29 @@
 #include "core/surface/mesh_edges.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 
 namespace angiomesh {
+namespace {
+
+// Sides in the order of their triangles stay so where they have the same edge.
+void sortByHigh(EdgeSide* first, EdgeSide* last) {
+  constexpr std::ptrdiff_t few = 32;
+  const auto before = [](const EdgeSide& x, const EdgeSide& y) { return x.high < y.high; };
+  if (last - first > few) {
+    std::stable_sort(first, last, before);
+    return;
+  }
+  for (EdgeSide* next = first; next != last; ++next) {
+    const EdgeSide side = *next;
+    EdgeSide* hole = next;
+    for (; hole != first && before(side, hole[-1]); --hole) *hole = hole[-1];
+    *hole = side;
+  }
+}
+
+}  // namespace
 
 std::vector<EdgeSide> sortedEdgeSides(const TriMesh& mesh) {
   // Bucketing by the lower vertex leaves a handful of sides to sort in each bucket.
@@ -30,12 +50,8 @@ std::vector<EdgeSide> sortedEdgeSides(const TriMesh& mesh) {
                                        a < b};
     }
   }
-  for (std::size_t v = 0; v < vertices; ++v) {
-    std::sort(sides.begin() + first[v], sides.begin() + first[v + 1],
-              [](const EdgeSide& x, const EdgeSide& y) {
-                return x.high != y.high ? x.high < y.high : x.triangle < y.triangle;
-              });
-  }
+  for (std::size_t v = 0; v < vertices; ++v)
+    sortByHigh(sides.data() + first[v], sides.data() + first[v + 1]);
   return sides;
 }
 
@@ -103,8 +119,11 @@ void DisjointSets::join(std::uint32_t a, std::uint32_t b) {
 }
 
 MeshComponents meshComponents(const TriMesh& mesh) {
+  return meshComponents(mesh, sortedEdgeSides(mesh));
+}
+
+MeshComponents meshComponents(const TriMesh& mesh, const std::vector<EdgeSide>& sides) {
   DisjointSets sets(mesh.triangles.size());
-  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
   for (std::size_t i = 1; i < sides.size(); ++i) {
     if (sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high) {
       sets.join(sides[i].triangle, sides[i - 1].triangle);

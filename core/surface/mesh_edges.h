@@ -55,5 +55,7 @@ struct MeshComponents {
   std::size_t count = 0;
 };
 MeshComponents meshComponents(const TriMesh& mesh);
+/// With the mesh's sortedEdgeSides().
+MeshComponents meshComponents(const TriMesh& mesh, const std::vector<EdgeSide>& sides);
 
 }  // namespace angiomesh
