@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
-#include "core/surface/edge_map.h"
 #include "core/surface/fill_loop.h"
 #include "core/surface/half_edges.h"
 #include "core/surface/mesh_edges.h"
@@ -25,6 +25,11 @@ class Mender {
     std::vector<std::uint32_t> place(startOf_.begin(), startOf_.end() - 1);
     for (std::uint32_t t = 0; t < mesh.mesh.triangles.size(); ++t)
       for (const std::uint32_t v : mesh.mesh.triangles[t]) around_[place[v]++] = t;
+    const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
+    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+      end = edgeRunEnd(sides, i);
+      if (end == i + 1) single_.push_back({sides[i].low, sides[i].high});
+    }
   }
 
   void takeOut(const std::vector<std::uint32_t>& broken, int rings) {
@@ -43,8 +48,7 @@ class Mender {
   // Finds the loops around the holes. Vertices where two meet lose all their triangles.
   bool findLoops() {
     for (int round = 0; round < 50; ++round) {
-      std::vector<std::pair<std::uint32_t, std::uint32_t>> rim = openSides();
-      std::sort(rim.begin(), rim.end());
+      const std::vector<Side> rim = openSides();
       bool clean = true;
       for (std::size_t i = 1; i < rim.size(); ++i) {
         if (rim[i].first != rim[i - 1].first) continue;
@@ -61,28 +65,25 @@ class Mender {
   }
 
   bool fill(PatchMesh& out) {
-    std::vector<FrontPoint> vertices(mesh_.mesh.points.size());
-    EdgeMap used;
-    for (std::uint32_t t = 0; t < gone_.size(); ++t) {
-      if (gone_[t] != 0) continue;
-      const auto& c = mesh_.mesh.triangles[t];
-      for (std::size_t k = 0; k < 3; ++k) used.set(c[k], c[(k + 1) % 3], t);
-    }
-    const auto taken = [&used](std::uint32_t a, std::uint32_t b) {
-      return used.has(a, b) || used.has(b, a);
-    };
+    std::set<Side> filled;
     out = mesh_;
     for (const std::vector<std::uint32_t>& loop : loops_) {
-      for (const std::uint32_t v : loop) {
-        vertices[v].point = mesh_.mesh.points[v];
-        vertices[v].normal = field_.at(vertices[v].point).gradient;
-        vertices[v].normal /= std::max(vertices[v].normal.norm(), 1e-12);
+      std::vector<FrontPoint> vertices(loop.size());
+      std::vector<std::uint32_t> numbers(loop.size());
+      for (std::uint32_t i = 0; i < loop.size(); ++i) {
+        numbers[i] = i;
+        vertices[i].point = mesh_.mesh.points[loop[i]];
+        vertices[i].normal = field_.at(vertices[i].point).gradient;
+        vertices[i].normal /= std::max(vertices[i].normal.norm(), 1e-12);
       }
-      const auto filling = fillLoop(loop, vertices, taken);
+      const auto filling = fillLoop(numbers, vertices, [&](std::uint32_t i, std::uint32_t k) {
+        const std::uint32_t a = loop[i], b = loop[k];
+        return filled.count({a, b}) > 0 || filled.count({b, a}) > 0 || joined(a, b);
+      });
       if (filling.empty()) return false;
       for (const auto& t : filling) {
-        for (std::size_t k = 0; k < 3; ++k) used.set(t[k], t[(k + 1) % 3], 0);
-        out.mesh.triangles.push_back(t);
+        for (std::size_t k = 0; k < 3; ++k) filled.insert({loop[t[k]], loop[t[(k + 1) % 3]]});
+        out.mesh.triangles.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
         out.patch.push_back(0);
         out.origin.push_back(FaceOrigin::Closing);
       }
@@ -93,35 +94,62 @@ class Mender {
   }
 
  private:
+  using Side = std::pair<std::uint32_t, std::uint32_t>;
+
   // False where it is gone already, or touches a plane that the surface ends in.
   bool remove(std::uint32_t t) {
     if (gone_[t] != 0) return false;
     for (const std::uint32_t v : mesh_.mesh.triangles[t])
       if (mesh_.place[v].planes() > 0) return false;
     gone_[t] = 1;
+    list_.push_back(t);
     return true;
   }
 
-  // The sides that lack a neighbour, as they run around the hole; but for rims in the planes that
-  // the surface ends in.
-  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> openSides() const {
-    TriMesh left;
-    left.points.resize(mesh_.mesh.points.size());
-    for (std::uint32_t t = 0; t < gone_.size(); ++t)
-      if (gone_[t] == 0) left.triangles.push_back(mesh_.mesh.triangles[t]);
-    const std::vector<EdgeSide> sides = sortedEdgeSides(left);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
-    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-      if (edgeRunEnd(sides, i) != i + 1) continue;
-      const EdgeSide& s = sides[i];
-      if (mesh_.place[s.low].shared(mesh_.place[s.high]).planes() > 0) continue;
-      rim.emplace_back(s.forward ? s.high : s.low, s.forward ? s.low : s.high);
+  // Whether a triangle that is left has both vertices.
+  [[nodiscard]] bool joined(std::uint32_t a, std::uint32_t b) const {
+    for (std::uint32_t i = startOf_[a]; i < startOf_[a + 1]; ++i) {
+      if (gone_[around_[i]] != 0) continue;
+      for (const std::uint32_t v : mesh_.mesh.triangles[around_[i]])
+        if (v == b) return true;
     }
+    return false;
+  }
+
+  // The sides that lack a neighbour, sorted, as they run around the hole; but for rims in the
+  // planes that the surface ends in. Only where triangles are gone can there be more of them than
+  // at first.
+  [[nodiscard]] std::vector<Side> openSides() const {
+    std::vector<Side> rim;
+    for (const auto& [low, high] : single_) addIfOpen(low, high, rim);
+    for (const std::uint32_t t : list_) {
+      const auto& c = mesh_.mesh.triangles[t];
+      for (std::size_t k = 0; k < 3; ++k) addIfOpen(c[k], c[(k + 1) % 3], rim);
+    }
+    std::sort(rim.begin(), rim.end());
+    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
     return rim;
   }
 
+  void addIfOpen(std::uint32_t a, std::uint32_t b, std::vector<Side>& rim) const {
+    if (a == b || mesh_.place[a].shared(mesh_.place[b]).planes() > 0) return;
+    std::size_t count = 0;
+    Side around;
+    for (std::uint32_t i = startOf_[a]; i < startOf_[a + 1]; ++i) {
+      const auto& c = mesh_.mesh.triangles[around_[i]];
+      if (gone_[around_[i]] != 0 || c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = c[k], to = c[(k + 1) % 3];
+        if (!(from == a && to == b) && !(from == b && to == a)) continue;
+        ++count;
+        around = {to, from};
+      }
+    }
+    if (count == 1) rim.push_back(around);
+  }
+
   // `rim` sorted, at most one side leaves each vertex.
-  bool chain(std::vector<std::pair<std::uint32_t, std::uint32_t>>& rim) {
+  bool chain(const std::vector<Side>& rim) {
     loops_.clear();
     std::vector<char> done(rim.size(), 0);
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -129,8 +157,7 @@ class Mender {
       for (std::size_t at = i; done[at] == 0;) {
         done[at] = 1;
         loop.push_back(rim[at].first);
-        const auto next = std::lower_bound(
-            rim.begin(), rim.end(), std::pair<std::uint32_t, std::uint32_t>{rim[at].second, 0});
+        const auto next = std::lower_bound(rim.begin(), rim.end(), Side{rim[at].second, 0});
         if (next == rim.end() || next->first != rim[at].second) return false;
         at = static_cast<std::size_t>(next - rim.begin());
         if (done[at] != 0 && at != i) return false;
@@ -143,6 +170,8 @@ class Mender {
   const PatchMesh& mesh_;
   const SplineField& field_;
   std::vector<char> gone_;
+  std::vector<std::uint32_t> list_;              // of those gone
+  std::vector<Side> single_;                     // the edges that had one triangle to begin with
   std::vector<std::uint32_t> startOf_, around_;  // the triangles around each vertex
   std::vector<std::vector<std::uint32_t>> loops_;
 };
@@ -152,14 +181,14 @@ class Mender {
 std::vector<std::uint32_t> brokenTriangles(const PatchMesh& mesh, bool open) {
   std::vector<std::uint32_t> broken;
   const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
-  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-    const std::size_t end = edgeRunEnd(sides, i);
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    end = edgeRunEnd(sides, i);
     if (end - i == 2 && sides[i].forward != sides[i + 1].forward) continue;
     const bool rim = mesh.place[sides[i].low].shared(mesh.place[sides[i].high]).planes() > 0;
     if (end - i == 1 && open && rim) continue;
     for (std::size_t k = i; k < end; ++k) broken.push_back(sides[k].triangle);
   }
-  const HalfEdges edges(mesh.mesh);
+  const HalfEdges edges(mesh.mesh, sides);
   for (std::uint32_t t = 0; t < mesh.mesh.triangles.size(); ++t)
     for (const std::uint32_t v : mesh.mesh.triangles[t])
       if (edges.irregular(v)) broken.push_back(t);
