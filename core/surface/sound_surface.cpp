@@ -95,7 +95,7 @@ class SoundMaker {
     else
       groupByReach(check);
     replaceLacking();
-    Faults faults = findFaults();
+    Faults faults = made_.changed ? findFaults() : findFaults(check);
     if (untangle(faults)) faults = findFaults();
     for (int round = 0; round < 3 * kAttempts && !faults.empty(); ++round) {
       if (!replace(faults)) break;
@@ -198,9 +198,12 @@ class SoundMaker {
 
   // Where two groups meet the one that has not come so far is at fault.
   [[nodiscard]] Faults findFaults() const {
+    return findFaults(checkManifold(made_.mesh, ground_.border));
+  }
+
+  [[nodiscard]] Faults findFaults(const SurfaceCheck& check) const {
     Faults faults;
     const PatchMesh& mesh = made_.mesh;
-    const SurfaceCheck check = checkManifold(mesh, ground_.border);
     for (std::uint32_t t = 0; t < mesh.group.size(); ++t)
       if (!check.components[check.parts.label[t]].why.empty())
         faults[mesh.group[t]].broken.push_back(t);
@@ -243,6 +246,7 @@ class SoundMaker {
     piece.group.assign(piece.patch.size(), group);
     mesh = selectTriangles(mesh, [&](std::uint32_t t) { return mesh.group[t] != group; });
     append(mesh, piece);
+    made_.changed = true;
     return true;
   }
 
@@ -357,6 +361,7 @@ class SoundMaker {
   void remake(const std::vector<char>& list) {
     PatchMesh& mesh = made_.mesh;
     noteLost(list);
+    made_.changed = true;
     mesh = selectTriangles(mesh, [&](std::uint32_t t) { return list[mesh.group[t]] == 0; });
     const auto pick = [&](SurfaceMethod method) {
       return selectTriangles(contour_, [&](std::uint32_t t) {

@@ -34,6 +34,7 @@ struct SurfaceGroup {
 
 struct SoundSurface {
   PatchMesh mesh;                    ///< with groups
+  bool changed = false;              ///< other triangles than in the mesh that was given
   std::vector<SurfaceGroup> groups;  ///< by number
   std::vector<std::string> dropped;  ///< what had to be left out, in words
 };

@@ -29,8 +29,9 @@ void countRims(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, Surfac
                SurfaceCheck& check) {
   DisjointSets rims(mesh.mesh.points.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> onRim;  // vertex, label
-  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-    const std::size_t count = edgeRunEnd(sides, i) - i;
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    end = edgeRunEnd(sides, i);
+    const std::size_t count = end - i;
     const std::uint32_t label = check.parts.label[sides[i].triangle];
     SurfaceComponent& component = check.components[label];
     --component.euler;
@@ -55,8 +56,9 @@ void countRims(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, Surfac
     if (rims.find(v) == v) ++check.components[label].boundaryLoops;
 }
 
-void measureParts(const PatchMesh& mesh, SurfaceBorder border, SurfaceCheck& check) {
-  const HalfEdges edges(mesh.mesh);
+void measureParts(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, SurfaceBorder border,
+                  SurfaceCheck& check) {
+  const HalfEdges edges(mesh.mesh, sides);
   std::vector<char> seen(mesh.mesh.points.size(), 0);
   std::vector<std::size_t> fromFront(check.components.size(), 0);
   for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
@@ -76,7 +78,7 @@ void measureParts(const PatchMesh& mesh, SurfaceBorder border, SurfaceCheck& che
       seen[v] = 1;
     }
   }
-  countRims(mesh, sortedEdgeSides(mesh.mesh), border, check);
+  countRims(mesh, sides, border, check);
   for (std::size_t i = 0; i < fromFront.size(); ++i)
     check.components[i].fromFrontPercent = 100.0 * static_cast<double>(fromFront[i]) /
                                            static_cast<double>(check.components[i].triangles);
@@ -163,21 +165,26 @@ void matchLandmarks(const PatchMesh& mesh, const SplineField& field, const Guida
     for (const auto& [part, count] : parts)
       if (part != SurfaceCheck::none && 20 * count >= r.landmarks) r.parts.push_back(part);
     if (2 * r.missed > r.landmarks) r.part = SurfaceCheck::none;
+    check.reached.push_back(r);
+  }
+}
+
+void doubtMissed(SurfaceCheck& check) {
+  for (const SurfaceCheck::Reached& r : check.reached)
     if (r.part != SurfaceCheck::none && r.missed > 0)
       doubtIt(check.components[r.part], std::to_string(r.missed) +
                                             " places of the zero set are farther than an edge from "
                                             "its vertices");
-    check.reached.push_back(r);
-  }
 }
 
 }  // namespace
 
 SurfaceCheck checkManifold(const PatchMesh& mesh, SurfaceBorder border) {
   SurfaceCheck check;
-  check.parts = meshComponents(mesh.mesh);
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
+  check.parts = meshComponents(mesh.mesh, sides);
   check.components.resize(check.parts.count);
-  measureParts(mesh, border, check);
+  measureParts(mesh, sides, border, check);
   return check;
 }
 
@@ -188,14 +195,11 @@ SurfaceCheck checkReach(const PatchMesh& mesh, const SplineField& field, const G
   return check;
 }
 
-SurfaceCheck checkSurface(const PatchMesh& mesh, const SplineField& field,
-                          const GuidanceField& size, const Landmarks& landmarks,
-                          SurfaceBorder border, const Progress& progress) {
-  SurfaceCheck check = checkManifold(mesh, border);
+void finishCheck(SurfaceCheck& check, const PatchMesh& mesh, const SplineField& field,
+                 const Progress& progress) {
   doubtTurned(mesh, turnedFaces(mesh, field, progress), check);
-  matchLandmarks(mesh, field, size, landmarks, check);
+  doubtMissed(check);
   for (SurfaceComponent& component : check.components) component.verified = component.why.empty();
-  return check;
 }
 
 }  // namespace angiomesh

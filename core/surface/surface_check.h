@@ -31,11 +31,13 @@ struct SurfaceCheck {
 /// The first of the checks below: manifold, oriented, closed but for rims.
 SurfaceCheck checkManifold(const PatchMesh& mesh, SurfaceBorder border);
 
-/// The same, and which part reaches which component of the landmarks.
+/// The same, and which part reaches which component of the landmarks; what is missed is no doubt
+/// yet.
 SurfaceCheck checkReach(const PatchMesh& mesh, const SplineField& field, const GuidanceField& size,
                         const Landmarks& landmarks, SurfaceBorder border);
 
-/// Checks that each component of a mesh of phi = 0 is
+/// Goes on with what checkReach() found of the same mesh of phi = 0, so that each component is
+/// verified, or doubted with a reason, to be
 /// - an oriented manifold whose rims lie in the planes that it ends in (no rims with `Cap`),
 /// - nowhere turned away from the field: on each wall triangle and around it, as far as its feet on
 ///   the zero set, the gradient has a positive part along the triangle's normal (see
@@ -43,8 +45,7 @@ SurfaceCheck checkReach(const PatchMesh& mesh, const SplineField& field, const G
 ///   along the gradient;
 /// - within reach of every landmark of the zero set (most of them decide which component a
 ///   landmark's belongs to).
-SurfaceCheck checkSurface(const PatchMesh& mesh, const SplineField& field,
-                          const GuidanceField& size, const Landmarks& landmarks,
-                          SurfaceBorder border, const Progress& progress);
+void finishCheck(SurfaceCheck& check, const PatchMesh& mesh, const SplineField& field,
+                 const Progress& progress);
 
 }  // namespace angiomesh

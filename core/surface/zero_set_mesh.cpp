@@ -50,29 +50,30 @@ class Mesher {
     } else {
       mesh = growFront(landmarks_, field_, size_, ends_, away_, border_, progress_);
       progress_.report(0.5);
-      mendBroken(mesh);
-      dropBroken(mesh);
+      if (!mendBroken(mesh)) dropBroken(mesh);
       improveTriangles(mesh, field_, size_, ends_, progress_.sub(0.5, 0.8));
     }
     const SurfaceGround ground{reference_, landmarks_, field_, size_, ends_, border_};
-    const SurfaceCheck reached = checkReach(mesh, field_, size_, landmarks_, border_);
-    SoundSurface sound = makeSound(std::move(mesh), method, reached, ground, progress_);
+    SurfaceCheck check = checkReach(mesh, field_, size_, landmarks_, border_);
+    SoundSurface sound = makeSound(std::move(mesh), method, check, ground, progress_);
     progress_.report(0.9);
-    SurfaceCheck check = checkSurface(sound.mesh, field_, size_, landmarks_, border_, progress_);
+    if (sound.changed) check = checkReach(sound.mesh, field_, size_, landmarks_, border_);
+    finishCheck(check, sound.mesh, field_, progress_);
     progress_.report(1.0);
     return result(std::move(sound), check);
   }
 
  private:
   // Where fronts met in a way that leaves no manifold, which takes a zero set that all but touches
-  // itself, the place is filled anew.
-  void mendBroken(PatchMesh& mesh) const {
+  // itself, the place is filled anew. True when nothing broken is left.
+  bool mendBroken(PatchMesh& mesh) const {
     for (int rings = 0; rings < 5; ++rings) {
       const std::vector<std::uint32_t> broken =
           brokenTriangles(mesh, border_ == SurfaceBorder::Open);
-      if (broken.empty()) return;
+      if (broken.empty()) return true;
       mendMesh(mesh, broken, rings, field_);
     }
+    return false;
   }
 
   // Takes out components that are no manifolds, or not closed: improving them makes no sense.
