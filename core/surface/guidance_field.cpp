@@ -99,8 +99,10 @@ struct GuidanceField::Data {
   void spread(const Progress& progress);
   void estimate();
   [[nodiscard]] double at(const Eigen::Vector3d& x) const;
-  /// The lowest cone of those that the nodes from `first` to `last` and their cells keep; infinity
-  /// when there is none.
+  /// The lowest cone of those that a cell and its corners keep; infinity when there is none.
+  [[nodiscard]] double lowestAround(const Eigen::Vector3d& x, const Index3& cell) const;
+  /// The lowest cone of those that the nodes from `first` to `last` keep; infinity when there is
+  /// none.
   [[nodiscard]] double lowest(const Eigen::Vector3d& x, const Index3& first,
                               const Index3& last) const;
 };
@@ -188,17 +190,40 @@ double GuidanceField::Data::lowest(const Eigen::Vector3d& x, const Index3& first
   return value;
 }
 
+// The samples that matter lie far apart in memory: all of them are asked for before the first is
+// looked at.
+double GuidanceField::Data::lowestAround(const Eigen::Vector3d& x, const Index3& cell) const {
+  const auto fetch = [this](std::uint32_t s) { __builtin_prefetch(&surface.samples[s].lengthMm); };
+  std::array<std::uint32_t, 8> found{};
+  std::size_t count = 0;
+  for (int c = 0; c < 8; ++c) {
+    const std::uint32_t s =
+        nodeAt.get({cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2 & 1)});
+    if (s == none || std::find(found.begin(), found.begin() + count, s) != found.begin() + count)
+      continue;
+    fetch(s);
+    found[count++] = s;
+  }
+  const std::uint32_t own = cellAt.get(cell);
+  double value = std::numeric_limits<double>::infinity();
+  if (own != none) {
+    const SurfaceCell& in = surface.cells[own];
+    for (std::uint32_t s = 0; s < in.sampleCount; ++s) fetch(in.firstSample + s);
+    for (std::size_t i = 0; i < count; ++i) value = under(value, found[i], x);
+    for (std::uint32_t s = 0; s < in.sampleCount; ++s) value = under(value, in.firstSample + s, x);
+    return value;
+  }
+  for (std::size_t i = 0; i < count; ++i) value = under(value, found[i], x);
+  return value;
+}
+
 double GuidanceField::Data::at(const Eigen::Vector3d& x) const {
   if (surface.samples.empty() || !x.allFinite()) return ideal.limited(ideal.longest());
   const Eigen::Vector3d index = toIndex * (x - geometry.origin);
   Index3 cell;
   for (int a = 0; a < 3; ++a)
     cell[a] = static_cast<int>(std::clamp(index[a], 0.0, static_cast<double>(cells[a]) - 0.5));
-  double value = lowest(x, cell, {cell[0] + 1, cell[1] + 1, cell[2] + 1});
-  const std::uint32_t own = cellAt.get(cell);
-  if (own != none)
-    for (std::uint32_t s = 0; s < surface.cells[own].sampleCount; ++s)
-      value = under(value, surface.cells[own].firstSample + s, x);
+  double value = lowestAround(x, cell);
   for (int r = 1; r <= 3 && std::isinf(value); ++r)
     value = lowest(x, {cell[0] - r, cell[1] - r, cell[2] - r},
                    {cell[0] + 1 + r, cell[1] + 1 + r, cell[2] + 1 + r});
