@@ -50,7 +50,7 @@ std::uint32_t PointGrid::newChunk(std::uint64_t key) {
   if (c != none) {
     free_ = chunks_[c].next;
   } else {
-    if (chunks_.size() >= heads_.size()) grow();
+    if (kBuckets * (chunks_.size() + 1) > heads_.size()) grow();
     c = static_cast<std::uint32_t>(chunks_.size());
     chunks_.emplace_back();
   }

@@ -52,6 +52,7 @@ class PointGrid {
   static constexpr std::uint32_t none = 0xffffffffU;
   static constexpr int kLevels = 127, kUnitLevel = 64;
   static constexpr std::uint32_t kChunk = 4;
+  static constexpr std::size_t kBuckets = 4;  ///< per chunk: most of what is asked for is not there
 
   /// Some of the points of one cell, together in memory.
   struct alignas(64) Chunk {
