@@ -130,7 +130,6 @@ void GuidanceField::Data::makeNodes() {
 /// after the other: the order, and so the result, is fixed.
 void GuidanceField::Data::spread(const Progress& progress) {
   using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const double gain = 1e-6 * geometry.voxelMm();
   const auto offer = [&](std::uint32_t n, std::uint32_t sample) {
     Node& node = nodes[n];
@@ -148,8 +147,11 @@ void GuidanceField::Data::spread(const Progress& progress) {
           {cell.first[0] + (c & 1), cell.first[1] + (c >> 1 & 1), cell.first[2] + (c >> 2 & 1)});
       for (std::uint32_t s = 0; s < cell.sampleCount; ++s) offer(n, cell.firstSample + s);
     }
+  std::vector<Entry> start;
+  start.reserve(nodes.size());
   for (std::uint32_t n = 0; n < nodes.size(); ++n)
-    if (nodes[n].sample != none) queue.emplace(nodes[n].value, n);
+    if (nodes[n].sample != none) start.emplace_back(nodes[n].value, n);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue({}, std::move(start));
   std::size_t steps = 0;
   while (!queue.empty()) {
     const auto [value, number] = queue.top();
