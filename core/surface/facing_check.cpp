@@ -26,6 +26,12 @@ struct Region {
   Index3 first{}, last{};
 };
 
+// What of a region takes the field to know; the rest is made anew where it is needed, as a region
+// takes more memory than all else that a triangle has.
+struct Slope {
+  double along = 0.0, gap = 0.0;
+};
+
 enum class Verdict : std::uint8_t { Faces, Open, TurnsAway };
 
 constexpr int kDeepest = 5;
@@ -47,37 +53,38 @@ class FacingCheck {
 
   std::vector<TurnedFace> run(const Progress& progress) {
     const std::size_t n = mesh_.mesh.triangles.size();
-    std::vector<Region> regions(n);
-    std::vector<Verdict> verdict(n, Verdict::Faces);
-    std::vector<TurnedFace> face(n);
+    std::vector<Slope> slopes(n);
     parallelFor(0, n, 1024, [&](std::size_t first, std::size_t last) {
       progress.check();
       for (std::size_t t = first; t < last; ++t)
-        if (mesh_.patch[t] == 0) regions[t] = regionOf(t);
+        if (mesh_.patch[t] == 0) slopes[t] = slopeOf(t);
     });
-    boundCells(regions, progress);
-    parallelFor(0, n, 512, [&](std::size_t first, std::size_t last) {
+    boundCells(slopes, progress);
+    constexpr std::size_t grain = 512;
+    std::vector<std::vector<TurnedFace>> parts((n + grain - 1) / grain);
+    parallelFor(0, n, grain, [&](std::size_t first, std::size_t last) {
       progress.check();
       for (std::size_t t = first; t < last; ++t)
-        if (mesh_.patch[t] == 0 && !plainlyFaces(regions[t]))
-          verdict[t] = faces(t, regions[t], face[t]);
+        if (mesh_.patch[t] == 0) look(t, regionOf(t, slopes[t]), parts[first / grain]);
     });
     std::vector<TurnedFace> turned;
-    for (std::size_t t = 0; t < n; ++t) {
-      if (verdict[t] == Verdict::Faces) continue;
-      face[t].triangle = static_cast<std::uint32_t>(t);
-      face[t].measured = verdict[t] == Verdict::TurnsAway;
-      turned.push_back(face[t]);
-    }
+    for (const auto& part : parts) turned.insert(turned.end(), part.begin(), part.end());
     return turned;
   }
 
  private:
-  [[nodiscard]] Region regionOf(std::size_t t) const {
-    const auto& corners = mesh_.mesh.triangles[t];
-    const Vector3d& a = mesh_.mesh.points[corners[0]];
-    const Vector3d& b = mesh_.mesh.points[corners[1]];
-    const Vector3d& c = mesh_.mesh.points[corners[2]];
+  void look(std::size_t t, const Region& region, std::vector<TurnedFace>& turned) const {
+    if (plainlyFaces(region)) return;
+    TurnedFace face;
+    const Verdict verdict = faces(t, region, face);
+    if (verdict == Verdict::Faces) return;
+    face.triangle = static_cast<std::uint32_t>(t);
+    face.measured = verdict == Verdict::TurnsAway;
+    turned.push_back(face);
+  }
+
+  [[nodiscard]] Region faceOf(std::size_t t) const {
+    const auto [a, b, c] = cornersOf(mesh_.mesh, static_cast<std::uint32_t>(t));
     Region r;
     r.centre = (a + b + c) / 3.0;
     const Vector3d normal = (b - a).cross(c - a);
@@ -85,13 +92,24 @@ class FacingCheck {
       r.normal = normal.normalized();
     else
       r.normal.setZero();
+    return r;
+  }
+
+  [[nodiscard]] Slope slopeOf(std::size_t t) const {
+    const Region r = faceOf(t);
     const SplineField::Jet jet = field_.at(r.centre);
-    r.along = jet.gradient.dot(r.normal);
     const double slope = jet.gradient.norm();
     // Twice the distance to the foot, to first order, allows for the other points' feet.
-    r.gap = slope > 1e-12
-                ? std::min(2.0 * std::fabs(jet.value) / slope, field_.geometry().voxelMm())
-                : 0.0;
+    return {jet.gradient.dot(r.normal), slope > 1e-12 ? std::min(2.0 * std::fabs(jet.value) / slope,
+                                                                 field_.geometry().voxelMm())
+                                                      : 0.0};
+  }
+
+  [[nodiscard]] Region regionOf(std::size_t t, const Slope& slope) const {
+    const auto [a, b, c] = cornersOf(mesh_.mesh, static_cast<std::uint32_t>(t));
+    Region r = faceOf(t);
+    r.along = slope.along;
+    r.gap = slope.gap;
     r.radius =
         r.gap + std::max({(a - r.centre).norm(), (b - r.centre).norm(), (c - r.centre).norm()});
     const Geometry& g = field_.geometry();
@@ -116,14 +134,15 @@ class FacingCheck {
         for (int i = r.first[0]; i <= r.last[0]; ++i) visit(Index3{i, j, k});
   }
 
-  void boundCells(const std::vector<Region>& regions, const Progress& progress) {
+  void boundCells(const std::vector<Slope>& slopes, const Progress& progress) {
     const Geometry& g = field_.geometry();
-    for (std::size_t t = 0; t < regions.size(); ++t)
+    std::vector<bool> met(g.voxelCount(), false);
+    for (std::size_t t = 0; t < slopes.size(); ++t)
       if (mesh_.patch[t] == 0)
-        forEachCell(regions[t],
-                    [&](const Index3& c) { cells_.push_back(g.offset(c[0], c[1], c[2])); });
-    std::sort(cells_.begin(), cells_.end());
-    cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+        forEachCell(regionOf(t, slopes[t]),
+                    [&](const Index3& c) { met[g.offset(c[0], c[1], c[2])] = true; });
+    for (std::size_t i = 0; i < met.size(); ++i)
+      if (met[i]) cells_.push_back(i);
     bounds_.resize(cells_.size());
     parallelFor(0, cells_.size(), 256, [&](std::size_t first, std::size_t last) {
       progress.check();
