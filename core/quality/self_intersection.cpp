@@ -2,10 +2,11 @@
 #include "core/quality/self_intersection.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 
 #include "core/base/parallel.h"
 #include "core/quality/triangle_intersection.h"
+#include "core/surface/box_tree.h"
 #include "core/surface/triangle_tree.h"
 
 namespace angiomesh {
@@ -13,29 +14,32 @@ namespace {
 
 constexpr std::size_t blockSize = 1024;
 
+// The corners of a triangle from `first` on, in its order.
+Triangle3 cornersFrom(const TriMesh& mesh, std::uint32_t triangle, std::size_t first) {
+  const auto& t = mesh.triangles[triangle];
+  return {mesh.points[t[first]], mesh.points[t[(first + 1) % 3]], mesh.points[t[(first + 2) % 3]]};
+}
+
 bool meetOutsideTheShared(const TriMesh& mesh, std::uint32_t first, std::uint32_t second) {
-  Triangle3 s = cornersOf(mesh, first), t = cornersOf(mesh, second);
-  auto a = mesh.triangles[first], b = mesh.triangles[second];
-  // Brings the shared corners to the front of both.
-  std::size_t shared = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = shared; j < 3; ++j) {
-      if (a[i] != b[j]) continue;
-      std::swap(a[i], a[shared]);
-      std::swap(s[i], s[shared]);
-      std::swap(b[j], b[shared]);
-      std::swap(t[j], t[shared]);
-      ++shared;
-      break;
+  const auto &a = mesh.triangles[first], &b = mesh.triangles[second];
+  unsigned shared = 0, inA = 0, inB = 0;  // the common corners: their number, a bit for each
+  for (unsigned i = 0; i < 3; ++i)
+    for (unsigned j = 0; j < 3; ++j) {
+      const unsigned same = a[i] == b[j] ? 1U : 0U;
+      shared += same;
+      inA |= same << i;
+      inB |= same << j;
     }
-  }
+  const auto only = [](unsigned bits) { return static_cast<std::size_t>(std::countr_zero(bits)); };
   switch (shared) {
     case 0:
-      return trianglesMeet(s, t);
+      return trianglesMeet(cornersOf(mesh, first), cornersOf(mesh, second));
     case 1:
-      return trianglesMeetBeyondCorner(s, t);
+      return trianglesMeetBeyondCorner(cornersFrom(mesh, first, only(inA)),
+                                       cornersFrom(mesh, second, only(inB)));
     case 2:
-      return trianglesMeetBeyondEdge(s, t[2]);
+      return trianglesMeetBeyondEdge(cornersFrom(mesh, first, (only(~inA) + 1) % 3),
+                                     mesh.points[b[only(~inB)]]);
     default:
       return true;
   }
@@ -47,34 +51,30 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Tri
                                                                        const Progress& progress) {
   using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   const std::size_t count = mesh.triangles.size();
-  const TriangleTree tree(mesh, progress);
+  const BoxTree tree(mesh, progress);
   std::vector<char> degenerate(count);
   parallelFor(0, count, blockSize, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin; i < end; ++i)
       degenerate[i] = isDegenerate(cornersOf(mesh, static_cast<std::uint32_t>(i))) ? 1 : 0;
-    }
   });
 
-  std::vector<Pairs> found((count + blockSize - 1) / blockSize);
-  parallelFor(0, count, blockSize, [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t leavesAtOnce = blockSize / 8;
+  std::vector<Pairs> found((tree.leaves() + leavesAtOnce - 1) / leavesAtOnce);
+  parallelFor(0, tree.leaves(), leavesAtOnce, [&](std::size_t begin, std::size_t end) {
     progress.check();
-    Pairs& pairs = found[begin / blockSize];
-    for (std::size_t i = begin; i < end; ++i) {
-      if (degenerate[i] != 0) continue;
-      const auto triangle = static_cast<std::uint32_t>(i);
-      TriangleTree::Box box;
-      for (const auto& corner : cornersOf(mesh, triangle)) box.extend(corner);
-      tree.forEachMeeting(box, [&](std::uint32_t other) {
-        if (other <= triangle || degenerate[other] != 0) return;
-        if (meetOutsideTheShared(mesh, triangle, other)) pairs.emplace_back(triangle, other);
+    Pairs& pairs = found[begin / leavesAtOnce];
+    for (std::size_t leaf = begin; leaf < end; ++leaf)
+      tree.forEachPair(leaf, [&](std::uint32_t a, std::uint32_t b) {
+        if (degenerate[a] != 0 || degenerate[b] != 0) return;
+        const auto [lower, higher] = std::minmax(a, b);
+        if (meetOutsideTheShared(mesh, lower, higher)) pairs.emplace_back(lower, higher);
       });
-    }
-    std::sort(pairs.begin(), pairs.end());
-    progress.report(static_cast<double>(end) / static_cast<double>(count));
+    progress.report(static_cast<double>(end) / static_cast<double>(tree.leaves()));
   });
 
   Pairs all;
   for (const Pairs& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
+  std::sort(all.begin(), all.end());
   return all;
 }
 
