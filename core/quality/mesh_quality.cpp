@@ -19,13 +19,14 @@ namespace {
 constexpr std::size_t blockSize = 4096;
 constexpr std::size_t listedPairs = 1000;
 
-// Value of the sorted sample at a fraction of its ranks, linear between ranks.
-double atFraction(const std::vector<double>& sorted, double fraction) {
-  if (sorted.empty()) return 0.0;
-  const double rank = fraction * static_cast<double>(sorted.size() - 1);
-  const auto low = static_cast<std::size_t>(rank);
-  const std::size_t high = std::min(low + 1, sorted.size() - 1);
-  return sorted[low] + (rank - static_cast<double>(low)) * (sorted[high] - sorted[low]);
+// Value of the sample, sorted, at a fraction of its ranks, linear between ranks.
+double atFraction(std::vector<double>& values, double fraction) {
+  if (values.empty()) return 0.0;
+  const double rank = fraction * static_cast<double>(values.size() - 1);
+  const auto low = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), low, values.end());
+  const double next = low + 1 == values.end() ? *low : *std::min_element(low + 1, values.end());
+  return *low + (rank - std::floor(rank)) * (next - *low);
 }
 
 double meanOf(const std::vector<double>& values) {
@@ -163,7 +164,11 @@ std::vector<TriangleShape> shapesOf(const TriMesh& mesh) {
 // Per triangle: 1 where two of its sides border two other patches.
 std::vector<char> inCorners(const TriMesh& mesh) {
   std::vector<char> corner(mesh.triangles.size(), 0);
-  if (mesh.patch.empty()) return corner;
+  const auto onePatch = [&] {
+    return std::all_of(mesh.patch.begin(), mesh.patch.end(),
+                       [&](std::uint16_t patch) { return patch == mesh.patch.front(); });
+  };
+  if (mesh.patch.empty() || onePatch()) return corner;
   std::vector<std::uint32_t> first(corner.size(), 0);  // 1 + the other patch of a side
   const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
   for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
@@ -200,6 +205,7 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
   const std::vector<TriangleShape> shapes = shapesOf(mesh);
   if (shapes.empty()) return;
   std::vector<double> smallest, largest, ratios;
+  for (auto* values : {&smallest, &largest, &ratios}) values->reserve(shapes.size());
   std::size_t below20 = 0, below30 = 0;
   for (const TriangleShape& s : shapes) {
     smallest.push_back(s.minAngle);
@@ -208,18 +214,18 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
     if (s.minAngle < 20.0) ++below20;
     if (s.minAngle < 30.0) ++below30;
   }
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (isDegenerate(cornersOf(mesh, static_cast<std::uint32_t>(i)))) ++q.degenerateTriangles;
-  }
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (shapes[i].radiusRatio == 0.0 &&
+        isDegenerate(cornersOf(mesh, static_cast<std::uint32_t>(i))))
+      ++q.degenerateTriangles;
   measureCorners(mesh, shapes, q);
   q.minAngleMean = meanOf(smallest);
   q.radiusRatioMean = meanOf(ratios);
-  for (auto* values : {&smallest, &largest, &ratios}) std::sort(values->begin(), values->end());
-  q.minAngleMin = smallest.front();
+  q.minAngleMin = *std::min_element(smallest.begin(), smallest.end());
   q.minAngleP01 = atFraction(smallest, 0.01);
-  q.maxAngleMax = largest.back();
+  q.maxAngleMax = *std::max_element(largest.begin(), largest.end());
   q.maxAngleP99 = atFraction(largest, 0.99);
-  q.radiusRatioMin = ratios.front();
+  q.radiusRatioMin = *std::min_element(ratios.begin(), ratios.end());
   q.radiusRatioP01 = atFraction(ratios, 0.01);
   const auto count = static_cast<double>(shapes.size());
   q.below20Percent = 100.0 * static_cast<double>(below20) / count;
@@ -257,16 +263,20 @@ Deviations deviation(const std::vector<char>& counts, PointAt pointAt, bool with
       if (withCurvature) curved[i] = moved[i] * largestCurvature(phi, onWall);
     }
   });
-  const auto prepare = [](std::vector<double>& values) {
-    values.erase(std::remove(values.begin(), values.end(), -1.0), values.end());
-    const double mean = meanOf(values);
-    std::sort(values.begin(), values.end());
-    return mean;
-  };
   Deviations result;
-  const double mean = prepare(moved), curvedMean = prepare(curved);
-  if (!moved.empty()) result.distance = {mean, atFraction(moved, 0.99), moved.back()};
-  if (!curved.empty()) result.curved = {curvedMean, atFraction(curved, 0.99), curved.back()};
+  for (auto* values : {&moved, &curved})
+    values->erase(std::remove(values->begin(), values->end(), -1.0), values->end());
+  const auto largest = [](const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  if (!moved.empty()) {
+    const double mean = meanOf(moved);
+    result.distance = {mean, atFraction(moved, 0.99), largest(moved)};
+  }
+  if (!curved.empty()) {
+    const double mean = meanOf(curved);
+    result.curved = {mean, atFraction(curved, 0.99), largest(curved)};
+  }
   return result;
 }
 
@@ -282,15 +292,14 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Pr
   progress.report(0.2);
   measureShapes(mesh, q);
   progress.report(0.3);
-  q.roughness = measureRoughness(
-      mesh, phi == nullptr ? std::vector<char>{} : wallTriangles(mesh, phi->geometry()),
-      progress.sub(0.3, 0.4));
+  std::vector<char> wall;
+  if (phi != nullptr) wall = wallTriangles(mesh, phi->geometry());
+  q.roughness = measureRoughness(mesh, wall, progress.sub(0.3, 0.4));
   q.intersectingPairs = selfIntersections(mesh, progress.sub(0.4, phi == nullptr ? 1.0 : 0.6));
   q.selfIntersections = q.intersectingPairs.size();
   if (q.intersectingPairs.size() > listedPairs) q.intersectingPairs.resize(listedPairs);
   if (phi != nullptr) {
     // Caps are no part of the zero set.
-    const std::vector<char> wall = wallTriangles(mesh, phi->geometry());
     std::vector<char> onWall(mesh.points.size(), 0);
     for (std::size_t t = 0; t < wall.size(); ++t)
       if (wall[t] != 0)
