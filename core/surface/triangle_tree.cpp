@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "core/base/parallel.h"
 
@@ -21,20 +20,18 @@ std::array<Eigen::Vector3d, 3> cornersOf(const TriMesh& mesh, std::uint32_t tria
 TriangleTree::TriangleTree(const TriMesh& mesh, const Progress& progress) : mesh_(mesh) {
   const std::size_t count = mesh.triangles.size();
   if (count == 0) return;
-  std::vector<Eigen::Vector3d> centres(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto corners = cornersOf(mesh, static_cast<std::uint32_t>(i));
-    centres[i] = corners[0] + corners[1] + corners[2];
+  std::vector<Item> items(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto corners = cornersOf(mesh, i);
+    items[i] = {corners[0] + corners[1] + corners[2], i};
   }
   order_.resize(count);
-  std::iota(order_.begin(), order_.end(), 0U);
   boxes_.resize(count);
   nodes_.reserve(2 * count / leafSize + 64);
-  build(0, static_cast<std::uint32_t>(count), centres, progress);
+  build(0, static_cast<std::uint32_t>(count), items, progress);
 }
 
-std::uint32_t TriangleTree::build(std::uint32_t first, std::uint32_t last,
-                                  const std::vector<Eigen::Vector3d>& centres,
+std::uint32_t TriangleTree::build(std::uint32_t first, std::uint32_t last, std::vector<Item>& items,
                                   const Progress& progress) {
   const auto at = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
@@ -43,6 +40,7 @@ std::uint32_t TriangleTree::build(std::uint32_t first, std::uint32_t last,
     leaf.start = first;
     leaf.count = last - first;
     for (std::uint32_t i = first; i < last; ++i) {
+      order_[i] = items[i].triangle;
       for (const auto& corner : cornersOf(mesh_, order_[i])) boxes_[i].extend(corner);
       leaf.box.extend(boxes_[i]);
     }
@@ -51,17 +49,17 @@ std::uint32_t TriangleTree::build(std::uint32_t first, std::uint32_t last,
   }
   if (last - first > 4096) progress.check();
   Box spread;
-  for (std::uint32_t i = first; i < last; ++i) spread.extend(centres[order_[i]]);
+  for (std::uint32_t i = first; i < last; ++i) spread.extend(items[i].sum);
   Eigen::Index axis = 0;
   spread.sizes().maxCoeff(&axis);
   const std::uint32_t middle = first + (last - first) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const double x = centres[a][axis], y = centres[b][axis];
-                     return x != y ? x < y : a < b;
+  std::nth_element(items.begin() + first, items.begin() + middle, items.begin() + last,
+                   [axis](const Item& a, const Item& b) {
+                     const double x = a.sum[axis], y = b.sum[axis];
+                     return x != y ? x < y : a.triangle < b.triangle;
                    });
-  const std::uint32_t left = build(first, middle, centres, progress);
-  const std::uint32_t right = build(middle, last, centres, progress);
+  const std::uint32_t left = build(first, middle, items, progress);
+  const std::uint32_t right = build(middle, last, items, progress);
   nodes_[at].start = right;
   nodes_[at].box = nodes_[left].box.merged(nodes_[right].box);
   return at;
@@ -108,7 +106,6 @@ TriangleTree::Closest TriangleTree::closest(const Eigen::Vector3d& point) const 
 double TriangleTree::firstExit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                double least) const {
   double best = std::numeric_limits<double>::infinity();
-  if (nodes_.empty()) return best;
   const Eigen::Array3d inverse = direction.array().inverse();
   const auto misses = [&](const Box& box) {
     const Eigen::Array3d a = (box.min() - origin).array() * inverse;
@@ -125,33 +122,20 @@ double TriangleTree::firstExit(const Eigen::Vector3d& origin, const Eigen::Vecto
     }
     return enter > leave;
   };
-  std::array<std::uint32_t, 64> stack{};
-  std::size_t depth = 0;
-  stack[depth++] = 0;
-  while (depth > 0) {
-    const std::uint32_t at = stack[--depth];
-    const Node& node = nodes_[at];
-    if (misses(node.box)) continue;
-    if (node.count == 0) {
-      stack[depth++] = node.start;
-      stack[depth++] = at + 1;
-      continue;
-    }
-    for (std::uint32_t i = node.start; i < node.start + node.count; ++i) {
-      const auto corners = cornersOf(mesh_, order_[i]);
-      const Eigen::Vector3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
-      const Eigen::Vector3d normal = ab.cross(ac);
-      const double facing = normal.dot(direction);
-      if (!(facing > 0.0)) continue;
-      // Moeller and Trumbore 1997.
-      const Eigen::Vector3d from = origin - corners[0];
-      const Eigen::Vector3d turned = direction.cross(from);
-      const double u = -ac.dot(turned), v = ab.dot(turned);
-      if (u < 0.0 || v < 0.0 || u + v > facing) continue;
-      const double distance = -normal.dot(from) / facing;
-      if (distance > least && distance < best) best = distance;
-    }
-  }
+  forEachLeaf(misses, [&](std::uint32_t i) {
+    const auto corners = cornersOf(mesh_, order_[i]);
+    const Eigen::Vector3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+    const Eigen::Vector3d normal = ab.cross(ac);
+    const double facing = normal.dot(direction);
+    if (!(facing > 0.0)) return;
+    // Moeller and Trumbore 1997.
+    const Eigen::Vector3d from = origin - corners[0];
+    const Eigen::Vector3d turned = direction.cross(from);
+    const double u = -ac.dot(turned), v = ab.dot(turned);
+    if (u < 0.0 || v < 0.0 || u + v > facing) return;
+    const double distance = -normal.dot(from) / facing;
+    if (distance > least && distance < best) best = distance;
+  });
   return best;
 }
 

@@ -24,23 +24,10 @@ class TriangleTree {
   /// mesh only.
   template <class Visit>
   void forEachMeeting(const Box& box, Visit visit) const {
-    if (nodes_.empty()) return;
-    std::array<std::uint32_t, 64> stack{};
-    std::size_t depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-      const std::uint32_t at = stack[--depth];
-      const Node& node = nodes_[at];
-      if (!node.box.intersects(box)) continue;
-      if (node.count == 0) {
-        stack[depth++] = node.start;
-        stack[depth++] = at + 1;
-        continue;
-      }
-      for (std::uint32_t i = node.start; i < node.start + node.count; ++i) {
-        if (boxes_[i].intersects(box)) visit(order_[i]);
-      }
-    }
+    forEachLeaf([&](const Box& other) { return !other.intersects(box); },
+                [&](std::uint32_t i) {
+                  if (boxes_[i].intersects(box)) visit(order_[i]);
+                });
   }
 
   struct Closest {
@@ -65,8 +52,33 @@ class TriangleTree {
     std::uint32_t count = 0;  ///< leaf: number of triangles; else 0
   };
 
-  std::uint32_t build(std::uint32_t first, std::uint32_t last,
-                      const std::vector<Eigen::Vector3d>& centres, const Progress& progress);
+  struct Item {
+    Eigen::Vector3d sum;  ///< of its corners
+    std::uint32_t triangle = 0;
+  };
+  std::uint32_t build(std::uint32_t first, std::uint32_t last, std::vector<Item>& items,
+                      const Progress& progress);
+
+  /// Calls visit(place in order_) for the triangles of each leaf whose nodes' boxes no misses(box)
+  /// says to leave out.
+  template <class Misses, class Visit>
+  void forEachLeaf(Misses misses, Visit visit) const {
+    if (nodes_.empty()) return;
+    std::array<std::uint32_t, 64> stack{};
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const std::uint32_t at = stack[--depth];
+      const Node& node = nodes_[at];
+      if (misses(node.box)) continue;
+      if (node.count == 0) {
+        stack[depth++] = node.start;
+        stack[depth++] = at + 1;
+        continue;
+      }
+      for (std::uint32_t i = node.start; i < node.start + node.count; ++i) visit(i);
+    }
+  }
 
   const TriMesh& mesh_;
   std::vector<Node> nodes_;
