@@ -107,7 +107,12 @@ std::string readText(const fs::path& path) {
   if (!in)
     throw IoError("cannot read the file (" + reason(errno) + ")", path.string(),
                   "check the name and the permissions");
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::uintmax_t size = fs::file_size(path, error);
+  std::string text(error ? 0 : size, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  // Of a file that has grown meanwhile, or whose size nobody knows beforehand.
+  if (in) text.append(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
   if (in.bad())
     throw IoError("cannot read the file (" + reason(errno) + ")", path.string(),
                   "check the medium");
