@@ -155,15 +155,19 @@ QualityResult measure(const RunResult& run, const SplineField& field, const Prog
     ended = wallField(*run.surface->phi, run.params.surface.spline);
   result.marchingCubes = measureQuality(*run.surface->marchingCubes, ended ? &*ended : &field,
                                         progress.sub(0.0, 0.33));
-  result.unsmoothed = run.surface->mesh == run.surface->marchingCubes
-                          ? result.marchingCubes
-                          : measureQuality(*run.surface->mesh, &field, progress.sub(0.33, 0.66));
-  result.unsmoothed.fromFrontPercent = run.surface->origin.fromFrontPercent;
+  // Its maker has looked for triangles that meet, and smoothing lets none come to meet.
+  const SurfaceOrigin& origin = run.surface->origin;
+  const bool meetsNothing = origin.method != SurfaceMethod::MarchingCubes && origin.fault().empty();
+  result.unsmoothed =
+      run.surface->mesh == run.surface->marchingCubes
+          ? result.marchingCubes
+          : measureQuality(*run.surface->mesh, &field, progress.sub(0.33, 0.66), meetsNothing);
+  result.unsmoothed.fromFrontPercent = origin.fromFrontPercent;
   result.mesh = run.smoothed == run.surface->mesh
                     ? result.unsmoothed
-                    : measureQuality(*run.smoothed, &field, progress.sub(0.66, 1.0));
+                    : measureQuality(*run.smoothed, &field, progress.sub(0.66, 1.0), meetsNothing);
   // Smoothing moves vertices and flips edges; it makes no triangle.
-  result.mesh.fromFrontPercent = run.surface->origin.fromFrontPercent;
+  result.mesh.fromFrontPercent = origin.fromFrontPercent;
   return result;
 }
 

@@ -282,7 +282,8 @@ Deviations deviation(const std::vector<char>& counts, PointAt pointAt, bool with
 
 }  // namespace
 
-MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Progress& progress) {
+MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Progress& progress,
+                           bool meetsNothing) {
   progress.report(0.0);
   checkMesh(mesh);
   MeshQuality q;
@@ -295,7 +296,8 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Pr
   std::vector<char> wall;
   if (phi != nullptr) wall = wallTriangles(mesh, phi->geometry());
   q.roughness = measureRoughness(mesh, wall, progress.sub(0.3, 0.4));
-  q.intersectingPairs = selfIntersections(mesh, progress.sub(0.4, phi == nullptr ? 1.0 : 0.6));
+  if (!meetsNothing)
+    q.intersectingPairs = selfIntersections(mesh, progress.sub(0.4, phi == nullptr ? 1.0 : 0.6));
   q.selfIntersections = q.intersectingPairs.size();
   if (q.intersectingPairs.size() > listedPairs) q.intersectingPairs.resize(listedPairs);
   if (phi != nullptr) {

@@ -70,8 +70,9 @@ struct MeshQuality {
 };
 
 /// Deviation is the length of the projection onto the zero set of `phi` (Newton to 1e-6 voxel).
+/// @param meetsNothing somebody has seen that no triangles meet: nobody looks again
 MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi = nullptr,
-                           const Progress& progress = {});
+                           const Progress& progress = {}, bool meetsNothing = false);
 
 /// Smallest angle in degrees and 2 r / R of every triangle; 0 where degenerate.
 std::vector<float> minAngles(const TriMesh& mesh);
