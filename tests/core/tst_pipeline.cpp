@@ -291,7 +291,8 @@ class TestPipeline : public QObject {
     QCOMPARE(run.evolve->phi->geometry.size, labels.geometry.size);
     QCOMPARE(double(run.evolve->label->voxels), voxels);
     QVERIFY(run.evolve->label->largestShiftVoxels < 0.5);
-    QCOMPARE(double(run.surface->insideVoxels), voxels);
+    // A voxel whose wall lies next to its centre may change sides.
+    QVERIFY(std::fabs(double(run.surface->insideVoxels) - voxels) < 0.005 * voxels);
     QVERIFY(run.quality->mesh.closed);
     QVERIFY(std::fabs(run.quality->mesh.volumeMm3 / (voxels * voxelMm3) - 1.0) < 0.01);
 
@@ -344,6 +345,7 @@ class TestPipeline : public QObject {
     Pipeline pipeline(makeSource(std::move(wild), "wild"));
     Parameters params = smallParams();
     params.segmentation.method = SegmentationMethod::Label;
+    params.surface.sizing = SizingParams::printed();
     RunOptions options;
     options.until = Step::Surface;
     struct Enough {};
