@@ -131,8 +131,10 @@ double TriangleTree::firstExit(const Eigen::Vector3d& origin, const Eigen::Vecto
     // Moeller and Trumbore 1997.
     const Eigen::Vector3d from = origin - corners[0];
     const Eigen::Vector3d turned = direction.cross(from);
-    const double u = -ac.dot(turned), v = ab.dot(turned);
-    if (u < 0.0 || v < 0.0 || u + v > facing) return;
+    const double u = ac.dot(turned), v = -ab.dot(turned);
+    // A ray through an edge or a corner is not to slip out between the triangles there.
+    const double hair = 1e-9 * facing;
+    if (u < -hair || v < -hair || u + v > facing + hair) return;
     const double distance = -normal.dot(from) / facing;
     if (distance > least && distance < best) best = distance;
   });

@@ -312,6 +312,19 @@ class TestMeshQuality : public QObject {
     }
   }
 
+  void theFirstExitIsThroughTheTriangle() {
+    TriMesh mesh;
+    mesh.points = {{0.0, 0.0, 1.0}, {3.0, 0.0, 1.0}, {0.0, 3.0, 1.0}};
+    mesh.triangles = {{0, 1, 2}};
+    const TriangleTree tree(mesh);
+    const Vector3d up(0.0, 0.0, 1.0);
+    QVERIFY(tree.firstExit({1.0, 1.0, 0.0}, up, 0.0) == 1.0);
+    QVERIFY(std::isinf(tree.firstExit({1.0, 1.0, 0.0}, up, 1.5)));
+    QVERIFY(std::isinf(tree.firstExit({1.0, 1.0, 2.0}, -up, 0.0)));  // from outside
+    QVERIFY(std::isinf(tree.firstExit({2.0, 2.0, 0.0}, up, 0.0)));
+    QVERIFY(std::isinf(tree.firstExit({-1.0, -1.0, 0.0}, up, 0.0)));
+  }
+
   void orderOfVerticesAndTrianglesDoesNotMatter() {
     TriMesh mesh = shapes::torus(17, 9, 3.0, 1.0);
     shapes::append(mesh, shapes::moved(shapes::openTube(10, 5, 1.0), {2.5, 0.1, 0.2}));
