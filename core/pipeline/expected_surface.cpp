@@ -20,8 +20,8 @@ const double kUnitTriangle = 0.25 * std::sqrt(3.0);
 /// meet there is no room for whole ones.
 constexpr double kFrontExcess = 1.045;
 
-/// As measured with a million triangles.
-constexpr double kBytesPerTriangle = 600.0;
+/// As measured with five million triangles.
+constexpr double kBytesPerTriangle = 500.0;
 
 /// Of meshing, smoothing and measuring on one processor of 2020, where the wall is rough; smooth
 /// walls go twice as fast.

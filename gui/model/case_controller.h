@@ -232,6 +232,9 @@ class CaseController : public QObject {
   void refreshFromCache();
   void finishRun();
   [[nodiscard]] ExportRequest exportRequest(MeshKind kind, const QString& path) const;
+  /// Where it meets itself a surface is exported all the same: the user sees it, and may repair it
+  /// elsewhere.
+  void warnIfUnsound(MeshKind kind);
   void startExport(ExportRequest request);
   void finishExport();
   void sayExported(const ExportJob& job);

@@ -18,6 +18,16 @@ ExportRequest CaseController::exportRequest(MeshKind kind, const QString& path) 
   return request;
 }
 
+void CaseController::warnIfUnsound(MeshKind kind) {
+  const SurfaceOrigin* origin = kind == MeshKind::MarchingCubes ? nullptr : surfaceOrigin();
+  if (origin && !origin->fault().empty()) {
+    say(Severity::Warning,
+        tr("This surface is not fit for a solver: %1. Look at that place in the image, and smooth "
+           "more or choose another surface method.")
+            .arg(QString::fromStdString(origin->fault())));
+  }
+}
+
 void CaseController::exportMesh(MeshKind kind, const QString& path, const MeshWriteOptions& options,
                                 const ExportExtras& extras) {
   ExportRequest request = exportRequest(kind, path);
@@ -34,6 +44,7 @@ void CaseController::exportMesh(MeshKind kind, const QString& path, const MeshWr
   if (extras.report) {
     request.report = meshRun_;
   }
+  warnIfUnsound(kind);
   startExport(std::move(request));
 }
 
@@ -41,6 +52,7 @@ void CaseController::exportOpenFoam(MeshKind kind, const QString& folder, bool r
   ExportRequest request = exportRequest(kind, folder);
   request.kind = ExportKind::OpenFoam;
   request.replace = replace;
+  warnIfUnsound(kind);
   startExport(std::move(request));
 }
 

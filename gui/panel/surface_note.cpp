@@ -48,6 +48,9 @@ void SurfaceNote::refresh() {
     parts << tr("%1 components verified").arg(verifiedText(*origin));
   }
   QStringList lines{parts.join(QStringLiteral(", "))};
+  if (origin && !origin->fault().empty()) {
+    lines << tr("Not fit for a solver: %1").arg(QString::fromStdString(origin->fault()));
+  }
   lines << controller_.expectationWarnings();
   setText(lines.join('\n'));
   setToolTip(origin ? verifiedReasons(*origin) : QString());
