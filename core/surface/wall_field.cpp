@@ -20,7 +20,9 @@ constexpr double kThin = 2.5, kThick = 3.5;
 constexpr double kStraight = 1.5, kFull = 2.0, kNone = 5.0;
 constexpr double kSharpest = 0.7;  // radius of curvature
 constexpr int kReach = 3;          // voxels around, over which curvatures are averaged
-constexpr double kSpread = 1.2;
+/// Gaussian of 1.2 voxels.
+constexpr double kWeight[kReach + 1] = {1.0, 0.7066482778577162, 0.24935220877729622,
+                                        0.04393693362340742};
 
 /// A voxel outside, next to a wall, by its place in its row.
 struct Outside {
@@ -46,9 +48,7 @@ class RidgeRounder {
       : phi_(phi),
         grid_(phi.geometry),
         voxelMm_(grid_.voxelMm()),
-        rows_(static_cast<std::size_t>(grid_.size[1]) * static_cast<std::size_t>(grid_.size[2])) {
-    for (int n = 0; n <= kReach; ++n) weight_[n] = std::exp(-0.5 * n * n / (kSpread * kSpread));
-  }
+        rows_(static_cast<std::size_t>(grid_.size[1]) * static_cast<std::size_t>(grid_.size[2])) {}
 
   Volume<float> run() {
     forRows([&](int j, int k) { measureRow(j, k); });
@@ -122,13 +122,13 @@ class RidgeRounder {
     for (int c = std::max(0, k - kReach); c <= std::min(grid_.size[2] - 1, k + kReach); ++c)
       for (int b = std::max(0, j - kReach); b <= std::min(grid_.size[1] - 1, j + kReach); ++b) {
         const std::vector<Outside>& others = row(b, c);
-        const double across = weight_[std::abs(b - j)] * weight_[std::abs(c - k)];
+        const double across = kWeight[std::abs(b - j)] * kWeight[std::abs(c - k)];
         std::size_t from = 0;
         for (std::size_t n = 0; n < columns.size(); ++n) {
           while (from < others.size() && others[from].column < columns[n] - kReach) ++from;
           for (std::size_t m = from; m < others.size() && others[m].column <= columns[n] + kReach;
                ++m) {
-            const double w = across * weight_[std::abs(others[m].column - columns[n])];
+            const double w = across * kWeight[std::abs(others[m].column - columns[n])];
             means[n].sum += w * static_cast<double>(others[m].sum);
             means[n].product += w * static_cast<double>(others[m].product);
             means[n].weight += w;
@@ -160,7 +160,6 @@ class RidgeRounder {
   const Volume<float>& phi_;
   const Geometry& grid_;
   double voxelMm_;
-  double weight_[kReach + 1] = {};
   std::vector<std::vector<Outside>> rows_;
 };
 

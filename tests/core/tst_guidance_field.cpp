@@ -103,6 +103,23 @@ class TestGuidanceField : public QObject {
     }
   }
 
+  void curvatureAsksForNoEdgeThatVoxelsDoNotTell() {
+    const Geometry g = oblique(40, 34, 24);
+    const Eigen::Vector3d c = centreOf(g);
+    const double voxel = std::cbrt(g.spacing.prod());
+    for (const double r : {4.0, 6.0}) {
+      const SplineField field = fieldOf(g, [&](const auto& x) { return ball(x, c, r); });
+      SizingParams p = SizingParams::printed(0.02);
+      p.etaCompensated = true;
+      p.edgeMinVoxels = 0.7;
+      // Between samples it rises by the slope.
+      QVERIFY(isEverywhere(GuidanceField(field, p), field, 0.7 * voxel, 0.12));
+      // However long that is, no edge spans more than 0.8 radian.
+      p.edgeMinVoxels = 20.0;
+      QVERIFY(isEverywhere(GuidanceField(field, p), field, 2.0 * std::sin(0.4) * r, 0.04));
+    }
+  }
+
   /// A plate has no curvature: its thickness alone limits, and without that the size of the volume.
   void aFlatPlateHasAFiniteLength() {
     const Geometry g = cube(30);
