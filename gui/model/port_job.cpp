@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/model/port_job.h"
-#include "core/surface/wall_field.h"
 
 #include <cstdio>
 #include <exception>
@@ -9,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/quality/port_advice.h"
 #include "core/quality/vessel_at.h"
+#include "core/surface/wall_field.h"
 
 namespace angiomesh {
 
