@@ -40,8 +40,10 @@ constexpr double kWindowNoise = 1.33, kLeastDeviation = 0.03;
 // depends on where the wall lies.
 constexpr float kFull = 0.8F;
 constexpr int kRounds = 2;
-constexpr float kOfMask = 0.2887F;  // standard deviation of half a voxel to either side
-constexpr float kHeld = 0.05F;      // |phi| of a voxel that is kept on its side, working voxels
+// Of a mask, working voxels: the standard deviation of half a voxel to either side is both the
+// wall's uncertainty and the point spread of a voxel that is full or empty by half of its volume.
+constexpr float kOfMask = 0.2887F;
+constexpr float kHeld = 0.05F;  // |phi| of a voxel that is kept on its side, working voxels
 
 class WallFitter {
  public:
@@ -66,15 +68,18 @@ class WallFitter {
 
   SmoothWall run(const Progress& progress) {
     SmoothWall out;
-    fit(evidence_ != nullptr ? kFirstReach * params_.reach : params_.reach, {}, progress);
+    fit(kFirstReach * params_.reach, {}, progress);
     progress.report(0.3);
-    for (int round = 0; evidence_ != nullptr && round < kRounds; ++round) {
+    if (evidence_ == nullptr) profile_.spread = static_cast<double>(kOfMask);
+    for (int round = 0; round < kRounds; ++round) {
       cells_.place(wallField(phi_, SplineKind::InterpolatingBspline), progress);
-      if (round == 0) out.spreadVoxels = spread();
-      if (out.spreadVoxels > 0.0) profile_.spread = out.spreadVoxels;
-      levelLumen();
+      if (evidence_ != nullptr) {
+        if (round == 0) out.spreadVoxels = spread();
+        if (out.spreadVoxels > 0.0) profile_.spread = out.spreadVoxels;
+        levelLumen();
+      }
       const std::vector<Reading> readings = residuals();
-      doubt(readings);
+      if (evidence_ != nullptr) doubt(readings);
       fit(params_.reach, readings, progress);
       progress.report(0.3 * (round + 2));
     }
@@ -89,6 +94,13 @@ class WallFitter {
   struct Reading {
     float outwards = 0.0F, weight = 0.0F;
   };
+
+  /// The share of the lumen's brightness over the surroundings' at a cell's voxel.
+  [[nodiscard]] double seenAt(std::size_t n) const {
+    if (evidence_ == nullptr) return start_[n] < 0.0F ? 1.0 : 0.0;
+    const std::size_t e = number_[n];
+    return static_cast<double>((evidence_->value[e] - evidence_->around[e]) / contrastAt(e));
+  }
 
   void findEvidence() {
     number_.assign(cells_.size(), kNoEvidence);
@@ -157,12 +169,11 @@ class WallFitter {
       for (std::size_t n = first; n < last; ++n) {
         const WallCell& cell = cells_[n];
         const auto d = static_cast<double>(cell.distance);
-        if (number_[n] == kNoEvidence || std::fabs(d) > kTelling) continue;
+        if (std::fabs(d) > kTelling || (evidence_ != nullptr && number_[n] == kNoEvidence))
+          continue;
         // Around the axis of a vessel the model does not hold.
         if (frames_[n].radius > 0.0F && d < -0.8 * static_cast<double>(frames_[n].radius)) continue;
-        const std::size_t e = number_[n];
-        const double seen =
-            static_cast<double>((evidence_->value[e] - evidence_->around[e]) / contrastAt(e));
+        const double seen = seenAt(n);
         const double x = profile_.argument(d, bends_[n]);
         const double slope = profile_.slope(x);
         const double more = std::clamp(seen - WallProfile::share(x), -1.0, 1.0);

@@ -38,8 +38,9 @@ struct SmoothWall {
 /// from what the profile says that its voxels are (changes `evidence`). Topology (26-connected
 /// vessels) stays; no voxel's value changes by more than 0.9 working voxel.
 ///
-/// Without `evidence`, as of a mask of another program, only the first fit is made, for a wall that
-/// is uncertain by half a voxel to either side.
+/// Without `evidence`, as of a mask of another program, the image is the sign of `phi`: voxels that
+/// are full or empty, which the profile of an evenly filled voxel explains. The wall is uncertain
+/// by half a voxel to either side then.
 /// @param phi signed distance in mm, clamped at 5 working voxels (see redistance())
 /// @throws Cancelled
 SmoothWall smoothWall(Volume<float> phi, WallEvidence* evidence, const SmoothWallParams& params,

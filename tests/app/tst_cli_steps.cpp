@@ -175,7 +175,8 @@ class TestCliSteps : public QObject, CliRun {
     const QJsonObject source = mesh.json().value("source").toObject();
     QCOMPARE(source.value("kind").toString(), QString("mask"));
     QVERIFY(source.value("largest_shift_voxels").toDouble() < 0.5);
-    QVERIFY(std::fabs(source.value("volume_change_percent").toDouble()) < 1.5);
+    // Voxels that are inside by half of their volume miss h^2 / 24 times the curvature of the wall.
+    QVERIFY(std::fabs(source.value("volume_change_percent").toDouble()) < 1.25);
 
     // The same mask beside another label.
     Volume<std::uint8_t> labels = readMask(nativePath(at("p/truth.mha")));

@@ -291,10 +291,10 @@ class TestPipeline : public QObject {
     QCOMPARE(run.evolve->phi->geometry.size, labels.geometry.size);
     QCOMPARE(double(run.evolve->label->voxels), voxels);
     QVERIFY(run.evolve->label->largestShiftVoxels < 0.5);
-    // A voxel whose wall lies next to its centre may change sides.
-    QVERIFY(std::fabs(double(run.surface->insideVoxels) - voxels) < 0.005 * voxels);
+    // The sharp rim where the labels touch becomes round.
+    QVERIFY(std::fabs(double(run.surface->insideVoxels) - voxels) < 0.015 * voxels);
     QVERIFY(run.quality->mesh.closed);
-    QVERIFY(std::fabs(run.quality->mesh.volumeMm3 / (voxels * voxelMm3) - 1.0) < 0.01);
+    QVERIFY(std::fabs(run.quality->mesh.volumeMm3 / (voxels * voxelMm3) - 1.0) < 0.02);
 
     // Nothing of a scan's parameters counts, the label does.
     Parameters other = params;

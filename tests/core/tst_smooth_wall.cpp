@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/levelset/mask_distance.h"
 #include "core/levelset/redistance.h"
 #include "core/lumen/local_quadric.h"
 #include "core/lumen/smooth_wall.h"
@@ -270,6 +271,23 @@ class TestSmoothWall : public QObject {
     const WallError before = errorOf(phi, tube), after = errorOf(redistance(wall.phi), tube);
     QVERIFY(after.spread < 0.6 * before.spread);
     QVERIFY(after.angle < 0.4 * before.angle);
+  }
+
+  void aMaskKeepsTheVesselsThickness() {
+    for (const double radius : {1.3, 2.0, 3.3}) {
+      const auto tube = [&](const Vector3d& p) { return tubeDistance(p, radius); };
+      Volume<std::uint8_t> mask(analytic::cube(kSize));
+      for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+        const Index3 p = mask.geometry.indexOf(i);
+        mask.voxels[i] = tube(Vector3d(p[0], p[1], p[2])) < 0.0 ? 1 : 0;
+      }
+      const Volume<float> phi = smoothDistance(mask);
+      const WallError before = errorOf(phi, tube);
+      const WallError after = errorOf(redistance(smoothWall(phi, nullptr, {}).phi), tube);
+      QVERIFY2(std::fabs(after.mean) < 0.03, QByteArray::number(after.mean));
+      QVERIFY2(after.spread < 0.7 * before.spread, QByteArray::number(after.spread));
+      QVERIFY2(after.angle < 0.4 * before.angle, QByteArray::number(after.angle));
+    }
   }
 
   void isTheSameForAnyNumberOfThreads() {
