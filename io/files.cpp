@@ -4,14 +4,16 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <random>
+#include <mutex>
+#include <optional>
+#include <set>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/temporary_place.h"
 
 namespace angiomesh {
 namespace {
@@ -22,15 +24,19 @@ const char* const kAdvice = "check that the folder may be written to and has fre
 
 std::string reason(int code) { return std::generic_category().message(code); }
 
-fs::path temporaryBeside(const fs::path& target) {
-  static std::atomic<unsigned> counter{0};
-  static const unsigned salt = std::random_device{}();
-  const std::string extension =
-      target.filename().string().ends_with(".nii.gz") ? ".nii.gz" : target.extension().string();
-  // Process and salt: two programs, perhaps on two machines, may write to one shared folder.
-  return target.parent_path() /
-         (".angiomesh-" + std::to_string(::getpid()) + "-" + std::to_string(salt) + "-" +
-          std::to_string(counter++) + extension);
+std::string extensionOf(const fs::path& target) {
+  return target.filename().string().ends_with(".nii.gz") ? ".nii.gz" : target.extension().string();
+}
+
+/// Once in a process for each folder.
+void removeLeftoversOnce(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> done;
+  {
+    const std::lock_guard lock(mutex);
+    if (!done.insert(folder).second) return;
+  }
+  removeLeftovers(folder);
 }
 
 /// Throws unless a regular file can come to stand at `target`.
@@ -70,23 +76,22 @@ void writeAtomically(const fs::path& path, const std::function<void(const fs::pa
   // A symbolic link stays a link: what it points to is replaced.
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
   checkTarget(target);
-  const fs::path temporary = temporaryBeside(target);
-  {
-    std::ofstream probe(temporary, std::ios::binary);
-    if (!probe)
-      throw IoError("cannot write the file (" + reason(errno) + ")", path.string(), kAdvice);
-  }
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  removeLeftoversOnce(folder);
+  std::optional<TemporaryPlace> temporary;
   try {
-    write(temporary);
-    flushToMedium(temporary, path);
-    fs::rename(temporary, target, error);
-    if (error)
-      throw IoError("cannot write the file (" + error.message() + ")", path.string(),
-                    "choose another place");
-  } catch (...) {
-    fs::remove(temporary, error);
-    throw;
+    temporary.emplace(folder, TemporaryPlace::Kind::File, extensionOf(target));
+  } catch (const fs::filesystem_error& failure) {
+    throw IoError("cannot write the file (" + failure.code().message() + ")", path.string(),
+                  kAdvice);
   }
+  write(temporary->path());
+  flushToMedium(temporary->path(), path);
+  fs::rename(temporary->path(), target, error);
+  if (error)
+    throw IoError("cannot write the file (" + error.message() + ")", path.string(),
+                  "choose another place");
+  syncFolder(folder);
 }
 
 void writeText(const fs::path& path, std::string_view text) {
@@ -99,20 +104,27 @@ void writeText(const fs::path& path, std::string_view text) {
   });
 }
 
-std::string readText(const fs::path& path) {
+std::string readText(const fs::path& path, std::uintmax_t most) {
   std::error_code error;
-  if (fs::is_directory(path, error))
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status))
     throw IoError("cannot read the file, it is a folder", path.string(), "give a file");
+  // A pipe or a device may never end.
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw IoError("cannot read the file, it is a pipe or a device", path.string(),
+                  "copy what it holds to a file first");
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw IoError("cannot read the file (" + reason(errno) + ")", path.string(),
                   "check the name and the permissions");
   const std::uintmax_t size = fs::file_size(path, error);
+  if (!error && size > most)
+    throw IoError(
+        "the file is larger than such a file can be (" + std::to_string(size >> 20) + " MB)",
+        path.string(), "check the name");
   std::string text(error ? 0 : size, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
-  // Of a file that has grown meanwhile, or whose size nobody knows beforehand.
-  if (in) text.append(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
   if (in.bad())
     throw IoError("cannot read the file (" + reason(errno) + ")", path.string(),
                   "check the medium");

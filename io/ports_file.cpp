@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "io/files.h"
 
 namespace angiomesh {
@@ -127,7 +128,7 @@ void writePorts(const std::vector<Port>& ports, const fs::path& path) {
 }
 
 std::vector<Port> readPorts(const fs::path& path) {
-  const Json json = Json::parse(readText(path), nullptr, false);
+  const Json json = parseJson<Json>(readText(path, kMostJsonBytes));
   if (json.is_discarded()) throw IoError("the file is no JSON", path.string(), kCopyAgain);
   if (!json.is_object() || !json.contains("schema") || !json.contains("ports"))
     throw InputError("not a file of ports", path.string(), "give a ports.json");

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/options.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
+#include <system_error>
 
 #include "app/cli/session.h"
 #include "core/base/error.h"
@@ -40,7 +43,8 @@ std::vector<double> parseNumbers(const std::string& text, std::size_t count,
 
 Parameters ParameterOptions::parameters() const {
   Parameters params = preset(presetName);
-  if (!paramsFile.empty()) params = parametersFromJson(readText(paramsFile), params, paramsFile);
+  if (!paramsFile.empty())
+    params = parametersFromJson(readText(paramsFile, kMostJsonBytes), params, paramsFile);
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos)
@@ -118,6 +122,18 @@ void addReading(CLI::App& command, ReadOptions& options) {
 
 void printWarnings(const InputInfo& info) {
   for (const std::string& warning : screenWarnings(info)) printWarning(warning);
+}
+
+void checkOutputFile(const std::filesystem::path& file) {
+  const std::filesystem::path folder =
+      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error))
+    throw IoError("there is no such folder", folder.string(),
+                  "make it first, or choose another place with -o");
+  if (access(folder.c_str(), W_OK) != 0)
+    throw IoError("the folder may not be written to", folder.string(),
+                  "choose another place with -o");
 }
 
 }  // namespace angiomesh::cli

@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,5 +49,9 @@ void addReading(CLI::App& command, ReadOptions& options);
 
 /// Prints what reading had to say, with the names of files.
 void printWarnings(const InputInfo& info);
+
+/// Finds out early, before a long computation, that a file cannot be written.
+/// @throws IoError when its folder does not exist or may not be written to
+void checkOutputFile(const std::filesystem::path& file);
 
 }  // namespace angiomesh::cli

@@ -178,7 +178,7 @@ int quality(const QualityOptions& options, const Progress& progress) {
   if (phi) wall = measureWall(mesh, *phi, surface.sizing, progress.sub(0.4, 0.7));
   std::optional<WallTruth> truth;
   if (!options.truth.empty())
-    truth.emplace(phantomFromTruthJson(readText(options.truth), options.truth));
+    truth.emplace(phantomFromTruthJson(readText(options.truth, kMostJsonBytes), options.truth));
   std::optional<WallAccuracy> accuracy;
   if (truth) accuracy = wallAccuracy(mesh, *truth, progress.sub(0.65, 0.7));
   std::optional<MeshQuality> other;

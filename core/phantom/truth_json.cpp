@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/phantom/shape.h"
 
 namespace angiomesh {
@@ -29,7 +30,7 @@ nlohmann::json toJson(const ClutterPiece& piece) {
 class TruthReader {
  public:
   TruthReader(const std::string& text, const std::string& where) : where_(where) {
-    json_ = nlohmann::json::parse(text, nullptr, false);
+    json_ = parseJson<nlohmann::json>(text, {.members = 1000000});
     if (json_.is_discarded() || !json_.is_object() || !json_.contains("kind"))
       fail("it is no truth.json of a phantom");
     if (!json_.contains("schema") || json_["schema"] != kSchema)

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 
 namespace angiomesh {
 namespace {
@@ -375,7 +376,10 @@ std::string parametersToJson(const Parameters& params) {
 
 Parameters parametersFromJson(std::string_view text, const Parameters& base,
                               const std::string& where) {
-  const Json json = Json::parse(text, nullptr, false);
+  if (!isModestJson(text))
+    throw InputError("the parameters are nested too deep, or there are too many", where,
+                     "write them as {\"vesselness\": {\"sigmaMinMm\": 0.5}, ...}");
+  const Json json = parseJson<Json>(text);
   if (json.is_discarded() || !json.is_object())
     throw InputError("the parameters are not a JSON object", where,
                      "write them as {\"vesselness\": {\"sigmaMinMm\": 0.5}, ...}");
