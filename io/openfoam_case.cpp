@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/openfoam_case.h"
 
-#include <unistd.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -18,6 +16,7 @@
 #include "io/mesh_io.h"
 #include "io/openfoam_text.h"
 #include "io/patch_files.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh {
 namespace {
@@ -25,7 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const kSurface = "constant/triSurface/vessel.stl";
-const char* const kAdvice = "check that the folder may be written to and has free space";
 
 constexpr double kCellsAcross = 11.0;
 /// Enough for long vessels, and a second's work for blockMesh.
@@ -118,72 +116,16 @@ Eigen::Vector3d insideACell(const TriMesh& mesh, const OpenFoamMesh& plan) {
   return 1e-3 * inside.depthMm > cell ? middle : point;
 }
 
-fs::path withoutTrailingSlash(const fs::path& path) {
-  const fs::path whole = fs::absolute(path).lexically_normal();
-  return whole.has_filename() ? whole : whole.parent_path();
+void checkFolder(const fs::path& folder, bool replace) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(folder, error).lexically_normal();
+  const fs::path parent = (whole.has_filename() ? whole : whole.parent_path()).parent_path();
+  if (!fs::is_directory(parent, error))
+    throw IoError("there is no such folder", parent.string(), "make it first");
+  if (!replace && fs::is_directory(folder, error) && !fs::is_empty(folder, error))
+    throw InputError("the folder is not empty", folder.string(),
+                     "choose another folder, or replace the case in it with --force");
 }
-
-/// A folder beside the one to be written, which goes with the object.
-class Stage {
- public:
-  Stage(const fs::path& folder, bool replace) : folder_(withoutTrailingSlash(folder)) {
-    std::error_code error;
-    const fs::file_status status = fs::status(folder_, error);
-    if (fs::exists(status) && !fs::is_directory(status))
-      throw IoError("the output place is not a folder", folder.string(), "choose another place");
-    existed_ = fs::exists(status) && !fs::is_empty(folder_, error);
-    if (existed_ && !replace)
-      throw InputError("the folder is not empty", folder.string(),
-                       "choose another folder, or replace the case in it with --force");
-    if (!fs::is_directory(folder_.parent_path(), error))
-      throw IoError("there is no such folder", folder_.parent_path().string(), "make it first");
-    static std::atomic<unsigned> counter{0};
-    place_ = folder_.parent_path() /
-             (".angiomesh-" + std::to_string(::getpid()) + "-case-" + std::to_string(counter++));
-    if (!fs::create_directory(place_, error))
-      throw IoError("cannot write the case", folder.string(), kAdvice);
-  }
-  ~Stage() {
-    std::error_code error;
-    fs::remove_all(place_, error);
-  }
-  Stage(const Stage&) = delete;
-  Stage& operator=(const Stage&) = delete;
-
-  [[nodiscard]] fs::path fileIn(const std::string& name) const {
-    fs::create_directories((place_ / name).parent_path());
-    return place_ / name;
-  }
-
-  /// @throws std::filesystem::filesystem_error, with a former case as it was
-  void moveIntoPlace(const std::vector<std::string>& names) {
-    if (!existed_) {
-      fs::rename(place_, folder_);
-      return;
-    }
-    std::vector<std::pair<fs::path, fs::path>> moves;
-    const auto move = [&](const fs::path& from, const fs::path& to) {
-      fs::create_directories(to.parent_path());
-      fs::rename(from, to);
-      moves.emplace_back(from, to);
-    };
-    try {
-      for (const std::string& name : names) {
-        if (fs::exists(folder_ / name)) move(folder_ / name, place_ / "former" / name);
-        move(place_ / name, folder_ / name);
-      }
-    } catch (const fs::filesystem_error&) {
-      std::error_code ignored;
-      for (auto undo = moves.rbegin(); undo != moves.rend(); ++undo)
-        fs::rename(undo->second, undo->first, ignored);
-      throw;
-    }
-  }
-
- private:
-  fs::path folder_, place_;
-  bool existed_ = false;
-};
 
 }  // namespace
 
@@ -205,29 +147,27 @@ OpenFoamCase writeOpenFoamCase(const TriMesh& mesh, const std::vector<Port>& por
     result.warnings.push_back("the surface has " + std::to_string(count) +
                               " components: snappyHexMesh fills the largest alone");
 
-  Stage stage(folder, replace);
-  try {
+  const std::map<std::string, std::string> texts = openFoamTexts(plan);
+  std::vector<std::string> names{kSurface};
+  for (const auto& [name, text] : texts) names.push_back(name);
+  checkFolder(folder, replace);
+  StagedFolder staged(folder, names, replace);
+  staged.add(kSurface, [&](const fs::path& place) {
     MeshWriteOptions write;
     write.unit = LengthUnit::Metre;
     write.encoding = MeshEncoding::Ascii;
     write.patchNames = plan.patches;
-    writeMesh(outward, stage.fileIn(kSurface), write);
-    checkMeshFile(outward, stage.fileIn(kSurface), write);
-    std::vector<std::string> names{kSurface};
-    for (const auto& [name, text] : openFoamTexts(plan)) {
-      writeText(stage.fileIn(name), text);
-      names.push_back(name);
-    }
-    fs::permissions(stage.fileIn("Allrun"), fs::perms::owner_exec | fs::perms::group_exec,
-                    fs::perm_options::add);
-    stage.moveIntoPlace(names);
-  } catch (const fs::filesystem_error& error) {
-    throw IoError("cannot write the case (" + error.code().message() + ")", folder.string(),
-                  kAdvice);
-  } catch (const IoError&) {
-    // It names a place that is gone.
-    throw IoError("cannot write the case", folder.string(), kAdvice);
-  }
+    writeMesh(outward, place, write);
+    checkMeshFile(outward, place, write);
+  });
+  for (const auto& entry : texts)
+    staged.add(entry.first, [&](const fs::path& place) {
+      writeText(place, entry.second);
+      if (entry.first == "Allrun")
+        fs::permissions(place, fs::perms::owner_exec | fs::perms::group_exec,
+                        fs::perm_options::add);
+    });
+  staged.commit();
   return result;
 }
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/patch_files.h"
 
+#include <algorithm>
 #include <cctype>
 #include <limits>
 #include <set>
+#include <system_error>
+#include <utility>
 
+#include "core/base/error.h"
 #include "core/surface/outward.h"
 #include "io/mesh_patch.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh {
 namespace {
@@ -57,25 +62,45 @@ std::vector<std::string> fileWords(const std::vector<std::string>& names) {
 
 std::vector<std::filesystem::path> writePatchFiles(const TriMesh& mesh,
                                                    const std::filesystem::path& path,
-                                                   const MeshWriteOptions& options) {
+                                                   const MeshWriteOptions& options,
+                                                   std::vector<std::string>* warnings) {
   checkMesh(mesh);
   TriMesh outward = mesh;
   turnOutward(outward);
-  const std::vector<std::string> names = patchNamesFor(mesh, options.patchNames);
-  const std::vector<std::string> words = fileWords(names);
-  std::vector<std::filesystem::path> files;
-  for (std::size_t patch = 0; patch < names.size(); ++patch) {
-    const TriMesh part = patchSurface(outward, patch);
-    if (part.triangles.empty()) continue;
-    MeshWriteOptions write = options;
-    write.patchNames = {names[patch]};
-    std::filesystem::path file = path;
-    file.replace_filename(path.stem().string() + "_" + words[patch] + path.extension().string());
-    writeMesh(part, file, write);
-    checkMeshFile(part, file, write);
-    files.push_back(file);
+  const std::vector<std::string> patches = patchNamesFor(mesh, options.patchNames);
+  const std::vector<std::string> words = fileWords(patches);
+  std::vector<std::pair<std::size_t, std::string>> files;  // patch, name
+  std::vector<std::string> names;
+  for (std::size_t patch = 0; patch < patches.size(); ++patch) {
+    if (std::find(mesh.patch.begin(), mesh.patch.end(), patch) == mesh.patch.end()) continue;
+    files.emplace_back(patch,
+                       path.stem().string() + "_" + words[patch] + path.extension().string());
+    names.push_back(files.back().second);
   }
-  return files;
+  if (warnings != nullptr) names.push_back(path.filename().string());
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (std::error_code error; !std::filesystem::is_directory(folder, error))
+    throw IoError("cannot write the file, there is no such folder", path.string(),
+                  "make the folder first or choose another place");
+  StagedFolder staged(folder, names, true, StagedFolder::Writers::Many);
+  std::vector<std::filesystem::path> written;
+  for (const auto& [patch, name] : files) {
+    const TriMesh part = patchSurface(outward, patch);
+    MeshWriteOptions write = options;
+    write.patchNames = {patches[patch]};
+    staged.add(name, [&](const std::filesystem::path& place) {
+      writeMesh(part, place, write);
+      checkMeshFile(part, place, write);
+    });
+    written.push_back(path.parent_path() / name);
+  }
+  if (warnings != nullptr)
+    staged.add(path.filename().string(), [&](const std::filesystem::path& place) {
+      *warnings = writeMesh(mesh, place, options);
+      checkMeshFile(mesh, place, options);
+    });
+  staged.commit();
+  return written;
 }
 
 }  // namespace angiomesh

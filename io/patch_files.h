@@ -14,12 +14,15 @@ TriMesh patchSurface(const TriMesh& mesh, std::size_t patch);
 
 /// Writes each patch that has triangles to a file of its own beside `path`, "vessel_inlet.stl" for
 /// vessel.stl, and reads it back; in the names of files, what is no letter, digit, '-' or '.'
-/// becomes '_'. Each file appears as a whole or not at all. `mesh` has patches; closed parts of it
-/// that face inward are turned round in the files. @returns the files, in the patches' order
-/// @throws as writeMesh() and checkMeshFile(); files that were written already stay
+/// becomes '_'. All files appear or none. `mesh` has patches; closed parts of it that face inward
+/// are turned round in the files. @returns the files, in the patches' order
+/// @param warnings if given, `path` is written too, the whole mesh as writeMesh() does, whose
+/// warnings these are
+/// @throws as writeMesh() and checkMeshFile(): what was there stays
 std::vector<std::filesystem::path> writePatchFiles(const TriMesh& mesh,
                                                    const std::filesystem::path& path,
-                                                   const MeshWriteOptions& options = {});
+                                                   const MeshWriteOptions& options = {},
+                                                   std::vector<std::string>* warnings = nullptr);
 
 /// Names for folders, files and dictionaries: of letters, digits, '-', '_' and '.', not '.' first,
 /// all different even where small and capital letters are the same.

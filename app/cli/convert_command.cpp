@@ -28,6 +28,15 @@ struct ConvertOptions {
   std::string meshOption;  ///< one that was given and means nothing for a volume
 };
 
+/// Through links and other names of the same file.
+void checkOther(const ConvertOptions& options) {
+  std::error_code error;
+  if (!options.force && fs::equivalent(options.input, options.output, error) &&
+      !fs::is_directory(options.input, error))
+    throw InputError("the output is the input", options.output,
+                     "give another name with -o, or replace the input with --force");
+}
+
 bool isMeshName(const fs::path& path) {
   const std::string extension = meshExtension(path);
   return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
@@ -47,7 +56,7 @@ void sayNumbered(const ConvertOptions& options) {
                ": give --solid-names to keep them");
 }
 
-int convertMesh(const ConvertOptions& options) {
+int convertMesh(const ConvertOptions& options, const Progress& progress) {
   const bool hasNames = options.ascii || meshExtension(options.output) != ".stl";
   if (options.solidNames && !hasNames && !options.patchFiles)
     throw InputError("a binary STL file has no names of patches", "--solid-names",
@@ -67,12 +76,18 @@ int convertMesh(const ConvertOptions& options) {
   write.patchNames = options.solidNames ? loaded.patchNames : plainPatchNames(loaded, numbered);
   if (numbered && loaded.patchNames.size() > 1 && (hasNames || options.patchFiles))
     sayNumbered(options);
-  writeChecked(loaded.mesh, options.output, options.output, write);
-  if (options.patchFiles) writePatchFiles(loaded.mesh, options.output, write);
+  progress.check();
+  if (!options.patchFiles) {
+    writeChecked(loaded.mesh, options.output, options.output, write);
+    return Done;
+  }
+  std::vector<std::string> warnings;
+  writePatchFiles(loaded.mesh, options.output, write, &warnings);
+  for (const std::string& warning : warnings) printWarning(warning + ", " + options.output);
   return Done;
 }
 
-int convertToOpenFoam(const ConvertOptions& options) {
+int convertToOpenFoam(const ConvertOptions& options, const Progress& progress) {
   const LoadedMesh loaded = loadSpoken(options);
   bool numbered = false;
   const std::vector<std::string> names =
@@ -81,6 +96,7 @@ int convertToOpenFoam(const ConvertOptions& options) {
   std::vector<Port> ports;
   if (!loaded.mesh.patch.empty()) ports = measurePatches(loaded.mesh, names.size() - 1);
   for (std::size_t n = 0; n < ports.size(); ++n) ports[n].name = names[n + 1];
+  progress.check();
   const OpenFoamCase written = writeOpenFoamCase(loaded.mesh, ports, options.output, options.force);
   for (const std::string& warning : written.warnings) printWarning(warning + ", " + options.output);
   return Done;
@@ -94,6 +110,7 @@ int convertVolume(const ConvertOptions& options, const Progress& progress) {
       readNative(options.input, options.reading, options.component, progress.sub(0.0, 0.6));
   checkUsable(native.volume, options.input);
   printWarnings(native.info);
+  progress.check();
   writeVolume(native.volume, options.output);
   progress.report(1.0);
   return Done;
@@ -147,14 +164,16 @@ void addConvert(CLI::App& program, Session& session) {
   for (const char* name :
        {"--unit", "--frame", "--ascii", "--normals", "--quality", "--patch-files"})
     openFoam->excludes(name);
-  command->add_flag("--force", options->force, "With --openfoam: replace the case in the folder")
-      ->needs(openFoam);
+  command->add_flag("--force", options->force,
+                    "Replace the input, if the output is the same file; with --openfoam: replace "
+                    "the case in the folder");
   command->callback([options, ofMeshes, &session] {
     for (const CLI::Option* option : ofMeshes)
       if (option->count() > 0) options->meshOption = option->get_name();
     session.action = [options, &session] {
-      if (options->openFoam) return convertToOpenFoam(*options);
-      return isMeshName(options->output) ? convertMesh(*options)
+      checkOther(*options);
+      if (options->openFoam) return convertToOpenFoam(*options, session.progress);
+      return isMeshName(options->output) ? convertMesh(*options, session.progress)
                                          : convertVolume(*options, session.progress);
     };
   });

@@ -8,12 +8,12 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "core/base/error.h"
 #include "core/phantom/truth_json.h"
 #include "io/files.h"
 #include "io/image_io.h"
 #include "io/label_image.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -228,7 +228,7 @@ int phantom(PhantomOptions options, const Progress& progress) {
   params.noiseModel = options.noiseModel == "rician" ? NoiseModel::Rician : NoiseModel::Gaussian;
   // A former phantom is known by its truth.json; other images of these names are the user's.
   const bool former = fs::exists(fs::path(options.output) / "truth.json");
-  OutputFolder folder(options.output, {"image.mha", "truth.mha", "truth.json", "clutter.mha"},
+  StagedFolder folder(options.output, {"image.mha", "truth.mha", "truth.json", "clutter.mha"},
                       former || options.force);
   const Phantom made = makePhantom(params, progress.sub(0.0, 0.9));
   folder.add("image.mha", [&](const fs::path& place) { writeVolume(made.image, place); });

@@ -64,7 +64,10 @@ int parseAndRun(int argc, char** argv) {
   try {
     program.parse(arguments);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);
+    if (error.get_exit_code() == 0) {
+      program.exit(error);
+      return flushOutput() ? Done : UserCanChange;
+    }
     printError(explain(error, program, argc, argv));
     return UserCanChange;
   }

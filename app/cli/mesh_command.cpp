@@ -7,7 +7,6 @@
 #include "app/cli/field_input.h"
 #include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "app/cli/summary.h"
 #include "core/base/error.h"
 #include "core/pipeline/cuts.h"

@@ -8,7 +8,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "app/cli/summary.h"
 #include "core/base/error.h"
 #include "core/image/projection.h"
@@ -20,6 +19,7 @@
 #include "io/image_io.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -91,15 +91,15 @@ const Volume<float>* finalPhi(const RunResult& result) {
 }
 
 template <class T>
-void addVolume(const OutputFolder& folder, const char* name, const Volume<T>& volume) {
+void addVolume(const StagedFolder& folder, const char* name, const Volume<T>& volume) {
   folder.add(name, [&](const std::filesystem::path& place) { writeVolume(volume, place); });
 }
 
-void addText(const OutputFolder& folder, const char* name, const std::string& text) {
+void addText(const StagedFolder& folder, const char* name, const std::string& text) {
   folder.add(name, [&](const std::filesystem::path& place) { writeText(place, text); });
 }
 
-void writeVolumes(const RunResult& result, Step until, const OutputFolder& folder) {
+void writeVolumes(const RunResult& result, Step until, const StagedFolder& folder) {
   if (until == Step::Preprocess) addVolume(folder, "preprocessed.nrrd", *result.preprocessed);
   if (until == Step::Vesselness || until == Step::Seeds)
     addVolume(folder, "vesselness.nrrd", *result.vesselness->multiScale);
@@ -124,7 +124,7 @@ std::string faultOf(const RunResult& result, const Progress& progress) {
   return surfaceFault(*mesh, closed, result.quality ? &result.quality->mesh : nullptr, progress);
 }
 
-void writeMarchingCubes(const RunResult& result, const OutputFolder& folder) {
+void writeMarchingCubes(const RunResult& result, const StagedFolder& folder) {
   if (!result.surface) return;
   MeshWriteOptions write;
   write.key = result.key;
@@ -133,7 +133,7 @@ void writeMarchingCubes(const RunResult& result, const OutputFolder& folder) {
   });
 }
 
-void writeSurface(const RunResult& result, const OutputFolder& folder) {
+void writeSurface(const RunResult& result, const StagedFolder& folder) {
   MeshWriteOptions write;
   write.key = result.key;
   const TriMesh* mesh = finalMesh(result);
@@ -168,7 +168,7 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   if (!options.truth.empty() && runOptions.until < Step::Evolve)
     throw InputError("there is nothing to compare before the step 'evolve'", "--truth",
                      "leave out --truth, or run further with --until");
-  OutputFolder folder(options.output, kRunFiles, options.force);
+  StagedFolder folder(options.output, kRunFiles, options.force);
 
   std::optional<Volume<std::uint8_t>> truth;
   if (!options.truth.empty()) truth = readMask(options.truth);

@@ -4,13 +4,16 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
 #include <cstdio>
+#include <iostream>
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <thread>
 
 #include "core/base/error.h"
@@ -145,8 +148,13 @@ void handleSignals(const Progress& progress) {
   action.sa_handler = onSignal;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    // Whoever started the program may want it to go on, as nohup does.
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
+  std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -160,7 +168,17 @@ int runSession(Session& session) {
     code = guarded(session.action, message);
   }
   if (!message.empty()) printError(message);
-  return code;
+  return flushOutput() || code != Done ? code : UserCanChange;
+}
+
+bool flushOutput() {
+  errno = 0;
+  const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush();
+  if (whole) return true;
+  printError("cannot write to the standard output (" +
+             std::generic_category().message(errno != 0 ? errno : EIO) +
+             "): what was printed is not whole; send it to a place with free space");
+  return false;
 }
 
 void printError(const std::string& text) {

@@ -19,13 +19,16 @@ struct Session {
   std::function<int()> action;
 };
 
-/// Makes SIGINT and SIGTERM cancel `progress`, and writing beyond a file size limit fail instead of
-/// ending the program. `progress` must live until the program ends.
+/// Makes SIGINT, SIGTERM and SIGHUP cancel `progress`, and writing beyond a file size limit or to a
+/// closed pipe fail instead of ending the program. `progress` must live until the program ends.
 void handleSignals(const Progress& progress);
 
 /// Runs session.action with the progress shown on stderr, maps exceptions to exit codes and prints
 /// one line for each.
 int runSession(Session& session);
+
+/// Whether all that was printed has arrived; else it says so.
+bool flushOutput();
 
 /// One line on stderr: "angiomesh-cli: error: TEXT".
 void printError(const std::string& text);

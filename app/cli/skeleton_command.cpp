@@ -6,7 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
-#include "app/cli/output_folder.h"
+#include "app/cli/options.h"
 #include "core/base/error.h"
 #include "core/quality/skeleton.h"
 #include "io/skeleton_file.h"

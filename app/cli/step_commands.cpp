@@ -7,7 +7,6 @@
 #include "app/cli/field_input.h"
 #include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/mesh_faults.h"
 #include "core/surface/smoothing.h"

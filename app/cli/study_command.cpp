@@ -8,7 +8,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/field_input.h"
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "app/cli/study_figures.h"
 #include "app/cli/study_panel_command.h"
 #include "app/cli/study_segmentation.h"
@@ -18,6 +17,7 @@
 #include "core/phantom/phantom.h"
 #include "io/files.h"
 #include "io/image_io.h"
+#include "io/staged_folder.h"
 #include "render/mesh_panels.h"
 
 namespace angiomesh::cli {
@@ -103,7 +103,7 @@ constexpr const char* kTableHead =
     "2r/R min | vertex to the wall, voxels |\n|---|---|---|---|---|---|---|---|---|\n";
 
 /// The figures of the segmentation into `json` and `folder`; returns their table.
-std::string segmentation(const FiguresOptions& options, const OutputFolder& folder, Json& json,
+std::string segmentation(const FiguresOptions& options, const StagedFolder& folder, Json& json,
                          const Progress& progress) {
   std::optional<Phantom> tree;
   LoadedImage loaded;
@@ -143,7 +143,7 @@ std::string segmentation(const FiguresOptions& options, const OutputFolder& fold
 }
 
 /// The figures of the meshing into `json` and `folder`; returns their table.
-std::string meshing(const FiguresOptions& options, const OutputFolder& folder, Json& json,
+std::string meshing(const FiguresOptions& options, const StagedFolder& folder, Json& json,
                     const Progress& progress) {
   const std::vector<FigurePlan> plans = thesisFigures();
   const Volume<float> phi =
@@ -183,7 +183,7 @@ int figures(const FiguresOptions& options, const Progress& progress) {
   std::vector<std::string> names{"figures.json", "figures.md"};
   for (const FigurePlan& plan : thesisFigures()) names.push_back(fileOf(plan.number));
   for (const std::string& number : segmentationFigureNumbers()) names.push_back(fileOf(number));
-  OutputFolder folder(options.output, names, options.force);
+  StagedFolder folder(options.output, names, options.force);
 
   Json json;
   json["schema"] = 1;

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "app/cli/study_panel.h"
 #include "io/files.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -259,7 +259,7 @@ int panel(const PanelOptions& options, const Progress& progress) {
   const Parameters params = options.settings.parameters();
   const std::vector<PanelRow> rows =
       chooseRows(panelRows(options.size), options.rows, options.cases);
-  OutputFolder folder(options.output, {"panel.md", "panel.json", "panel.csv"}, options.force);
+  StagedFolder folder(options.output, {"panel.md", "panel.json", "panel.csv"}, options.force);
   const std::vector<RowResult> results = runRows(rows, params, "", progress);
   Json json = jsonHead(options);
   for (const RowResult& r : results) json["rows"].push_back(jsonOf(r));
@@ -320,7 +320,7 @@ int ablation(const PanelOptions& options, const Progress& progress) {
   }
   const std::vector<PanelRow> rows =
       chooseRows(panelRows(options.size), options.rows, options.cases);
-  OutputFolder folder(options.output, {"ablation.md", "ablation.json", "ablation.csv"},
+  StagedFolder folder(options.output, {"ablation.md", "ablation.json", "ablation.csv"},
                       options.force);
   Json json = jsonHead(options);
   std::string lines = csvHead({"switched_off", "row", "case"});

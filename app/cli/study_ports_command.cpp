@@ -6,13 +6,13 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "app/cli/study_panel_command.h"
 #include "app/cli/study_ports.h"
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "io/files.h"
 #include "io/image_io.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -110,7 +110,7 @@ int ports(const PortsOptions& options, const Progress& progress) {
   std::vector<std::string> names{"ports.json", "ports.md"};
   for (const StudyVolume& volume : volumes)
     for (int n = 0; n < options.cases; ++n) names.push_back(fileOf(volume.name, n));
-  OutputFolder folder(options.output, names, options.force);
+  StagedFolder folder(options.output, names, options.force);
   Json json{{"schema", 1}, {"volumes", Json::array()}};
   std::string table = kHead;
   const Parameters params = options.settings.parameters();

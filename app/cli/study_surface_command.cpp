@@ -10,12 +10,12 @@
 #include <sstream>
 
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "app/cli/study_surface.h"
 #include "app/cli/wall_text.h"
 #include "core/base/error.h"
 #include "core/pipeline/report.h"
 #include "io/files.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -191,7 +191,7 @@ int surface(const SurfaceOptions& options, const Progress& progress) {
   const std::vector<PointSpread> psfs = psfsOf(options.psfs);
   Parameters params = options.settings.parameters();
   params.segmentation.keep = KeepComponents::Largest;
-  OutputFolder folder(options.output, {"surface.md", "surface.json", "surface.csv"}, options.force);
+  StagedFolder folder(options.output, {"surface.md", "surface.json", "surface.csv"}, options.force);
   std::vector<SurfaceCase> cases;
   const auto all = static_cast<double>(shapes.size() * noises.size() * psfs.size());
   for (const PointSpread& psf : psfs)

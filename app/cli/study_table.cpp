@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "app/cli/options.h"
-#include "app/cli/output_folder.h"
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/quality/overlap.h"
 #include "io/files.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -88,7 +88,7 @@ std::string lines(const std::vector<Row>& rows, const char* format) {
 
 int tableA(const TableOptions& options, const Progress& progress) {
   const Parameters params = options.settings.parameters();
-  OutputFolder folder(options.output, {"table-a1.csv", "table-a2.csv", "table-a.md"},
+  StagedFolder folder(options.output, {"table-a1.csv", "table-a2.csv", "table-a.md"},
                       options.force);
   std::string tables;
   for (std::size_t n = 0; n < kNoises.size(); ++n) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/stat.h>
+
 #include <QElapsedTimer>
 #include <QTest>
 #include <array>
@@ -265,6 +267,7 @@ class TestCliFailures : public QObject, CliFolder {
     QTest::addColumn<int>("signal");
     QTest::newRow("SIGINT") << SIGINT;
     QTest::newRow("SIGTERM") << SIGTERM;
+    QTest::newRow("SIGHUP") << SIGHUP;
   }
 
   void interruptCancelsCleanly() {
@@ -292,6 +295,92 @@ class TestCliFailures : public QObject, CliFolder {
     QCOMPARE(result.code, 4);
     QVERIFY(result.errors.contains("cancelled"));
     QCOMPARE(filesIn(dir.path()), before);
+  }
+
+  void whatIsNoFileIsRefused() {
+    QCOMPARE(::mkfifo(at("pipe.ply").toUtf8().constData(), 0600), 0);
+    const QStringList before = filesIn(dir.path());
+    for (const char* place : {"pipe.ply", "/dev/zero"}) {
+      verifyRefused(cli({"quality", place}), before);
+      verifyRefused(cli({"run", "good.mha", "-o", "none", "--params", place}), before);
+    }
+    verifyRefused(cli({"quality", "truth.mha", "--truth", "/dev/zero"}), before);
+    QVERIFY(QFile::remove(at("pipe.ply")));
+  }
+
+  void deepAndHugeParametersAreRefused() {
+    writeBytes(at("deep.json"), QByteArray(200000, '[') + QByteArray(200000, ']'));
+    QByteArray many = "{\"a\":1";
+    for (int n = 0; n < 1000000; ++n) many += ",\"k" + QByteArray::number(n) + "\":1";
+    writeBytes(at("many.json"), many + "}");
+    const QStringList before = filesIn(dir.path());
+    for (const char* name : {"deep.json", "many.json"}) {
+      verifyRefused(cli({"run", "good.mha", "-o", "none", "--params", name}), before);
+      verifyRefused(cli({"quality", "truth.mha", "--truth", name}), before);
+    }
+    QVERIFY(QFile::remove(at("deep.json")) && QFile::remove(at("many.json")));
+  }
+
+  void outputThatDoesNotArriveIsAFailure() {
+    for (const QStringList& arguments : {QStringList{"info", "good.mha"},
+                                         {"info", "good.mha", "--json"},
+                                         {"--help"},
+                                         {"parameters"}}) {
+      QProcess process;
+      process.setWorkingDirectory(dir.path());
+      process.setStandardOutputFile("/dev/full");
+      process.start(ANGIOMESH_CLI, arguments);
+      const CliResult result = finish(process);
+      QCOMPARE(result.code, 2);
+      QVERIFY2(result.errors.contains("standard output"), result.errors.constData());
+    }
+    // A pipe that is closed early.
+    QProcess process;
+    process.setWorkingDirectory(dir.path());
+    process.start("bash", {"-c", "\"$0\" parameters | true; exit ${PIPESTATUS[0]}", ANGIOMESH_CLI});
+    const CliResult result = finish(process);
+    QVERIFY(result.code == 0 || result.code == 2);
+  }
+
+  void theInputIsNotReplacedUnasked() {
+    const QByteArray image = readBytes(at("good.nrrd"));
+    QVERIFY(QFile::link(at("good.nrrd"), at("other.nrrd")));
+    const QStringList before = filesIn(dir.path());
+    for (const char* name : {"good.nrrd", "./good.nrrd", "other.nrrd"})
+      verifyRefused(cli({"convert", "good.nrrd", "-o", name}), before);
+    QCOMPARE(readBytes(at("good.nrrd")), image);
+    QCOMPARE(cli({"convert", "good.nrrd", "-o", "good.nrrd", "--force"}).code, 0);
+    QVERIFY(QFile::remove(at("other.nrrd")));
+  }
+
+  void patchFilesAppearTogetherOrNotAtAll() {
+    const QByteArray name = "inlet" + QByteArray(250, 'x');
+    writeBytes(at("m.obj"),
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng wall\nf 1 2 3\ng " + name + "\nf 1 2 4\n");
+    const QStringList before = filesIn(dir.path());
+    verifyRefused(cli({"convert", "m.obj", "-o", "n.stl", "--patch-files", "--solid-names"}),
+                  before);
+    QCOMPARE(cli({"convert", "m.obj", "-o", "n.stl", "--patch-files"}).code, 0);
+    QCOMPARE(filesIn(dir.path()).size(), before.size() + 3);
+    for (const QString& made : filesIn(dir.path()))
+      if (!before.contains(made)) QVERIFY(QFile::remove(at(made)));
+    QVERIFY(QFile::remove(at("m.obj")));
+  }
+
+  void twoRunsDoNotShareAFolder() {
+    QProcess process;
+    process.setWorkingDirectory(dir.path());
+    process.start(ANGIOMESH_CLI, {"--progress", "json", "run", "good.mha", "-o", "shared", "--set",
+                                  "levelset.maxIterations=100000", "--set",
+                                  "levelset.tolerance=1e-9", "--set", "levelset.toleranceDelta=0"});
+    process.setReadChannel(QProcess::StandardError);
+    QVERIFY(process.waitForReadyRead(30000));
+    const CliResult second = cli({"run", "good.mha", "-o", "shared"});
+    QCOMPARE(second.code, 2);
+    QVERIFY2(second.errors.contains("another run"), second.errors.constData());
+    process.terminate();
+    QCOMPARE(finish(process).code, 4);
+    QVERIFY(!QFile::exists(at("shared")));
   }
 
   // Two boxes that cross: a solver refuses what smoothing makes of them.

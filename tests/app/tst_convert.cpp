@@ -231,8 +231,7 @@ class TestConvert : public QObject, CliFolder {
           "convert ball.ply -o x.vtp --ascii", "convert ball.ply -o x.nrrd --unit m",
           "convert ball.ply -o x.nrrd --ascii", "convert ball.ply -o x.ply --from-frame up",
           "convert ball.ply -o x.stl --solid-names", "convert ball.ply -o x.nrrd --patch-files",
-          "convert ball.ply -o x --openfoam", "convert ball.ply -o x --openfoam --ascii",
-          "convert ball.ply -o x.ply --force"})
+          "convert ball.ply -o x --openfoam", "convert ball.ply -o x --openfoam --ascii"})
       QTest::newRow(line) << line;
   }
   void whatTheOutputHasNotIsRefused() {
