@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "io/files.h"
 #include "io/image_io.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh {
 namespace {
@@ -17,9 +19,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 2;
 
-fs::path noteOf(const fs::path& folder) { return folder / "cache" / "evolve.json"; }
-fs::path phiOf(const fs::path& folder) { return folder / "cache" / "evolve.nrrd"; }
-fs::path voxelwiseOf(const fs::path& folder) { return folder / "cache" / "voxelwise.nrrd"; }
+fs::path noteOf(const fs::path& folder) { return placeIn(folder, "cache/evolve.json"); }
+fs::path phiOf(const fs::path& folder) { return placeIn(folder, "cache/evolve.nrrd"); }
+fs::path voxelwiseOf(const fs::path& folder) { return placeIn(folder, "cache/voxelwise.nrrd"); }
 
 /// Numbers that NRRD's text may round.
 Json toJson(const Geometry& g) {
@@ -119,7 +121,7 @@ std::shared_ptr<const Volume<float>> readVolume(const fs::path& path, const Json
 Json readNote(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(noteOf(folder), error)) return {};
-  Json json = Json::parse(readText(noteOf(folder)), nullptr, false);
+  Json json = parseJson<Json>(readText(noteOf(folder), kMostJsonBytes));
   const bool ours = json.is_object() && json.value("format", 0) == kFormat;
   return ours ? json : Json();
 }

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/case_file.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <nlohmann/json.hpp>
-#include <random>
+#include <optional>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/pipeline/report.h"
+#include "io/case_journal.h"
 #include "io/files.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh {
 namespace {
@@ -22,8 +21,6 @@ using Json = nlohmann::ordered_json;
 
 const char* const kFile = "case.json";
 const char* const kPrevious = "case.previous.json";
-const char* const kTemporaryPrefix = ".angiomesh-";
-constexpr std::chrono::hours kTemporaryAge{1};
 
 /// The file is no case.json that was written whole.
 class Damaged : public IoError {
@@ -121,8 +118,40 @@ void dropEmpty(Json& object) {
   }
 }
 
+/// The values of `object` one by one: what cannot be used keeps its value in `params`.
+void takeUsable(Parameters& params, const Json& object, const std::vector<std::string>& groups,
+                std::vector<std::string>& warnings) {
+  for (const auto& [key, value] : object.items()) {
+    std::vector<std::string> path = groups;
+    path.push_back(key);
+    if (value.is_object()) {
+      takeUsable(params, value, path, warnings);
+      continue;
+    }
+    Json one = value;
+    for (auto name = path.rbegin(); name != path.rend(); ++name) one = Json{{*name, one}};
+    try {
+      params = parametersFromJson(one.dump(), params, "the case");
+    } catch (const InputError& error) {
+      warnings.push_back(std::string("a parameter of the case was left at its default: ") +
+                         error.what());
+    }
+  }
+}
+
+Parameters parametersOf(const Json& json, const fs::path& file,
+                        std::vector<std::string>& warnings) {
+  Parameters params = preset("angiomesh");
+  try {
+    return parametersFromJson(json.dump(), params, file.string());
+  } catch (const InputError&) {
+    takeUsable(params, json, {}, warnings);
+    return params;
+  }
+}
+
 CaseReading parse(const std::string& text, const fs::path& file) {
-  Json json = Json::parse(text, nullptr, false);
+  Json json = parseJson<Json>(text);
   if (!json.is_object() || !json.contains("schema") || !json["schema"].is_number_integer())
     throw Damaged(file);
   const int schema = json["schema"].get<int>();
@@ -152,7 +181,7 @@ CaseReading parse(const std::string& text, const fs::path& file) {
   for (const std::string& key : unknown)
     reading.warnings.push_back("the case has a parameter that this program does not know, " + key +
                                ": it was left out");
-  document.params = parametersFromJson(parameters.dump(), preset("angiomesh"), file.string());
+  document.params = parametersOf(parameters, file, reading.warnings);
   return reading;
 }
 
@@ -173,56 +202,60 @@ bool isThere(const fs::path& path) {
 
 /// A new folder appears with its case.json in it, by rename.
 void makeCase(const fs::path& folder, const std::string& text) {
-  static std::atomic<unsigned> counter{0};
-  static const unsigned salt = std::random_device{}();
   const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(parent, error))
     throw IoError("cannot write the case, there is no such folder", folder.string(),
                   "make the folder first or choose another place");
-  const fs::path temporary = parent / (kTemporaryPrefix + std::to_string(::getpid()) + "-" +
-                                       std::to_string(salt) + "-" + std::to_string(counter++));
-  fs::create_directory(temporary, error);
+  removeLeftovers(parent);
+  std::optional<TemporaryPlace> temporary;
+  try {
+    temporary.emplace(parent, TemporaryPlace::Kind::Folder);
+  } catch (const fs::filesystem_error& failure) {
+    throw IoError("cannot write the case (" + failure.code().message() + ")", folder.string(),
+                  "check that the folder may be written to and has free space");
+  }
+  writeText(temporary->path() / kFile, text);
+  error = renameNew(temporary->path(), folder);
   if (error)
     throw IoError("cannot write the case (" + error.message() + ")", folder.string(),
-                  "check that the folder may be written to and has free space");
+                  "choose another place");
+  syncFolder(parent);
+}
+
+/// The case by its edits, where no save can be read.
+std::optional<CaseReading> fromJournal(const fs::path& folder) {
+  const std::vector<JournalStep> steps = readJournal(folder, 0);
+  if (steps.empty()) return std::nullopt;
+  CaseReading reading;
+  reading.document.params = steps.back().params;
+  reading.document.saves = steps.back().saves;
+  reading.warnings.emplace_back(
+      "case.json and case.previous.json are damaged: the parameters are those of the last edit in "
+      "the journal");
   try {
-    writeText(temporary / kFile, text);
-    fs::rename(temporary, folder, error);
-    if (error)
-      throw IoError("cannot write the case (" + error.message() + ")", folder.string(),
-                    "choose another place");
-  } catch (...) {
-    fs::remove_all(temporary, error);
-    throw;
+    const Json source = parseJson<Json>(journalSource(folder));
+    if (source.is_object()) reading.document.source = sourceFrom(source);
+  } catch (const Json::exception&) {
+    reading.document.source = {};
   }
+  if (reading.document.source.hash.empty())
+    reading.warnings.emplace_back("the case does not say any more which volume it was made of");
+  return reading;
 }
 
 /// The case.json at hand becomes the previous one, unless it is damaged.
 void keepPrevious(const fs::path& folder) {
-  const fs::path file = folder / kFile;
+  const fs::path file = placeIn(folder, kFile), previous = placeIn(folder, kPrevious);
   if (!isThere(file)) return;
   std::string text;
   try {
-    text = readText(file);
+    text = readText(file, kMostJsonBytes);
     (void)parse(text, file);
   } catch (const Error&) {
     return;
   }
-  writeText(folder / kPrevious, text);
-}
-
-/// Half-written files of programs that were killed.
-void removeOldTemporaries(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> old;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (!entry.path().filename().string().starts_with(kTemporaryPrefix)) continue;
-    const auto written = entry.last_write_time(error);
-    if (!error && fs::file_time_type::clock::now() - written > kTemporaryAge)
-      old.push_back(entry.path());
-  }
-  for (const fs::path& path : old) fs::remove(path, error);
+  writeText(previous, text);
 }
 
 }  // namespace
@@ -255,26 +288,46 @@ void writeCase(const fs::path& folder, const CaseDocument& document) {
   if (!isThere(folder / kFile) && !isThere(folder / kPrevious) && !fs::is_empty(folder, error))
     throw IoError("cannot write the case, the folder holds other files", folder.string(),
                   "choose another name");
+  const fs::path file = placeIn(folder, kFile);
   keepPrevious(folder);
-  writeText(folder / kFile, text);
-  removeOldTemporaries(folder);
+  writeText(file, text);
 }
 
 CaseReading readCase(const fs::path& folder) {
-  const fs::path file = folder / kFile;
-  const fs::path previous = folder / kPrevious;
+  const fs::path file = placeIn(folder, kFile), previous = placeIn(folder, kPrevious);
   if (!isThere(file) && !isThere(previous))
     throw IoError("the folder holds no case", folder.string(),
                   "give a folder that Angiomesh saved, NAME.angiomesh");
   try {
-    return parse(readText(file), file);
+    return parse(readText(file, kMostJsonBytes), file);
   } catch (const IoError&) {
-    if (!isThere(previous)) throw;
+    // Then what was saved before.
   }
-  CaseReading reading = parse(readText(previous), previous);
-  reading.warnings.insert(reading.warnings.begin(),
-                          "case.json is missing or damaged: the case is as it was one save before");
-  return reading;
+  try {
+    if (isThere(previous)) {
+      CaseReading reading = parse(readText(previous, kMostJsonBytes), previous);
+      reading.warnings.insert(
+          reading.warnings.begin(),
+          "case.json is missing or damaged: the case is as it was one save before");
+      return reading;
+    }
+  } catch (const IoError&) {
+    // Then what was edited since.
+  }
+  if (std::optional<CaseReading> reading = fromJournal(folder)) return *std::move(reading);
+  throw Damaged(file);
+}
+
+std::string caseSourceText(const fs::path& folder) {
+  for (const char* name : {kFile, kPrevious}) {
+    try {
+      const fs::path file = placeIn(folder, name);
+      return toJson(parse(readText(file, kMostJsonBytes), file).document.source).dump();
+    } catch (const Error&) {
+      continue;
+    }
+  }
+  return {};
 }
 
 }  // namespace angiomesh

@@ -62,10 +62,13 @@ std::filesystem::path caseFolder(const std::filesystem::path& path);
 /// @throws IoError (no such place, disk full, a folder with other files): what was there stays
 void writeCase(const std::filesystem::path& folder, const CaseDocument& document);
 
-/// Reads case.json, or case.previous.json where that one is missing or damaged, with a warning.
-/// Parameters that the file does not name have their defaults; those that this program does not
-/// know are left out, with a warning.
-/// @throws IoError (no case, damaged), InputError (a newer schema, a value that cannot be used)
+/// Reads case.json, or case.previous.json where that one is missing or damaged, or else the last
+/// edit in the journal, with a warning. Parameters that the file does not name have their defaults;
+/// those that this program does not know or cannot use are left out, with a warning.
+/// @throws IoError (no case, damaged, a link among its files), InputError (a newer schema)
 CaseReading readCase(const std::filesystem::path& folder);
+
+/// The source as the case's files say it, in JSON; empty where they do not.
+std::string caseSourceText(const std::filesystem::path& folder);
 
 }  // namespace angiomesh

@@ -11,7 +11,10 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
+#include "io/case_file.h"
 #include "io/files.h"
+#include "io/staged_folder.h"
 
 namespace angiomesh {
 namespace {
@@ -22,7 +25,7 @@ using Json = nlohmann::ordered_json;
 /// Some 100 edits; then the journal is cut to half of that.
 constexpr off_t kLongestBytes = 1 << 20;
 
-fs::path journalOf(const fs::path& folder) { return folder / "edits" / "journal.jsonl"; }
+fs::path journalOf(const fs::path& folder) { return placeIn(folder, "edits/journal.jsonl"); }
 
 std::string lineOf(const JournalStep& step) {
   const Json json = {{"saves", step.saves},
@@ -34,7 +37,7 @@ std::string lineOf(const JournalStep& step) {
 
 /// Of one line; false when it was not written whole or by another version of the program.
 bool parseLine(std::string_view line, JournalStep& step) {
-  const Json json = Json::parse(line, nullptr, false);
+  const Json json = parseJson<Json>(line);
   if (!json.is_object()) return false;
   try {
     step.saves = json.at("saves").get<int>();
@@ -54,7 +57,7 @@ bool parseLine(std::string_view line, JournalStep& step) {
 class Descriptor {
  public:
   explicit Descriptor(const fs::path& path)
-      : fd_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {}
+      : fd_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644)) {}
   ~Descriptor() {
     if (fd_ >= 0) ::close(fd_);
   }
@@ -82,11 +85,17 @@ bool writeAll(int fd, std::string_view bytes, off_t at) {
                 file.string(), "check that the folder may be written to and has free space");
 }
 
-/// Keeps the last half of a long journal, whole lines only.
-void cut(const fs::path& file) {
+/// The line that a journal begins with, if the case says what it was made of.
+std::string headOf(const fs::path& folder) {
+  const std::string source = caseSourceText(folder);
+  return source.empty() ? "" : "{\"source\":" + source + "}\n";
+}
+
+/// Keeps the head and the last half of a long journal, whole lines only.
+void cut(const fs::path& folder, const fs::path& file) {
   const std::string text = readText(file);
   const std::size_t from = text.find('\n', text.size() / 2);
-  if (from != std::string::npos) writeText(file, std::string_view(text).substr(from + 1));
+  if (from != std::string::npos) writeText(file, headOf(folder) + text.substr(from + 1));
 }
 
 }  // namespace
@@ -101,11 +110,15 @@ void appendJournal(const fs::path& folder, const std::vector<JournalStep>& steps
     const Descriptor journal(file);
     struct stat status {};
     if (journal.get() < 0 || ::fstat(journal.get(), &status) != 0) refuse(file, errno);
+    // Of another name elsewhere: what is added here would be added there.
+    if (!S_ISREG(status.st_mode) || status.st_nlink != 1)
+      throw IoError("cannot note the edit, the journal is no file of the case's own", file.string(),
+                    "save the case under another name");
     size = status.st_size;
     // A line that was not written whole must not spoil the next one.
     char last = '\n';
     if (size > 0 && ::pread(journal.get(), &last, 1, size - 1) != 1) refuse(file, errno);
-    std::string text = last == '\n' ? "" : "\n";
+    std::string text = size == 0 ? headOf(folder) : last == '\n' ? "" : "\n";
     for (const JournalStep& step : steps) text += lineOf(step);
     const bool written =
         writeAll(journal.get(), text, size) && (::fsync(journal.get()) == 0 || errno == EINVAL);
@@ -116,7 +129,7 @@ void appendJournal(const fs::path& folder, const std::vector<JournalStep>& steps
     }
     size += static_cast<off_t>(text.size());
   }
-  if (size > kLongestBytes) cut(file);
+  if (size > kLongestBytes) cut(folder, file);
 }
 
 std::vector<JournalStep> readJournal(const fs::path& folder, int saves) {
@@ -140,9 +153,21 @@ std::vector<JournalStep> readJournal(const fs::path& folder, int saves) {
   return steps;
 }
 
+std::string journalSource(const fs::path& folder) {
+  const std::string text = readText(journalOf(folder));
+  const Json json = parseJson<Json>(std::string_view(text).substr(0, text.find('\n')));
+  return json.is_object() && json.contains("source") ? json["source"].dump() : std::string();
+}
+
 void removeJournal(const fs::path& folder) {
   std::error_code error;
-  fs::remove(journalOf(folder), error);
+  fs::path file;
+  try {
+    file = journalOf(folder);
+  } catch (const IoError&) {
+    return;
+  }
+  fs::remove(file, error);
   fs::remove(folder / "edits", error);
 }
 

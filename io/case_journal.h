@@ -25,6 +25,10 @@ void appendJournal(const std::filesystem::path& folder, const std::vector<Journa
 /// changed one edit, as a slider does, the last one. A line that was not written whole is left out.
 std::vector<JournalStep> readJournal(const std::filesystem::path& folder, int saves);
 
+/// The case's source as the journal's first line has it, in JSON, so that a case whose other files
+/// are damaged is known by its journal; empty where it does not say.
+std::string journalSource(const std::filesystem::path& folder);
+
 /// Nothing happens where there is none.
 void removeJournal(const std::filesystem::path& folder);
 

@@ -37,11 +37,9 @@ LockEnd lockPlace(CasePlace& place) {
   if (place.lock) {
     return LockEnd::Locked;
   }
-  auto lock = std::make_unique<QLockFile>(QString::fromStdString(place.folder / "case.lock"));
-  // However old: it is the running program that counts.
-  lock->setStaleLockTime(0);
-  if (!lock->tryLock(0)) {
-    return lock->error() == QLockFile::LockFailedError ? LockEnd::InUse : LockEnd::Impossible;
+  auto lock = std::make_unique<FileLock>(place.folder / "case.lock");
+  if (lock->state() != FileLock::State::Held) {
+    return lock->state() == FileLock::State::Taken ? LockEnd::InUse : LockEnd::Impossible;
   }
   place.lock = std::move(lock);
   return LockEnd::Locked;

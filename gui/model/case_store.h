@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QLockFile>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "io/case_cache.h"
 #include "io/case_file.h"
 #include "io/case_journal.h"
+#include "io/file_lock.h"
 
 namespace angiomesh {
 
@@ -19,8 +19,8 @@ namespace angiomesh {
 /// its files belong to the worker.
 struct CasePlace {
   std::filesystem::path folder;
-  bool recovery = false;            ///< of a case without a folder of its own
-  std::unique_ptr<QLockFile> lock;  ///< null until the folder is there
+  bool recovery = false;           ///< of a case without a folder of its own
+  std::unique_ptr<FileLock> lock;  ///< null until the folder is there
 };
 enum class LockEnd { Locked, InUse, Impossible };
 LockEnd lockPlace(CasePlace& place);

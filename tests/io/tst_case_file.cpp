@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <QTest>
 #include <chrono>
+#include <functional>
 #include <thread>
 
 #include "core/base/error.h"
@@ -194,12 +195,103 @@ class TestCaseFile : public QObject {
     QVERIFY(reading.warnings.front().find("levelset.xj") != std::string::npos);
     QCOMPARE(reading.document.params.levelset.xi, Parameters().levelset.xi);
     replaceIn(a / "case.json", "\"xj\": 44.0", "\"xi\": -1.0");
-    const std::string message = messageOf<InputError>([&] { (void)readCase(a); });
-    QVERIFY2(message.find("levelset.xi") != std::string::npos, message.c_str());
+    replaceIn(a / "case.json", "\"method\": \"advancing-front\"", "\"method\": \"marching-cubes\"");
+    const CaseReading other = readCase(a);
+    QCOMPARE(other.warnings.size(), std::size_t(1));
+    QVERIFY(other.warnings.front().find("levelset.xi") != std::string::npos);
+    QCOMPARE(other.document.params.levelset.xi, Parameters().levelset.xi);
+    QCOMPARE(other.document.params.surface.method, SurfaceMethod::MarchingCubes);
     replaceIn(a / "case.json", "\"layer\": \"vesselness\"", "\"layer\": 7");
     replaceIn(a / "case.json", "\"xi\": -1.0", "\"xi\": 2.0");
     QCOMPARE(readCase(a).warnings.size(), std::size_t(1));
     QCOMPARE(readCase(a).document.params.levelset.xi, 2.0);
+  }
+
+  void theJournalStandsInForDamagedSaves() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument(1));
+    writeCase(a, sampleDocument(2));
+    appendJournal(a, {step(3, 1, 25.0), step(3, 2, 26.0)});
+    for (const char* name : {"case.json", "case.previous.json"}) save(a / name, "{\"schema\": 1");
+    const CaseReading reading = readCase(a);
+    QCOMPARE(reading.document.params.levelset.xi, 26.0);
+    QCOMPARE(reading.document.source.hash, sampleDocument().source.hash);
+    QVERIFY(reading.document.source.grid == sampleDocument().source.grid);
+    QCOMPARE(reading.warnings.size(), std::size_t(1));
+    fs::remove(a / "edits/journal.jsonl");
+    QVERIFY_EXCEPTION_THROWN((void)readCase(a), IoError);
+  }
+
+  void deepAndHugeTextIsDamage() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument(1));
+    appendJournal(a, {step(3, 1, 25.0)});
+    save(a / "edits/journal.jsonl", bytesOf(a / "edits/journal.jsonl") + std::string(200000, '[') +
+                                        std::string(200000, ']') + "\n");
+    QCOMPARE(readJournal(a, 0).size(), std::size_t(1));
+    save(a / "case.json", "{\"a\":" + std::string(200000, '[') + std::string(200000, ']') + "}");
+    QVERIFY(!readCase(a).warnings.empty());
+    std::string many = "{\"k\": 1";
+    for (int n = 0; n < 300000; ++n) many += ",\"k" + std::to_string(n) + "\":1";
+    save(a / "case.json", many + "}");
+    QVERIFY(!readCase(a).warnings.empty());
+  }
+
+  void noLinkInACaseIsFollowed_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"case.json", "case.previous.json", "edits", "edits/journal.jsonl",
+                             "cache", "cache/evolve.json", "cache/evolve.nrrd"})
+      QTest::newRow(name) << QString(name);
+  }
+  void noLinkInACaseIsFollowed() {
+    QFETCH(const QString, name);
+    const Folder folder, elsewhere;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument(1));
+    const fs::path target = elsewhere / "target", link = a / name.toStdString();
+    const bool isFolder = name == "edits" || name == "cache";
+    if (isFolder)
+      fs::create_directory(target);
+    else
+      save(target, bytesOf(a / "case.json"));
+    fs::create_directories(link.parent_path());
+    fs::remove(link);
+    fs::create_symlink(target, link);
+    const std::string before = isFolder ? "" : bytesOf(target);
+    CachedEvolve evolve;
+    evolve.report.key = "1";
+    evolve.result.phi = std::make_shared<const Volume<float>>(smallTree());
+    int refused = 0;
+    for (const std::function<void()>& work : std::vector<std::function<void()>>{
+             [&] { (void)readCase(a); }, [&] { writeCase(a, sampleDocument(2)); },
+             [&] { appendJournal(a, {step(3, 1, 25.0)}); }, [&] { (void)readJournal(a, 0); },
+             [&] { writeCache(a, evolve); }}) {
+      const std::string message = messageOf<IoError>(work);
+      if (message.empty()) continue;
+      ++refused;
+      QVERIFY2(message.find("link") != std::string::npos, message.c_str());
+    }
+    QVERIFY(refused > 0);
+    removeJournal(a);
+    QVERIFY(fs::is_symlink(link));
+    QCOMPARE(entriesOf(elsewhere.path()), 1);
+    if (isFolder)
+      QCOMPARE(entriesOf(target), 0);
+    else
+      QCOMPARE(bytesOf(target), before);
+  }
+
+  void aJournalOfTwoNamesIsNotWritten() {
+    const Folder folder, elsewhere;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument(1));
+    save(elsewhere / "target", "theirs");
+    fs::create_directory(a / "edits");
+    fs::create_hard_link(elsewhere / "target", a / "edits/journal.jsonl");
+    QVERIFY_EXCEPTION_THROWN(appendJournal(a, {step(3, 1, 25.0)}), IoError);
+    QCOMPARE(bytesOf(elsewhere / "target"), std::string("theirs"));
   }
 
   void placesThatAreNoCaseAreRefused() {
