@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -42,6 +43,9 @@ std::string firstBytes(const fs::path& path, std::size_t count) {
   const GzFile file = openGz(path);
   std::string bytes(count, '\0');
   const int got = gzread(file.get(), bytes.data(), static_cast<unsigned>(count));
+  int fault = Z_OK;
+  if (got < 0) (void)gzerror(file.get(), &fault);
+  if (fault == Z_MEM_ERROR) throw std::bad_alloc();
   bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   return bytes;
 }

@@ -9,10 +9,13 @@
 #include <condition_variable>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
@@ -120,6 +123,41 @@ class ProgressPrinter {
   std::thread thread_;
 };
 
+const char* const kNoMemory =
+    "not enough memory: choose a smaller region with --roi, or a machine with more memory";
+
+/// Whether a failure is that of a library that got no memory or no thread.
+bool isLackOfMemory(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+  if (const auto* system = dynamic_cast<const std::system_error*>(&error))
+    return system->code() == std::errc::resource_unavailable_try_again ||
+           system->code() == std::errc::not_enough_memory;
+  // ITK and TBB have no types of their own for it.
+  const std::string_view text = error.what();
+  return text.find("Failed to allocate memory") != std::string_view::npos ||
+         text.find("pthread_create has failed") != std::string_view::npos;
+}
+
+/// Of an exception that nobody can catch, as one in a library's thread; or of none: ITK's pool ends
+/// so when it gets some of its threads and not all.
+[[noreturn]] void onTerminate() {
+  bool memory = true;
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::exception& error) {
+    memory = isLackOfMemory(error);
+  } catch (...) {
+    memory = false;
+  }
+  if (!memory) std::abort();
+  // Nothing that takes memory any more.
+  std::fputs("angiomesh-cli: error: ", messages);
+  std::fputs(kNoMemory, messages);
+  std::fputs("\n", messages);
+  std::fflush(messages);
+  std::_Exit(UserCanChange);
+}
+
 int guarded(const std::function<int()>& action, std::string& message) {
   try {
     return action();
@@ -129,11 +167,11 @@ int guarded(const std::function<int()>& action, std::string& message) {
   } catch (const Error& error) {
     message = error.what();
     return UserCanChange;
-  } catch (const std::bad_alloc&) {
-    message =
-        "not enough memory: choose a smaller region with --roi, or a machine with more memory";
-    return UserCanChange;
   } catch (const std::exception& error) {
+    if (isLackOfMemory(error)) {
+      message = kNoMemory;
+      return UserCanChange;
+    }
     message = std::string("internal fault (") + error.what() +
               "): please report it with the command line that led to it";
     return OurFault;
@@ -154,6 +192,7 @@ void handleSignals(const Progress& progress) {
     sigaction(signal, nullptr, &before);
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
+  std::set_terminate(onTerminate);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
@@ -168,7 +207,10 @@ int runSession(Session& session) {
     code = guarded(session.action, message);
   }
   if (!message.empty()) printError(message);
-  return flushOutput() || code != Done ? code : UserCanChange;
+  if (!flushOutput() && code == Done) code = UserCanChange;
+  // Libraries that were stopped half-way, as for want of memory, may not survive their own end.
+  if (code == UserCanChange || code == OurFault) std::_Exit(code);
+  return code;
 }
 
 bool flushOutput() {

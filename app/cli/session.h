@@ -20,7 +20,9 @@ struct Session {
 };
 
 /// Makes SIGINT, SIGTERM and SIGHUP cancel `progress`, and writing beyond a file size limit or to a
-/// closed pipe fail instead of ending the program. `progress` must live until the program ends.
+/// closed pipe fail instead of ending the program. Where no memory can be had even for an
+/// exception, the program says so and ends with UserCanChange. `progress` must live until the
+/// program ends.
 void handleSignals(const Progress& progress);
 
 /// Runs session.action with the progress shown on stderr, maps exceptions to exit codes and prints
