@@ -24,12 +24,6 @@ constexpr int kMostLines = 100000;
 /// Deflate makes at most 258 bytes of 2 bits, 1032 bytes of one; the rest is for small files.
 constexpr std::uintmax_t kMostInflation = 1032, kInflationRest = 1024;
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::uintmax_t sizeOf(const fs::path& file, const std::string& name, const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(file, error))
@@ -92,6 +86,12 @@ std::uintmax_t afterLines(const fs::path& file, std::uintmax_t start, long long 
 
 }  // namespace
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
 void throwBadHeader(const fs::path& path, const std::string& what) {
   throw InputError("the image header is not usable (" + what + ")", path.string(),
                    "write the image again with another program");
@@ -106,10 +106,8 @@ std::map<std::string, std::string> textFields(std::istream& in, const char* sign
     const std::size_t sign = line.find_first_of(signs);
     if (sign == std::string::npos || line[0] == '#') continue;
     std::string key = trimmed(line.substr(0, sign));
-    const bool foreign = line.compare(sign, 2, ":=") == 0;
-    const std::string value = trimmed(line.substr(sign + (foreign ? 2 : 1)));
     const bool isLast = key == last;
-    fields[foreign ? key + ":" : key] = value;
+    fields[key] = trimmed(line.substr(sign + 1));
     if (isLast) break;
   }
   return fields;
@@ -149,6 +147,7 @@ void placeVoxels(const VoxelPlace& place, const fs::path& path, ImageHeader& hea
   if (data.deflated && (names.size() > 1 || place.atEnd))
     throwBadHeader(path, "compressed voxels in several files, or at the end of one");
   const std::uintmax_t each = data.bytes() / names.size();
+  std::uintmax_t more = 0;
   for (const std::string& name : names) {
     const fs::path file = place.local ? path : path.parent_path() / name;
     const std::uintmax_t all = sizeOf(file, name, path);
@@ -165,18 +164,37 @@ void placeVoxels(const VoxelPlace& place, const fs::path& path, ImageHeader& hea
     }
     if (each / kMostInflation > found) throwTooMuch(path, header, found);
     if (found < each) throwTruncated(file, each, found);
+    more = std::max(more, found - each);
     data.pieces.push_back({file, start, each});
   }
+  if (more > 0) header.warnings.push_back(longerText(more, "bytes", place.local, names.size() > 1));
 }
 
-void placeText(const VoxelPlace& place, const fs::path& path, std::uintmax_t leastBytes,
-               const ImageHeader& header) {
+void placeText(const VoxelPlace& place, const fs::path& path, VoxelText text, ImageHeader& header) {
   if (!place.local && namesOf(place, path).size() != 1)
     throwBadHeader(path, "voxels as text in several files");
+  VoxelData& data = header.data;
+  data.text = text;
   const fs::path file = place.local ? path : path.parent_path() / place.file;
   const std::uintmax_t all = sizeOf(file, place.file, path);
-  const std::uintmax_t found = all > place.start ? all - place.start : 0;
-  if (found < leastBytes) throwTooMuch(path, header, found);
+  std::uintmax_t start = place.start;
+  if (place.skipLines > 0) start = afterLines(file, start, place.skipLines);
+  start += place.skipBytes;
+  const std::uintmax_t found = all > start ? all - start : 0;
+  const std::uintmax_t least =
+      text == VoxelText::Numbers ? 2 * data.voxels * data.values - 1 : 2 * data.bytes();
+  if (found < least) throwTooMuch(path, header, found);
+  data.pieces.push_back({file, start, found});
+}
+
+std::string longerText(std::uintmax_t more, const std::string& what, bool local, bool several) {
+  return "the " +
+         std::string(local     ? "file"
+                     : several ? "voxel files"
+                               : "voxel file") +
+         " hold" + (several && !local ? "" : "s") + " " + std::to_string(more) + " " + what +
+         " more than the header says: either its size is wrong, or the voxels do not begin where "
+         "it says";
 }
 
 }  // namespace angiomesh

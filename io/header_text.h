@@ -16,8 +16,11 @@ extern const char* const kNoSpacing;  ///< a warning
 
 [[noreturn]] void throwBadHeader(const std::filesystem::path& path, const std::string& what);
 
+/// Without blanks at its ends.
+std::string trimmed(const std::string& text);
+
 /// "key SIGN value" lines up to an empty line or the key `last`; `in` then stands behind it. Lines
-/// that begin with # are left out, "key:=value" is kept under "key:".
+/// that begin with # are left out.
 std::map<std::string, std::string> textFields(std::istream& in, const char* signs,
                                               const std::string& last);
 
@@ -44,8 +47,11 @@ struct VoxelPlace {
 /// @throws IoError, InputError
 void placeVoxels(const VoxelPlace& place, const std::filesystem::path& path, ImageHeader& header);
 
-/// The same for voxels written as text, of at least `leastBytes` in all: the pieces stay empty.
-void placeText(const VoxelPlace& place, const std::filesystem::path& path,
-               std::uintmax_t leastBytes, const ImageHeader& header);
+/// The same for voxels written as text.
+void placeText(const VoxelPlace& place, const std::filesystem::path& path, VoxelText text,
+               ImageHeader& header);
+
+/// A warning: so many bytes or values more than the header says.
+std::string longerText(std::uintmax_t more, const std::string& what, bool local, bool several);
 
 }  // namespace angiomesh

@@ -18,11 +18,12 @@ namespace angiomesh {
 /// What the header of a MetaImage, NRRD or NIfTI file says, compared with the sizes of the files
 /// that it speaks of: their voxels can be there.
 struct ImageHeader {
-  std::vector<std::uintmax_t> size;           ///< along the three axes of space
-  VoxelData data;                             ///< no pieces where the voxels are written as text
+  std::vector<std::uintmax_t> size;  ///< along the three axes of space
+  VoxelData data;
   std::string modality;                       ///< "MR", "CT", "" when not stated
   std::vector<std::string> warnings;          ///< without the file's name
-  std::optional<Geometry> geometry;           ///< of NIfTI
+  std::optional<Geometry> geometry;           ///< of NRRD and NIfTI
+  double unitMm = 1.0;                        ///< of MetaImage: of its lengths
   std::map<std::string, std::string> fields;  ///< of NRRD: the keys of other programs
 };
 
@@ -36,9 +37,9 @@ ImageHeader readNrrdHeader(const std::filesystem::path& path);
 ImageHeader readNiftiHeader(const std::filesystem::path& path);
 
 /// The size and the place in space of a MetaImage file in a header of our own, for ITK, whose own
-/// parser hangs on damaged ones; `withVoxels`: and what it holds of voxels as text.
+/// parser hangs on damaged ones.
 /// @throws InputError (a number is missing)
-std::unique_ptr<MemoryFile> plainMetaImage(const std::filesystem::path& path, bool withVoxels);
+std::unique_ptr<MemoryFile> plainMetaImage(const std::filesystem::path& path);
 
 /// "2 x 3 x 4", and "2 x 3 x 4 x 5" where there are several volumes.
 std::string sizeText(const ImageHeader& header);

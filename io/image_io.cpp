@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "io/dicom.h"
+#include "io/header_text.h"
 #include "io/image_header.h"
 #include "io/itk_image.h"
 #include "io/voxel_convert.h"
@@ -83,7 +84,9 @@ OpenImage openImage(const fs::path& path, const std::string& seriesUid,
   image.header = readHeader(path, image.format);
   const ImageHeader& header = image.header;
   image.value = chosenValue(header, component, path);
-  image.geometry = header.geometry ? *header.geometry : itkGeometry(path, image.format);
+  image.geometry = header.geometry ? *header.geometry : itkMetaGeometry(path);
+  image.geometry.spacing *= header.unitMm;
+  image.geometry.origin *= header.unitMm;
   for (std::size_t a = 0; a < 3; ++a)
     if (image.geometry.size[a] != static_cast<int>(header.size[a]))
       throw InputError("the size of the image is not clear (" + sizeText(header) + ")",
@@ -117,19 +120,14 @@ Volume<T> roomFor(const OpenImage& image) {
   return volume;
 }
 
+/// readVoxels(); warns where there are more than the header says.
 template <class Take>
-void forRuns(const OpenImage& image, const Take& take, const Progress& progress) {
+void forRuns(const OpenImage& image, const Take& take, std::vector<std::string>& warnings,
+             const Progress& progress) {
   const VoxelData& data = image.header.data;
-  if (!data.pieces.empty()) {
-    readVoxels(data, image.value, take, progress);
-    return;
-  }
-  if (data.values > 1)
-    throw InputError("several values per voxel, written as text", image.path.string(),
-                     "save the image with encoding raw or gzip");
-  const std::vector<char> bytes = itkReadText(image.path, image.format, voxelTypeBytes(data.type));
-  if (bytes.size() != data.bytes()) throwTruncated(image.path, data.bytes(), bytes.size());
-  take(0, std::as_bytes(std::span(bytes)));
+  const std::uintmax_t more = readVoxels(data, image.value, take, progress);
+  if (more > 0)
+    warnings.push_back(longerText(more, "values", data.pieces.front().file == image.path, false));
 }
 
 LoadedImage readFloats(const OpenImage& image, const Progress& progress) {
@@ -147,7 +145,7 @@ LoadedImage readFloats(const OpenImage& image, const Progress& progress) {
         facts.values.add(seen.values);
         facts.rounded = facts.rounded || seen.rounded;
       },
-      progress);
+      loaded.info.warnings, progress);
   checkUsable(loaded.image.geometry, facts.values, image.path.string());
   if (facts.rounded)
     loaded.info.warnings.push_back("some of the " + image.info.pixelType +
@@ -156,19 +154,21 @@ LoadedImage readFloats(const OpenImage& image, const Progress& progress) {
 }
 
 template <class T>
-Volume<T> readAs(const OpenImage& image, const Progress& progress) {
+Volume<T> readAs(const OpenImage& image, std::vector<std::string>& warnings,
+                 const Progress& progress) {
   Volume<T> volume = roomFor<T>(image);
   forRuns(
       image,
       [&](std::size_t first, std::span<const std::byte> run) {
         std::memcpy(volume.voxels.data() + first, run.data(), run.size());
       },
-      progress);
+      warnings, progress);
   return volume;
 }
 
 /// The rescaled voxels, in double precision at first.
-AnyVolume readRescaled(const OpenImage& image, const Progress& progress) {
+AnyVolume readRescaled(const OpenImage& image, std::vector<std::string>& warnings,
+                       const Progress& progress) {
   const VoxelData& data = image.header.data;
   Volume<double> volume = roomFor<double>(image);
   forRuns(
@@ -182,7 +182,7 @@ AnyVolume readRescaled(const OpenImage& image, const Progress& progress) {
           }
         });
       },
-      progress);
+      warnings, progress);
   return inNarrowestType(std::move(volume));
 }
 
@@ -261,21 +261,24 @@ LoadedImage readImage(const ImageSummary& entry, const fs::path& path, bool even
   return loaded;
 }
 
-Volume<std::uint8_t> readMask(const fs::path& path) {
-  return inMemory(path, [&] {
-    if (isDicom(path)) return maskOfFloats(readDicom(path, {}, {}).image, path);
+MaskImage readMask(const fs::path& path) {
+  return inMemory(path, [&]() -> MaskImage {
+    if (isDicom(path)) {
+      const LoadedImage loaded = readDicom(path, {}, {});
+      return {maskOfFloats(loaded.image, path), screenWarnings(loaded.info)};
+    }
     const OpenImage image = openImage(path, {}, {});
-    Volume<std::uint8_t> mask = roomFor<std::uint8_t>(image);
+    MaskImage read{roomFor<std::uint8_t>(image), image.info.warnings};
     std::atomic<bool> numbers{true};
     forRuns(image,
             [&](std::size_t first, std::span<const std::byte> run) {
-              if (!maskOf(image.header.data, run, mask.voxels.data() + first)) numbers = false;
+              if (!maskOf(image.header.data, run, read.mask.voxels.data() + first)) numbers = false;
             },
-            {});
+            read.warnings, {});
     if (!numbers)
       throw InputError("the mask holds values that are not numbers", path.string(),
                        "replace NaN by 0 before loading it");
-    return mask;
+    return read;
   });
 }
 
@@ -291,10 +294,16 @@ NativeImage readNative(const fs::path& path, const ReadOptions& options,
       return {inNarrowestType(std::move(loaded.image)), std::move(loaded.info)};
     }
     const OpenImage image = openImage(path, options.series, component);
-    if (image.header.data.rescaled()) return {readRescaled(image, progress), image.info};
-    return withVoxelType(image.header.data.type, [&](auto zero) -> NativeImage {
-      return {readAs<decltype(zero)>(image, progress), image.info};
-    });
+    NativeImage native;
+    native.info = image.info;
+    std::vector<std::string>& warnings = native.info.warnings;
+    if (image.header.data.rescaled())
+      native.volume = readRescaled(image, warnings, progress);
+    else
+      withVoxelType(image.header.data.type, [&](auto zero) {
+        native.volume = readAs<decltype(zero)>(image, warnings, progress);
+      });
+    return native;
   });
 }
 

@@ -68,8 +68,13 @@ struct ReadOptions {
 LoadedImage readImage(const std::filesystem::path& path, const ReadOptions& options = {},
                       const Progress& progress = {});
 
+struct MaskImage {
+  Volume<std::uint8_t> mask;  ///< 1 inside
+  std::vector<std::string> warnings;
+};
+
 /// As readImage() but without checkUsable(), for masks: a mask may be constant. 1 where not 0.
-Volume<std::uint8_t> readMask(const std::filesystem::path& path);
+MaskImage readMask(const std::filesystem::path& path);
 
 struct NativeImage {
   AnyVolume volume;

@@ -8,7 +8,6 @@
 #include <gdcmTrace.h>
 #include <itkGDCMImageIO.h>
 #include <itkMetaImageIO.h>
-#include <itkNrrdImageIO.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,20 +35,6 @@ std::string reasonOf(const std::exception& error) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text.substr(0, 200);
-}
-
-Io::Pointer makeIo(ImageFormat format) {
-  itk::Object::GlobalWarningDisplayOff();
-  switch (format) {
-    case ImageFormat::MetaImage:
-      return itk::MetaImageIO::New().GetPointer();
-    case ImageFormat::Nrrd:
-      return itk::NrrdImageIO::New().GetPointer();
-    case ImageFormat::Nifti:
-    case ImageFormat::Dicom:
-      break;
-  }
-  return itk::GDCMImageIO::New().GetPointer();
 }
 
 template <class From, class Values>
@@ -139,38 +124,23 @@ std::vector<char> readBytes(Io& io) {
   return bytes;
 }
 
-struct OpenImage {
-  std::unique_ptr<MemoryFile> copy;  ///< of a MetaImage file: what is read in its place
-  Io::Pointer io;
-};
-
-OpenImage open(const fs::path& path, ImageFormat format, bool withVoxels) {
-  OpenImage image{nullptr, makeIo(format)};
-  if (format == ImageFormat::MetaImage) image.copy = plainMetaImage(path, withVoxels);
-  image.io->SetFileName((image.copy ? image.copy->path() : path).string());
-  image.io->ReadImageInformation();
-  return image;
-}
-
 }  // namespace
 
-Geometry itkGeometry(const fs::path& path, ImageFormat format) {
-  return guarded(path, [&] { return geometryOf(*open(path, format, false).io); });
-}
-
-std::vector<char> itkReadText(const fs::path& path, ImageFormat format, std::size_t bytesPerValue) {
+Geometry itkMetaGeometry(const fs::path& path) {
   return guarded(path, [&] {
-    const OpenImage image = open(path, format, true);
-    if (image.io->GetComponentSize() != bytesPerValue)
-      throw InputError("the pixel type is not known", path.string(),
-                       "convert the image to 16 bit integers or 32 bit floats");
-    return readBytes(*image.io);
+    itk::Object::GlobalWarningDisplayOff();
+    const std::unique_ptr<MemoryFile> copy = plainMetaImage(path);
+    const auto io = itk::MetaImageIO::New();
+    io->SetFileName(copy->path().string());
+    io->ReadImageInformation();
+    return geometryOf(*io);
   });
 }
 
 std::vector<float> itkReadDicomPixels(const fs::path& path, const fs::path& named,
                                       std::size_t count) {
   return guarded(named, [&] {
+    itk::Object::GlobalWarningDisplayOff();
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
     const auto io = itk::GDCMImageIO::New();

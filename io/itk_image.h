@@ -6,18 +6,12 @@
 #include <vector>
 
 #include "core/image/volume.h"
-#include "io/image_format.h"
 
 namespace angiomesh {
 
-/// The geometry of a MetaImage or NRRD file, from its header; that of space where the image has
-/// more axes. @throws IoError, InputError
-Geometry itkGeometry(const std::filesystem::path& path, ImageFormat format);
-
-/// All values of an image that is written as text, `bytesPerValue` each, in this machine's order.
+/// The geometry of a MetaImage file, from its header; that of space where the image has more axes.
 /// @throws IoError, InputError
-std::vector<char> itkReadText(const std::filesystem::path& path, ImageFormat format,
-                              std::size_t bytesPerValue);
+Geometry itkMetaGeometry(const std::filesystem::path& path);
 
 /// The stored values of all frames of one DICOM file, in file order, for the transfer syntaxes that
 /// DCMTK does not decode. `count` pixels are expected; errors name the file `named`.

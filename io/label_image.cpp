@@ -208,6 +208,9 @@ LabelMask readLabel(const fs::path& path, const std::string& choice, const Progr
   LabelMask result;
   result.label = chosen(labels, choice, path);
   result.onlyOne = labels.size() == 1;
+  const NativeImage native =
+      nativeLayer(path, segments, result.label.layer, progress.sub(0.5, 1.0));
+  result.warnings = native.info.warnings;
   std::visit(
       [&](const auto& volume) {
         result.mask = Volume<std::uint8_t>(volume.geometry);
@@ -216,7 +219,7 @@ LabelMask readLabel(const fs::path& path, const std::string& choice, const Progr
                          return static_cast<std::int64_t>(value) == result.label.value ? 1 : 0;
                        });
       },
-      nativeLayer(path, segments, result.label.layer, progress.sub(0.5, 1.0)).volume);
+      native.volume);
   return result;
 }
 

@@ -45,6 +45,7 @@ struct LabelMask {
   Volume<std::uint8_t> mask;  ///< 1 where the label is
   Label label;
   bool onlyOne = false;  ///< the image has no other label
+  std::vector<std::string> warnings;
 };
 
 /// The voxels of one label, chosen by value or by name; "" where there is only one.

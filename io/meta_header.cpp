@@ -5,6 +5,7 @@
 
 #include "io/header_text.h"
 #include "io/image_header.h"
+#include "io/length_unit.h"
 
 namespace angiomesh {
 namespace {
@@ -82,14 +83,13 @@ std::string numbersOfSpace(const Fields& fields, const std::string& key, std::si
 
 }  // namespace
 
-std::unique_ptr<MemoryFile> plainMetaImage(const fs::path& path, bool withVoxels) {
+std::unique_ptr<MemoryFile> plainMetaImage(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   Fields fields = textFields(in, "=:", "ElementDataFile");
   const std::size_t dimensions = parseSizes(fields["DimSize"]).size();
   if (dimensions < 3) throwBadHeader(path, "DimSize is '" + fields["DimSize"] + "'");
   metaType(fields["ElementType"], path);
-  std::string header = "ObjectType = Image\nNDims = 3\n";
-  header += std::string("BinaryData = ") + (withVoxels ? "False" : "True") + '\n';
+  std::string header = "ObjectType = Image\nNDims = 3\nBinaryData = True\n";
   for (const char* key :
        {"DimSize", "ElementSpacing", "ElementSize", "Offset", "Position", "Origin"})
     header += numbersOfSpace(fields, key, dimensions, false, path);
@@ -97,12 +97,6 @@ std::unique_ptr<MemoryFile> plainMetaImage(const fs::path& path, bool withVoxels
     header += numbersOfSpace(fields, key, dimensions, true, path);
   header += "ElementType = " + fields["ElementType"] + "\nElementDataFile = LOCAL\n";
   auto copy = std::make_unique<MemoryFile>();
-  if (withVoxels) {
-    const VoxelPlace place = metaPlace(fields, in, path);
-    std::ifstream voxels(place.local ? path : path.parent_path() / place.file, std::ios::binary);
-    voxels.seekg(static_cast<std::streamoff>(place.start));
-    header.append(std::istreambuf_iterator<char>(voxels), std::istreambuf_iterator<char>());
-  }
   if (!copy->append(header)) throw std::bad_alloc();
   return copy;
 }
@@ -138,10 +132,16 @@ ImageHeader readMetaImageHeader(const fs::path& path) {
   if (fields.count("ElementSpacing") == 0 && fields.count("ElementSize") == 0)
     header.warnings.emplace_back(kNoSpacing);
 
+  if (const std::string& unit = fields["DistanceUnits"]; !unit.empty() && unit != "?") {
+    const std::optional<double> mm = millimetresOf(unit);
+    if (!mm) header.warnings.push_back(unknownUnit(unit));
+    header.unitMm = mm.value_or(1.0);
+  }
+
   const VoxelPlace place = metaPlace(fields, in, path);
   data.deflated = isTrue(fields["CompressedData"]);
   if (fields.count("BinaryData") != 0 && !isTrue(fields["BinaryData"]))
-    placeText(place, path, 2 * data.voxels * data.values - 1, header);
+    placeText(place, path, VoxelText::Numbers, header);
   else
     placeVoxels(place, path, header);
   return header;

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <fstream>
-#include <sstream>
+#include <numeric>
+#include <optional>
+#include <set>
 
 #include "core/base/error.h"
 #include "io/header_text.h"
 #include "io/image_header.h"
+#include "io/nrrd_geometry.h"
 
 namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
 
-using Fields = std::map<std::string, std::string>;
+using Fields = NrrdFields;
 
 constexpr int kMostFiles = 100000;
 
@@ -40,44 +44,121 @@ std::string either(Fields& fields, const char* name, const char* other) {
   return fields.count(name) != 0 ? fields[name] : fields[other];
 }
 
-/// Which of four axes is none of space: the first or the last. 3 where nothing tells.
-std::size_t valueAxis(Fields& fields, const fs::path& path) {
-  std::istringstream directions(fields["space directions"]), kinds(fields["kinds"]);
-  std::string word;
-  for (std::size_t axis = 0; axis < 4 && directions >> word; ++axis) {
-    if (word == "none" && (axis == 0 || axis == 3)) return axis;
-    // "(1, 0, 0)" may hold blanks.
-    while (word.find('(') != std::string::npos && word.find(')') == std::string::npos) {
-      std::string more;
-      if (!(directions >> more)) break;
-      word += more;
-    }
-  }
-  for (std::size_t axis = 0; axis < 4 && kinds >> word; ++axis) {
-    if (word == "domain" || word == "space" || word == "???" || word == "none") continue;
-    if (axis == 1 || axis == 2) throwBadHeader(path, "kinds is '" + fields["kinds"] + "'");
-    return axis;
-  }
-  return 3;
+std::string small(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
-void takeSizes(Fields& fields, const fs::path& path, ImageHeader& header) {
-  std::vector<std::uintmax_t> sizes = parseSizes(fields["sizes"]);
-  if (sizes.empty()) throwBadHeader(path, "sizes is '" + fields["sizes"] + "'");
-  if (fields["dimension"] != std::to_string(sizes.size()))
+bool isField(const std::string& name) {
+  static const std::set<std::string> names = {"content",      "number",
+                                              "type",         "block size",
+                                              "blocksize",    "dimension",
+                                              "space",        "space dimension",
+                                              "sizes",        "spacings",
+                                              "thicknesses",  "axis mins",
+                                              "axismins",     "axis maxs",
+                                              "axismaxs",     "space directions",
+                                              "centers",      "centerings",
+                                              "kinds",        "labels",
+                                              "units",        "min",
+                                              "max",          "old min",
+                                              "oldmin",       "old max",
+                                              "oldmax",       "endian",
+                                              "encoding",     "line skip",
+                                              "lineskip",     "byte skip",
+                                              "byteskip",     "sample units",
+                                              "sampleunits",  "space units",
+                                              "space origin", "measurement frame",
+                                              "data file",    "datafile"};
+  return names.count(name) != 0;
+}
+
+struct Lines {
+  Fields fields;                               ///< of the format
+  std::map<std::string, std::string> foreign;  ///< "key:=value"
+};
+
+/// The lines up to an empty one or a list of files; `in` then stands behind it.
+Lines readLines(std::istream& in, const fs::path& path) {
+  constexpr int kMost = 100000;
+  Lines lines;
+  std::string line;
+  std::getline(in, line);  // the format and its version
+  for (int n = 0; n < kMost && std::getline(in, line); ++n) {
+    if (trimmed(line).empty()) break;
+    if (line[0] == '#') continue;
+    const std::size_t key = line.find(":="), sign = line.find(':');
+    if (sign == std::string::npos)
+      throwBadHeader(path, "line " + std::to_string(n + 2) + " is no field");
+    const std::string name = small(trimmed(line.substr(0, sign)));
+    const std::string value = trimmed(line.substr(sign + 1));
+    if (isField(name) && key != sign)
+      lines.fields[name] = value;
+    else if (key != std::string::npos)
+      lines.foreign[trimmed(line.substr(0, key))] = trimmed(line.substr(key + 2));
+    else
+      throw InputError("the header's field '" + trimmed(line.substr(0, sign)).substr(0, 40) +
+                           "' is none of NRRD",
+                       path.string(),
+                       "remove that line, or write ':=' in it, as for keys of other programs");
+    if ((name == "data file" || name == "datafile") && value.starts_with("LIST")) break;
+  }
+  return lines;
+}
+
+bool ofSpace(const std::string& kind) {
+  return kind == "domain" || kind == "space" || kind == "???" || kind == "none";
+}
+
+/// Which axis holds several values or points in time: the first or the last, or none of three.
+std::optional<std::size_t> valueAxis(const Fields& fields, std::size_t dimension,
+                                     const fs::path& path) {
+  const auto text = [&](const char* name) {
+    const auto found = fields.find(name);
+    return found == fields.end() ? std::string() : found->second;
+  };
+  const auto isEnd = [&](std::size_t axis) { return axis == 0 || axis + 1 == dimension; };
+  const auto vectors = nrrdVectors(text("space directions"), "space directions", path);
+  const bool some = std::any_of(vectors.begin(), vectors.end(), [](const auto& v) { return !!v; });
+  for (std::size_t axis = 0; some && axis < vectors.size() && axis < dimension; ++axis) {
+    const auto& v = vectors[axis];
+    // In spaces with time an axis may lead through time alone.
+    const bool time = v && v->size() == 4 && (*v)[0] == 0.0 && (*v)[1] == 0.0 && (*v)[2] == 0.0;
+    if ((!v || time) && isEnd(axis)) return axis;
+    // A kind such as "list" makes no difference to slices that lie in space.
+    if (axis == 2 && dimension == 3) return {};
+  }
+  const std::vector<std::string> kinds = nrrdWords(small(text("kinds")));
+  for (std::size_t axis = 0; axis < kinds.size() && axis < dimension; ++axis) {
+    if (ofSpace(kinds[axis])) continue;
+    if (!isEnd(axis)) throwBadHeader(path, "kinds is '" + text("kinds") + "'");
+    return axis;
+  }
+  return dimension == 4 ? std::optional<std::size_t>(3) : std::nullopt;
+}
+
+/// The sizes, and the numbers of the file's axes that are of space.
+std::vector<std::size_t> takeSizes(Fields& fields, const fs::path& path, ImageHeader& header) {
+  header.size = parseSizes(fields["sizes"]);
+  if (header.size.empty()) throwBadHeader(path, "sizes is '" + fields["sizes"] + "'");
+  if (fields["dimension"] != std::to_string(header.size.size()))
     throwBadHeader(path, "dimension and sizes differ");
   VoxelData& data = header.data;
-  if (sizes.size() > 4)
-    throw InputError("a " + std::to_string(sizes.size()) + "D image", path.string(),
+  if (header.size.size() > 4)
+    throw InputError("a " + std::to_string(header.size.size()) + "D image", path.string(),
                      "give one 3D volume of it");
-  if (sizes.size() == 4) {
-    const std::size_t axis = valueAxis(fields, path);
-    data.values = sizes[axis];
-    data.interleaved = axis == 0 && data.values > 1;
-    sizes.erase(sizes.begin() + static_cast<std::ptrdiff_t>(axis));
+  std::vector<std::size_t> axes(header.size.size());
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  const auto axis = axes.size() < 3 ? std::nullopt : valueAxis(fields, axes.size(), path);
+  if (axis) {
+    data.values = header.size[*axis];
+    data.interleaved = *axis == 0 && data.values > 1;
+    header.size.erase(header.size.begin() + static_cast<std::ptrdiff_t>(*axis));
+    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(*axis));
   }
-  header.size = sizes;
-  data.voxels = productOf(sizes);
+  data.voxels = productOf(header.size);
+  return axes;
 }
 
 VoxelPlace nrrdPlace(Fields& fields, std::istream& in, const fs::path& path, VoxelData& data) {
@@ -113,29 +194,30 @@ VoxelPlace nrrdPlace(Fields& fields, std::istream& in, const fs::path& path, Vox
 
 ImageHeader readNrrdHeader(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
-  Fields fields = textFields(in, ":", "");
+  Lines lines = readLines(in, path);
+  Fields& fields = lines.fields;
   ImageHeader header;
+  header.fields = std::move(lines.foreign);
   VoxelData& data = header.data;
-  takeSizes(fields, path, header);
-  data.type = nrrdType(fields["type"], path);
-  data.swapBytes = fields["endian"] == "big" && std::endian::native == std::endian::little;
-  if (fields.count("space directions") == 0 && fields.count("spacings") == 0)
-    header.warnings.emplace_back(kNoSpacing);
-  for (const auto& [key, value] : fields)
-    if (key.ends_with(':')) header.fields[key.substr(0, key.size() - 1)] = value;
+  const std::vector<std::size_t> axes = takeSizes(fields, path, header);
+  data.type = nrrdType(small(fields["type"]), path);
+  const std::string endian = small(fields["endian"]);
+  data.swapBytes = endian == "big" && std::endian::native == std::endian::little;
+  if (axes.size() == 3)
+    header.geometry = nrrdGeometry(fields, axes, header.size, path, header.warnings);
 
-  const std::string encoding = fields["encoding"];
+  const std::string encoding = small(fields["encoding"]);
   data.deflated = encoding == "gzip" || encoding == "gz";
   const bool text = encoding == "ascii" || encoding == "text" || encoding == "txt";
   const VoxelPlace place = nrrdPlace(fields, in, path, data);
   if (encoding == "raw" || data.deflated)
     placeVoxels(place, path, header);
   else if (text)
-    placeText(place, path, 2 * data.voxels * data.values - 1, header);
+    placeText(place, path, VoxelText::Numbers, header);
   else if (encoding == "hex")
-    placeText(place, path, 2 * data.bytes(), header);
+    placeText(place, path, VoxelText::Hexadecimal, header);
   else
-    throw InputError("the voxels are encoded as '" + encoding + "', which is not read",
+    throw InputError("the voxels are encoded as '" + fields["encoding"] + "', which is not read",
                      path.string(), "save the image with encoding raw or gzip");
   return header;
 }

@@ -14,6 +14,7 @@
 #include "core/base/parallel.h"
 #include "io/files.h"
 #include "io/open_file.h"
+#include "io/voxel_text.h"
 
 namespace angiomesh {
 namespace {
@@ -190,8 +191,8 @@ class Inflater {
   z_stream stream_{};
 };
 
-void readDeflated(const VoxelData& data, const Layout& layout, const Take& take,
-                  const Progress& progress) {
+std::uintmax_t readDeflated(const VoxelData& data, const Layout& layout, const Take& take,
+                            const Progress& progress) {
   const VoxelPiece& piece = data.pieces.front();
   Inflater inflater(piece);
   std::vector<std::byte> run(std::max(layout.runVoxels * layout.stride, kRun));
@@ -210,7 +211,28 @@ void readDeflated(const VoxelData& data, const Layout& layout, const Take& take,
     progress.report(static_cast<double>(first + count) / static_cast<double>(layout.voxels));
   }
   // To the end: the check sum comes last.
-  while (inflater.read(run.data(), run.size()) > 0) progress.check();
+  std::uintmax_t rest = 0;
+  for (std::size_t got = 0; (got = inflater.read(run.data(), run.size())) > 0; rest += got)
+    progress.check();
+  const std::uintmax_t due = data.bytes() - layout.start - layout.voxels * layout.stride;
+  if (rest < due) throwTruncated(piece.file, data.bytes(), data.bytes() - due + rest);
+  return (rest - due) / layout.itemBytes;
+}
+
+std::uintmax_t readText(const VoxelData& data, const Layout& layout, const Take& take,
+                        const Progress& progress) {
+  std::uintmax_t more = 0;
+  const std::vector<std::byte> bytes = bytesOfText(data, more, progress.sub(0.0, 0.8));
+  const bool swap = data.swapBytes && data.text == VoxelText::Hexadecimal;
+  std::vector<std::byte> run;
+  for (std::size_t first = 0; first < layout.voxels; first += layout.runVoxels) {
+    const std::size_t count = layout.inRun(first);
+    const auto from = bytes.begin() + static_cast<std::ptrdiff_t>(layout.start) +
+                      static_cast<std::ptrdiff_t>(first * layout.stride);
+    run.assign(from, from + static_cast<std::ptrdiff_t>(count * layout.stride));
+    take(first, wanted(run.data(), count, layout, swap));
+  }
+  return more;
 }
 
 }  // namespace
@@ -221,13 +243,13 @@ void throwTruncated(const fs::path& path, std::uintmax_t expected, std::uintmax_
                 path.string(), kCopyAgain);
 }
 
-void readVoxels(const VoxelData& data, std::uintmax_t value, const Take& take,
-                const Progress& progress) {
+std::uintmax_t readVoxels(const VoxelData& data, std::uintmax_t value, const Take& take,
+                          const Progress& progress) {
   const Layout layout(data, value);
-  if (data.deflated)
-    readDeflated(data, layout, take, progress);
-  else
-    readPlain(data, layout, take, progress);
+  if (data.text != VoxelText::None) return readText(data, layout, take, progress);
+  if (data.deflated) return readDeflated(data, layout, take, progress);
+  readPlain(data, layout, take, progress);
+  return 0;
 }
 
 }  // namespace angiomesh

@@ -17,7 +17,7 @@ struct EvaluateOptions {
 };
 
 int evaluate(const EvaluateOptions& options, const Progress& progress) {
-  const Volume<std::uint8_t> truth = readMask(options.truth);
+  const Volume<std::uint8_t> truth = readTruth(options.truth);
   const Volume<float> field = readPhiOrMask(options.result);
   const OverlapMeasures measures = compareMasks(maskOnGrid(field, truth.geometry), truth, progress);
   if (options.json)

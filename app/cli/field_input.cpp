@@ -2,7 +2,9 @@
 #include "app/cli/field_input.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "app/cli/session.h"
 #include "core/levelset/mask_distance.h"
 #include "core/pipeline/wall_step.h"
 #include "io/image_io.h"
@@ -19,16 +21,28 @@ Volume<float> fieldOfMask(const Volume<std::uint8_t>& mask) {
   return field;
 }
 
+void print(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) printWarning(warning);
+}
+
 }  // namespace
+
+Volume<std::uint8_t> readTruth(const std::string& path) {
+  MaskImage read = readMask(path);
+  print(read.warnings);
+  return std::move(read.mask);
+}
 
 Volume<float> readPhiOrMask(const std::string& path) {
   const std::vector<ImageSummary> summaries = describeImages(path);
   if (!summaries.empty() && summaries.front().info.pixelType.find("float") == std::string::npos)
-    return fieldOfMask(readMask(path));
-  Volume<float> field = readImage(path).image;
+    return fieldOfMask(readTruth(path));
+  LoadedImage loaded = readImage(path);
+  print(screenWarnings(loaded.info));
+  Volume<float>& field = loaded.image;
   if (valueRange(field)[0] >= 0.0F)
     for (float& value : field.voxels) value = value != 0.0F ? -kHalf : kHalf;
-  return field;
+  return std::move(field);
 }
 
 MeshInput readMeshInput(const std::string& path, const std::string& label,
@@ -40,11 +54,16 @@ MeshInput readMeshInput(const std::string& path, const std::string& label,
     const bool isFloat =
         !summaries.empty() && summaries.front().info.pixelType.starts_with("float");
     if (isFloat) {
-      input.phi = readImage(path, {}, progress.sub(0.0, 0.2)).image;
-      if (valueRange(input.phi)[0] < 0.0F) return input;
+      LoadedImage loaded = readImage(path, {}, progress.sub(0.0, 0.2));
+      if (valueRange(loaded.image)[0] < 0.0F) {
+        print(screenWarnings(loaded.info));
+        input.phi = std::move(loaded.image);
+        return input;
+      }
     }
   }
   LabelMask chosen = readLabel(path, label, progress.sub(0.0, 0.2));
+  print(chosen.warnings);
   input.label = chosen.label;
   input.otherLabels = !chosen.onlyOne;
   MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 0.7));

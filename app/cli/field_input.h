@@ -12,8 +12,11 @@
 namespace angiomesh::cli {
 
 /// Reads a level set function, or a mask as the function that is -0.5 inside and 0.5 outside. A
-/// file is a mask when none of its values is negative.
+/// file is a mask when none of its values is negative. Prints what the file is warned of.
 Volume<float> readPhiOrMask(const std::string& path);
+
+/// readMask(); prints what the file is warned of.
+Volume<std::uint8_t> readTruth(const std::string& path);
 
 /// Where a surface comes from.
 struct MeshInput {
@@ -24,7 +27,8 @@ struct MeshInput {
 };
 
 /// A level set function (float, with negative values) as it is; of anything else the label that is
-/// chosen (see readLabel()) as the distance to a wall that `wall` makes smooth.
+/// chosen (see readLabel()) as the distance to a wall that `wall` makes smooth. Prints what the
+/// file is warned of.
 /// @throws IoError, InputError, Cancelled
 MeshInput readMeshInput(const std::string& path, const std::string& label,
                         const SmoothWallParams& wall, const Progress& progress);

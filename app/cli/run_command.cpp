@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/field_input.h"
 #include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "app/cli/summary.h"
@@ -171,7 +172,7 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   StagedFolder folder(options.output, kRunFiles, options.force);
 
   std::optional<Volume<std::uint8_t>> truth;
-  if (!options.truth.empty()) truth = readMask(options.truth);
+  if (!options.truth.empty()) truth = readTruth(options.truth);
   const Loaded loaded = load(options, progress.sub(0.0, kLoaded));
   Pipeline pipeline(loaded.source);
   RunResult result = pipeline.run(params, runOptions, progress.sub(kLoaded, kComputed));

@@ -73,7 +73,7 @@ class TestCliSteps : public QObject, CliRun {
   void aMaskIsMeshedToo() {
     QCOMPARE(cli({"mesh", "p/truth.mha", "-o", "truth.stl"}).code, 0);
     const TriMesh mesh = readMesh(nativePath(at("truth.stl")));
-    const Volume<std::uint8_t> truth = readMask(nativePath(at("p/truth.mha")));
+    const Volume<std::uint8_t> truth = readMask(nativePath(at("p/truth.mha"))).mask;
     const auto voxels = std::count_if(truth.voxels.begin(), truth.voxels.end(),
                                       [](std::uint8_t v) { return v != 0; });
     QVERIFY(std::fabs(enclosedVolumeMm3(mesh) / static_cast<double>(voxels) - 1.0) < 0.15);
@@ -179,7 +179,7 @@ class TestCliSteps : public QObject, CliRun {
     QVERIFY(std::fabs(source.value("volume_change_percent").toDouble()) < 1.25);
 
     // The same mask beside another label.
-    Volume<std::uint8_t> labels = readMask(nativePath(at("p/truth.mha")));
+    Volume<std::uint8_t> labels = readMask(nativePath(at("p/truth.mha"))).mask;
     for (std::uint8_t& voxel : labels.voxels) voxel = voxel != 0 ? 5 : 0;
     labels.voxels[0] = 9;
     writeVolume(labels, nativePath(at("labels.nii.gz")));

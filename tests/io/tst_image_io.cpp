@@ -143,7 +143,7 @@ class TestImageIo : public QObject {
     auto mask = numbered<std::uint8_t>(rotated(leftHanded));
     for (auto& voxel : mask.voxels) voxel = voxel % 3 == 0 ? 1 : 0;
     writeVolume(mask, path);
-    const auto back = readMask(path);
+    const auto back = readMask(path).mask;
     QCOMPARE(back.voxels, mask.voxels);
     QVERIFY(sameCorners(back.geometry, mask.geometry, tolerance));
     QCOMPARE(describeImages(path).at(0).info.pixelType, std::string("uint8"));
@@ -424,7 +424,7 @@ class TestImageIo : public QObject {
   void masksMayBeConstantButNotNan() {
     const Folder folder;
     save(folder / "zero.mha", metaImage("MET_FLOAT", std::string(96, '\0')));
-    QVERIFY(readMask(folder / "zero.mha").voxels == BigVector<std::uint8_t>(24, 0));
+    QVERIFY(readMask(folder / "zero.mha").mask.voxels == BigVector<std::uint8_t>(24, 0));
     std::string nan = rawVoxels<float>();
     put(nan, 40, std::numeric_limits<float>::quiet_NaN());
     save(folder / "nan.mha", metaImage("MET_FLOAT", nan));
@@ -432,7 +432,7 @@ class TestImageIo : public QObject {
     save(folder / "label.mha", metaImage("MET_FLOAT", rawVoxels<float>()));
     BigVector<std::uint8_t> expected(24, 1);
     expected[0] = 0;
-    QCOMPARE(readMask(folder / "label.mha").voxels, expected);
+    QCOMPARE(readMask(folder / "label.mha").mask.voxels, expected);
   }
 
   void badPlacesAreRefused() {

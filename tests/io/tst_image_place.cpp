@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where image files say that their voxels lie.
+#include <QTest>
+
+#include "core/base/error.h"
+#include "io/image_io.h"
+#include "tests/io/io_test.h"
+
+using namespace angiomesh;
+using namespace angiomesh::test;
+
+namespace {
+
+/// 2 x 3 x 4 bytes: 0, 1, ... 23, and again.
+std::string voxels(int count = 24) {
+  std::string bytes;
+  for (int i = 0; i < count; ++i) bytes += static_cast<char>(i);
+  return bytes;
+}
+
+std::string nrrd(const std::string& fields) {
+  return "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 2 3 4\nencoding: raw\n" + fields + "\n\n" +
+         voxels();
+}
+
+struct Read {
+  Geometry geometry;
+  QString warnings;
+  QString error;
+};
+
+Read read(const std::string& name, const std::string& bytes, std::optional<int> component = {}) {
+  const Folder f;
+  save(f / name, bytes);
+  Read out;
+  out.error = messageOf([&] {
+    const NativeImage image = readNative(f / name, {}, component);
+    out.geometry = geometryOf(image.volume);
+    for (const std::string& warning : image.info.warnings)
+      out.warnings += QString::fromStdString(warning) + "\n";
+  });
+  return out;
+}
+
+bool lies(const Geometry& g, const Eigen::Vector3d& spacing, const Eigen::Vector3d& origin,
+          const Eigen::Vector3d& signs) {
+  const Eigen::Matrix3d direction = signs.asDiagonal();
+  return (g.spacing - spacing).norm() < 1e-9 && (g.origin - origin).norm() < 1e-9 &&
+         (g.direction - direction).norm() < 1e-9;
+}
+
+}  // namespace
+
+class TestImagePlace : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void everySpaceOfNrrdIsTurnedToLps_data() {
+    QTest::addColumn<QString>("space");
+    QTest::addColumn<int>("x");
+    QTest::addColumn<int>("y");
+    QTest::addColumn<QString>("warning");
+    const auto row = [](const char* space, int x, int y, const char* warning = "") {
+      QTest::addRow("%s", space) << QString(space) << x << y << QString(warning);
+    };
+    for (const char* lps : {"left-posterior-superior", "LPS", "left posterior superior",
+                            "left-posterior-superior-time", "LPST"})
+      row(lps, 1, 1);
+    for (const char* ras : {"right-anterior-superior", "RAS", "Right-Anterior-Superior",
+                            "right-anterior-superior-time", "RAST"})
+      row(ras, -1, -1);
+    for (const char* las : {"left-anterior-superior", "LAS", "left-anterior-superior-time", "LAST"})
+      row(las, 1, -1);
+    for (const char* none :
+         {"scanner-xyz", "3D-right-handed", "scanner-xyz-time", "3D-right-handed-time"})
+      row(none, 1, 1, "does not say how the patient lies");
+    for (const char* left : {"3D-left-handed", "3D-left-handed-time"}) row(left, 1, 1, "mirrored");
+  }
+  void everySpaceOfNrrdIsTurnedToLps() {
+    QFETCH(QString, space);
+    QFETCH(int, x);
+    QFETCH(int, y);
+    QFETCH(QString, warning);
+    const bool time = space.endsWith("-time") || (space.size() == 4 && space.endsWith('T'));
+    const std::string fields =
+        time ? "space directions: (0.5,0,0,0) (0,0.6,0,0) (0,0,0.8,0)\nspace origin: (10,20,30,5)"
+             : "space directions: (0.5,0,0) (0,0.6,0) (0,0,0.8)\nspace origin: (10,20,30)";
+    const Read got = read("v.nrrd", nrrd("space: " + space.toStdString() + "\n" + fields));
+    QCOMPARE(got.error, QString());
+    QVERIFY(
+        lies(got.geometry, {0.5, 0.6, 0.8}, {10.0 * x, 20.0 * y, 30.0}, {1.0 * x, 1.0 * y, 1.0}));
+    QCOMPARE(got.warnings.isEmpty(), warning.isEmpty());
+    QVERIFY2(got.warnings.contains(warning), qPrintable(got.warnings));
+  }
+
+  void aSpaceWithoutANameIsSaid() {
+    const std::string place =
+        "space directions: (0.5,0,0) (0,0.6,0) (0,0,0.8)\nspace origin: (10,20,30)";
+    const Read got = read("v.nrrd", nrrd("space dimension: 3\n" + place));
+    QVERIFY(lies(got.geometry, {0.5, 0.6, 0.8}, {10, 20, 30}, {1, 1, 1}));
+    QVERIFY2(got.warnings.contains("a space without a name"), qPrintable(got.warnings));
+    QVERIFY(read("v.nrrd", nrrd("space: left-inferior-anterior\n" + place))
+                .error.contains("left-inferior-anterior"));
+    // Two axes of space make no volume.
+    QVERIFY(read("v.nrrd", nrrd("space dimension: 2\nspace directions: none (1,0) (0,1)"))
+                .error.contains("2D"));
+  }
+
+  void unitsBecomeMillimetres_data() {
+    QTest::addColumn<QString>("fields");
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("z");
+    QTest::addColumn<QString>("warning");
+    const std::string place =
+        "space: LPS\nspace directions: (0.5,0,0) (0,0.6,0) (0,0,0.8)\nspace origin: (10,20,30)\n";
+    const auto row = [&](const char* units, double x, double z, const char* warning = "") {
+      QTest::addRow("%s", units) << QString::fromStdString(place + "space units: " + units) << x
+                                 << z << QString(warning);
+    };
+    row(R"("mm" "mm" "mm")", 1, 1);
+    row(R"("" "" "")", 1, 1);
+    row(R"("um" "um" "um")", 1e-3, 1e-3);
+    row("\"\xc2\xb5m\" \"\xc2\xb5m\" \"microns\"", 1e-3, 1e-3);
+    row(R"("m" "m" "m")", 1000, 1000);
+    row(R"("mm" "mm" "cm")", 1, 10);
+    row("cm cm mm", 10, 1);
+    row(R"("furlong" "furlong" "mm")", 1, 1, "'furlong'");
+  }
+  void unitsBecomeMillimetres() {
+    QFETCH(QString, fields);
+    QFETCH(double, x);
+    QFETCH(double, z);
+    QFETCH(QString, warning);
+    const Read got = read("v.nrrd", nrrd(fields.toStdString()));
+    QCOMPARE(got.error, QString());
+    QVERIFY(std::fabs(got.geometry.spacing.x() - 0.5 * x) < 1e-9);
+    QVERIFY(std::fabs(got.geometry.spacing.z() - 0.8 * z) < 1e-9);
+    QVERIFY(std::fabs(got.geometry.origin.x() - 10.0 * x) < 1e-9);
+    QVERIFY(std::fabs(got.geometry.origin.z() - 30.0 * z) < 1e-9);
+    QCOMPARE(got.warnings.isEmpty(), warning.isEmpty());
+    QVERIFY2(got.warnings.contains(warning), qPrintable(got.warnings));
+    QCOMPARE(got.warnings.count('\n'), warning.isEmpty() ? 0 : 1);
+  }
+
+  void unitsBelongToTheAxesOfASlantedSpace() {
+    // An index step along z of the space, which is in cm.
+    const Read got = read("v.nrrd", nrrd("space: LPS\nspace units: \"mm\" \"mm\" \"cm\"\nspace "
+                                         "directions: (0,0,0.5) (0,0.6,0) (0.8,0,0)\n"));
+    QVERIFY((got.geometry.spacing - Eigen::Vector3d(5, 0.6, 0.8)).norm() < 1e-9);
+  }
+
+  void spacingsWithoutASpace() {
+    const Read plain = read("v.nrrd", nrrd("spacings: 0.5 0.6 0.8\nunits: \"mm\" \"mm\" \"cm\""));
+    QVERIFY(lies(plain.geometry, {0.5, 0.6, 8}, {0, 0, 0}, {1, 1, 1}));
+    QCOMPARE(plain.warnings, QString());
+    const Read turned = read("v.nrrd", nrrd("spacings: 0.5 -0.6 0.8"));
+    QVERIFY(lies(turned.geometry, {0.5, 0.6, 0.8}, {0, 0, 0}, {1, -1, 1}));
+    const Read ends = read("v.nrrd", nrrd("axis mins: 1 2 3\naxis maxs: 2 8 15\ncenters: cell node "
+                                          "cell"));
+    QVERIFY(lies(ends.geometry, {0.5, 3, 3}, {1.25, 2, 4.5}, {1, 1, 1}));
+    const Read unknown = read("v.nrrd", nrrd("spacings: 0.5 0.6 NaN"));
+    QVERIFY(lies(unknown.geometry, {0.5, 0.6, 1}, {0, 0, 0}, {1, 1, 1}));
+    QVERIFY2(unknown.warnings.contains("spacing along axis 3: 1 mm"), qPrintable(unknown.warnings));
+    for (const char* none : {"", "spacings: nan nan nan", "space: LPS",
+                             "space: LPS\nspace directions: none none none"}) {
+      const Read got = read("v.nrrd", nrrd(none));
+      QVERIFY2(got.warnings.contains("does not state the voxel spacing: 1 mm"), none);
+    }
+    QVERIFY(read("v.nrrd", nrrd("space: LPS\nspace directions: (1,0,0) (0,1,0) none"))
+                .error.contains("a 2D image"));
+    for (const char* bad : {"spacings: 0.5 0.6 0", "spacings: 0.5 0.6", "spacings: 1 1 inf",
+                            "spacings: 1 1 x", "space: LPS\nspace directions: (1,0,0) none (0,0,1)",
+                            "space: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,0)",
+                            "space: LPS\nspace directions: (1,0,0) (0,1,0) (0,0",
+                            "space: LPS\nspace directions: (1,0) (0,1) (0,0)",
+                            "space: LPS\nspace directions: (1,0,0) (0,1,0) (0,nan,1)"})
+      QVERIFY2(read("v.nrrd", nrrd(bad)).error.contains("header is not usable"), bad);
+  }
+
+  void oneOfSeveralValuesIsTakenWithoutKinds() {
+    const std::string head = "NRRD0005\ntype: uint8\nencoding: raw\ndimension: 4\n";
+    const std::string last = head + "sizes: 2 3 4 2\n", end = "\n\n" + voxels(48);
+    for (const char* fields :
+         {"space: LPS\nspace directions: (0.5,0,0) (0,0.6,0) (0,0,0.8) none",
+          "space: LPS\nspace directions: (0.5,0,0) (0,0.6,0) (0,0,0.8) (nan,nan,nan)",
+          "space: LPST\nspace directions: (0.5,0,0,0) (0,0.6,0,0) (0,0,0.8,0) (0,0,0,2)",
+          "spacings: 0.5 0.6 0.8 NaN", "spacings: 0.5 0.6 0.8 2\nkinds: space space space time"}) {
+      const Read got = read("v.nrrd", last + fields + end, 1);
+      QCOMPARE(got.error, QString());
+      QVERIFY2(lies(got.geometry, {0.5, 0.6, 0.8}, {0, 0, 0}, {1, 1, 1}), fields);
+      QCOMPARE(got.warnings, QString());
+    }
+    const Read first = read(
+        "v.nrrd",
+        head + "sizes: 2 2 3 4\nspace: LPS\nspace directions: none (0.5,0,0) (0,0.6,0) (0,0,0.8)" +
+            end,
+        1);
+    QVERIFY(lies(first.geometry, {0.5, 0.6, 0.8}, {0, 0, 0}, {1, 1, 1}));
+  }
+
+  void fieldsInCapitalsAndUnknownOnes() {
+    const Folder f;
+    save(f / "v.nrrd",
+         "NRRD0005\r\nType: UINT8\r\nDimension: 3\r\nSIZES: 2 3 4\r\nSpace: lps\r\nEncoding: "
+         "ASCII\r\nSpace Directions: (1,0,0) (0,2,0) (0,0,3)\r\na key: with colon:=its value\r\n"
+         "\r\n0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23\n");
+    const LoadedImage text = readImage(f / "v.nrrd");
+    QCOMPARE(text.image.voxels[23], 23.0F);
+    QCOMPARE(text.image.geometry.spacing, Eigen::Vector3d(1, 2, 3));
+    save(f / "raw.nrrd",
+         "NRRD0005\nTYPE: Unsigned Char\ndimension: 3\nsizes: 2 3 4\nspace: LPS\n"
+         "space directions: (1,0,0) (0,2,0) (0,0,3)\nencoding: RAW\n\n" +
+             voxels());
+    QCOMPARE(readImage(f / "raw.nrrd").image.voxels[23], 23.0F);
+    const QString message = read("v.nrrd", nrrd("AnatomicalOrientation: RAI")).error;
+    QVERIFY2(message.contains("'AnatomicalOrientation'"), qPrintable(message));
+  }
+
+  void metaImagesHaveUnitsToo() {
+    const auto meta = [](const std::string& line) {
+      return "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\nOffset = 4 5 "
+             "6\nElementType = MET_UCHAR\n" +
+             line + "ElementDataFile = LOCAL\n" + voxels();
+    };
+    for (const auto& [line, scale] : {std::pair<std::string, double>{"", 1.0},
+                                      {"DistanceUnits = mm\n", 1.0},
+                                      {"DistanceUnits = ?\n", 1.0},
+                                      {"DistanceUnits = um\n", 1e-3},
+                                      {"DistanceUnits = cm\n", 10.0}}) {
+      const Read got = read("v.mha", meta(line));
+      QVERIFY2(lies(got.geometry, scale * Eigen::Vector3d(1, 2, 3),
+                    scale * Eigen::Vector3d(4, 5, 6), {1, 1, 1}),
+               line.c_str());
+      QCOMPARE(got.warnings, QString());
+    }
+    const Read got = read("v.mha", meta("DistanceUnits = ell\n"));
+    QVERIFY(got.warnings.contains("'ell'"));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestImagePlace)
+#include "tst_image_place.moc"
