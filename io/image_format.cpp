@@ -96,10 +96,6 @@ ImageFormat imageFormat(const fs::path& path) {
     if (size == kNiftiHeader || swapped == kNiftiHeader) {
       if (head.size() < kNiftiHeader)
         throw IoError("the file is truncated", path.string(), kCopyAgain);
-      if (gzip != (path.extension() == ".gz"))
-        throw InputError(
-            gzip ? "a compressed NIfTI file without .gz" : "a plain NIfTI file with .gz",
-            path.string(), "rename it");
       return ImageFormat::Nifti;
     }
   }
@@ -109,6 +105,12 @@ ImageFormat imageFormat(const fs::path& path) {
   if (dicom) return ImageFormat::Dicom;
   if (looksLikeMetaImage(head)) return ImageFormat::MetaImage;
   throw InputError("not an image file", path.string(), kFormats);
+}
+
+std::string inSmall(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
 }
 
 bool looksLikeDicom(const fs::path& path) {

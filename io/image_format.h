@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace angiomesh {
 
@@ -13,5 +14,8 @@ ImageFormat imageFormat(const std::filesystem::path& path);
 
 /// True when the first bytes are those of a DICOM file; never throws for a file that is none.
 bool looksLikeDicom(const std::filesystem::path& path);
+
+/// The letters A to Z as small ones: names of files and fields may be in capitals.
+std::string inSmall(std::string text);
 
 }  // namespace angiomesh

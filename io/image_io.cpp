@@ -15,6 +15,7 @@
 #include "io/header_text.h"
 #include "io/image_header.h"
 #include "io/itk_image.h"
+#include "io/not_finite.h"
 #include "io/voxel_convert.h"
 
 namespace angiomesh {
@@ -130,7 +131,14 @@ void forRuns(const OpenImage& image, const Take& take, std::vector<std::string>&
     warnings.push_back(longerText(more, "values", data.pieces.front().file == image.path, false));
 }
 
-LoadedImage readFloats(const OpenImage& image, const Progress& progress) {
+/// checkUsable(), of voxels that are all finite or replaced.
+void checkReplaced(LoadedImage& loaded, const fs::path& path) {
+  const std::string warning = replaceNotFinite(loaded.image);
+  if (!warning.empty()) loaded.info.warnings.push_back(warning);
+  checkUsable(loaded.image, path.string());
+}
+
+LoadedImage readFloats(const OpenImage& image, bool replace, const Progress& progress) {
   LoadedImage loaded;
   loaded.info = image.info;
   loaded.image = roomFor<float>(image);
@@ -146,7 +154,11 @@ LoadedImage readFloats(const OpenImage& image, const Progress& progress) {
         facts.rounded = facts.rounded || seen.rounded;
       },
       loaded.info.warnings, progress);
-  checkUsable(loaded.image.geometry, facts.values, image.path.string());
+  if (replace && facts.values.firstNotFinite != ValueFacts::none) {
+    checkReplaced(loaded, image.path);
+  } else {
+    checkUsable(loaded.image.geometry, facts.values, image.path.string());
+  }
   if (facts.rounded)
     loaded.info.warnings.push_back("some of the " + image.info.pixelType +
                                    " values were rounded: Angiomesh works in float32");
@@ -241,9 +253,12 @@ LoadedImage readImage(const fs::path& path, const ReadOptions& options, const Pr
     LoadedImage loaded;
     if (isDicom(path)) {
       loaded = readDicom(path, options, progress);
-      checkUsable(loaded.image, path.string());
+      if (options.replaceNotFinite)
+        checkReplaced(loaded, path);
+      else
+        checkUsable(loaded.image, path.string());
     } else {
-      loaded = readFloats(openImage(path, options.series, {}), progress);
+      loaded = readFloats(openImage(path, options.series, {}), options.replaceNotFinite, progress);
     }
     progress.report(1.0);
     return loaded;
@@ -252,11 +267,15 @@ LoadedImage readImage(const fs::path& path, const ReadOptions& options, const Pr
 
 LoadedImage readImage(const ImageSummary& entry, const fs::path& path, bool evenOut,
                       const Progress& progress) {
-  if (!entry.stack) return readImage(path, {}, progress);
+  if (!entry.stack) {
+    ReadOptions options;
+    options.replaceNotFinite = true;
+    return readImage(path, options, progress);
+  }
   progress.phase("reading");
   LoadedImage loaded = readDicomStack(entry.stack, evenOut, path, progress.sub(0.0, 0.9));
   loaded.info.warnings = entry.info.warnings;
-  checkUsable(loaded.image, path.string());
+  checkReplaced(loaded, path);
   progress.report(1.0);
   return loaded;
 }

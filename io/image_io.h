@@ -57,6 +57,9 @@ struct LoadedImage {
 struct ReadOptions {
   std::string series;    ///< UID of a DICOM series, or the end of it; "/2" for a part of it
   bool evenOut = false;  ///< missing or uneven DICOM slices: resample instead of refusing
+  /// Give voxels that are no finite numbers a value, with a warning, instead of refusing them; see
+  /// replaceNotFinite(). For scans: in a level set function they stand for nothing.
+  bool replaceNotFinite = false;
 };
 
 /// Reads .mha/.mhd, .nrrd/.nhdr, .nii/.nii.gz (any pixel type, any direction; NIfTI turned to LPS),
@@ -113,7 +116,8 @@ std::string leftOutText(const std::vector<ImageSummary>& entries);
 /// True when `wanted` is the end of a volume's id, or of the UID of its series.
 bool fitsSeries(const std::string& id, const std::string& wanted);
 
-/// Reads an entry of a DICOM folder without looking through the folder again.
+/// Reads an entry of a DICOM folder without looking through the folder again, or a scan in another
+/// format. Voxels that are no finite numbers are replaced.
 /// @throws as readImage()
 LoadedImage readImage(const ImageSummary& entry, const std::filesystem::path& path, bool evenOut,
                       const Progress& progress = {});

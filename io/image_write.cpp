@@ -17,6 +17,7 @@
 
 #include "core/base/error.h"
 #include "io/files.h"
+#include "io/image_format.h"
 #include "io/image_io.h"
 
 namespace angiomesh {
@@ -235,7 +236,8 @@ bool isNamedElsewhere(const std::string& voxelFile, const fs::path& header) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const fs::path& other = entry.path();
     if (other.filename() == header.filename()) continue;
-    if (other.extension() != ".mhd" && other.extension() != ".nhdr") continue;
+    const std::string extension = inSmall(other.extension().string());
+    if (extension != ".mhd" && extension != ".nhdr") continue;
     std::string head(std::size_t{1} << 16, '\0');
     std::ifstream in(other, std::ios::binary);
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -311,7 +313,7 @@ void writeNifti(const Content& content, const fs::path& path, bool packed) {
 }
 
 void write(const Content& content, const fs::path& path) {
-  const std::string name = path.filename().string();
+  const std::string name = inSmall(path.filename().string());
   if (content.bytes.empty() ||
       content.bytes.size() != content.geometry.voxelCount() * voxelTypeBytes(content.type))
     throw InputError("there are no voxels to write", path.string(), "compute the volume first");

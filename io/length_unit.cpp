@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/length_unit.h"
 
-#include <algorithm>
-#include <cctype>
+#include "io/image_format.h"
 
 namespace angiomesh {
 
 std::optional<double> millimetresOf(const std::string& unit) {
-  std::string name = unit;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string name = inSmall(unit);
   if (name.size() > 2 && name.ends_with('s')) name.pop_back();
   const auto isOneOf = [&](const std::string& names) {
     return !name.empty() && names.find(" " + name + " ") != std::string::npos;

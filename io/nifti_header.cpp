@@ -8,6 +8,8 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <numbers>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "io/files.h"
@@ -20,8 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kHeader = 348;
-constexpr double kSkew = 1e-4;   // of the dot product of two unit axes, as in ITK
-constexpr double kAlike = 1e-4;  // relative, between sform and qform
+constexpr double kSkew = 1e-4;  // of the dot product of two unit axes, as in ITK
+// From where on sform and qform disagree.
+constexpr double kSeenDegrees = 0.1, kSeenScale = 1e-3, kSeenVoxels = 0.1;
 
 /// The fields of a NIfTI-1 header by their offsets (nifti1.h).
 class Fields {
@@ -108,6 +111,17 @@ Affine qform(const Fields& h, const Eigen::Vector3d& spacing) {
   return m;
 }
 
+std::string rounded(double value) {
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+
+std::string sizeOf(const Eigen::Vector3d& voxel) {
+  return rounded(voxel.x()) + " x " + rounded(voxel.y()) + " x " + rounded(voxel.z());
+}
+
 bool orthogonal(const Affine& m) {
   if (!m.allFinite()) return false;
   Eigen::Matrix3d axes = m.leftCols<3>();
@@ -118,8 +132,32 @@ bool orthogonal(const Affine& m) {
   return (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= kSkew;
 }
 
-/// Which of the two ways of NIfTI to say where the patient lies is taken, as ITK does: the sform
-/// where it is no skew and alone, or that of the scanner, or says the same; else the qform.
+/// "turned by 180 degrees, mirrored, ...": how one form differs from the other; "" where it is
+/// less than anyone would see.
+std::string difference(const Affine& s, const Affine& q) {
+  const Eigen::Vector3d ofS = s.leftCols<3>().colwise().norm(),
+                        ofQ = q.leftCols<3>().colwise().norm();
+  Eigen::Matrix3d turn = (s.leftCols<3>() * ofS.cwiseInverse().asDiagonal()) *
+                         (q.leftCols<3>() * ofQ.cwiseInverse().asDiagonal()).transpose();
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  if (turn.determinant() < 0.0) {
+    add("mirrored");
+    turn *= -1.0;
+  }
+  // In degrees; a mirrored one also has an angle, which says nothing.
+  const double angle =
+      std::acos(std::clamp(0.5 * (turn.trace() - 1.0), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+  if (text.empty() && angle > kSeenDegrees) add("turned by " + rounded(angle) + " degrees");
+  if (((ofS - ofQ).array() / ofQ.array()).abs().maxCoeff() > kSeenScale)
+    add("voxels of " + sizeOf(ofS) + " against " + sizeOf(ofQ) + " mm");
+  const double shift = (s.col(3) - q.col(3)).norm();
+  if (shift > kSeenVoxels * ofQ.minCoeff()) add("the first voxel " + rounded(shift) + " mm apart");
+  return text;
+}
+
+/// Which of the two ways of NIfTI to say where the patient lies is taken, as nibabel and 3D Slicer
+/// do: the sform where there is one, unless it is skewed and there is a qform.
 Affine chosenForm(const Fields& h, const Eigen::Vector3d& spacing, const fs::path& path,
                   std::vector<std::string>& warnings) {
   const int qCode = h.whole(252), sCode = h.whole(254);
@@ -131,15 +169,24 @@ Affine chosenForm(const Fields& h, const Eigen::Vector3d& spacing, const fs::pat
   }
   const Affine s = sform(h), q = qform(h, spacing);
   if (sCode > 0 && orthogonal(s)) {
-    const double size = std::max(s.leftCols<3>().cwiseAbs().maxCoeff(), 1.0);
-    const bool alike = (s - q).cwiseAbs().maxCoeff() <= kAlike * size;
-    if (qCode <= 0 || sCode == 1 || alike) return s;
-  } else if (sCode > 0 && qCode <= 0) {
-    throw InputError("the axes of the grid are skewed (sform)", path.string(),
-                     "resample the image to a rectangular grid");
-  } else if (sCode > 0) {
-    warnings.emplace_back("the skewed sform of the file is left out: its qform is taken");
+    const Eigen::Vector3d ofS = s.leftCols<3>().colwise().norm();
+    if (qCode > 0 && q.allFinite()) {
+      if (const std::string how = difference(s, q); !how.empty())
+        warnings.push_back("the sform and the qform of the file disagree (" + how +
+                           "): the sform is taken");
+    } else if (((ofS - spacing).array() / spacing.array()).abs().maxCoeff() > kSeenScale) {
+      warnings.push_back("the sform of the file has voxels of " + sizeOf(ofS) + " mm and pixdim " +
+                         sizeOf(spacing) + " mm: the sform is taken");
+    }
+    return s;
   }
+  const bool empty = sCode > 0 && !s.leftCols<3>().colwise().norm().allFinite();
+  const char* const fault =
+      empty ? "the sform is not finite" : "the axes of the grid are skewed or empty (sform)";
+  if (sCode > 0 && qCode <= 0)
+    throw InputError(fault, path.string(), "resample the image to a rectangular grid");
+  if (sCode > 0)
+    warnings.push_back(std::string(fault) + ", which is left out: the qform of the file is taken");
   if (!q.allFinite()) throwBadHeader(path, "the qform is not finite");
   return q;
 }
@@ -206,9 +253,10 @@ ImageHeader readNiftiHeader(const fs::path& path) {
   const double offset = h.real(108);
   if (!(offset >= static_cast<double>(kHeader)) || offset > 1e8) throwBadHeader(path, "vox_offset");
   const double slope = h.real(112), intercept = h.real(116);
-  if (!std::isfinite(slope) || (slope != 0.0 && !std::isfinite(intercept)))
-    throwBadHeader(path, "scl_slope or scl_inter is not a finite number");
-  if (slope != 0.0) {
+  // As nibabel and niftilib read it: a slope of 0 or NaN stands for no scaling.
+  const bool scaled = slope != 0.0 && std::isfinite(slope);
+  if (scaled && !std::isfinite(intercept)) throwBadHeader(path, "scl_inter is not a finite number");
+  if (scaled) {
     data.slope = slope;
     data.intercept = intercept;
   }

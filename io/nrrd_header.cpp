@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <fstream>
 #include <numeric>
 #include <optional>
@@ -42,12 +41,6 @@ VoxelType nrrdType(const std::string& type, const fs::path& path) {
 
 std::string either(Fields& fields, const char* name, const char* other) {
   return fields.count(name) != 0 ? fields[name] : fields[other];
-}
-
-std::string small(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 bool isField(const std::string& name) {
@@ -91,7 +84,7 @@ Lines readLines(std::istream& in, const fs::path& path) {
     const std::size_t key = line.find(":="), sign = line.find(':');
     if (sign == std::string::npos)
       throwBadHeader(path, "line " + std::to_string(n + 2) + " is no field");
-    const std::string name = small(trimmed(line.substr(0, sign)));
+    const std::string name = inSmall(trimmed(line.substr(0, sign)));
     const std::string value = trimmed(line.substr(sign + 1));
     if (isField(name) && key != sign)
       lines.fields[name] = value;
@@ -129,7 +122,7 @@ std::optional<std::size_t> valueAxis(const Fields& fields, std::size_t dimension
     // A kind such as "list" makes no difference to slices that lie in space.
     if (axis == 2 && dimension == 3) return {};
   }
-  const std::vector<std::string> kinds = nrrdWords(small(text("kinds")));
+  const std::vector<std::string> kinds = nrrdWords(inSmall(text("kinds")));
   for (std::size_t axis = 0; axis < kinds.size() && axis < dimension; ++axis) {
     if (ofSpace(kinds[axis])) continue;
     if (!isEnd(axis)) throwBadHeader(path, "kinds is '" + text("kinds") + "'");
@@ -200,13 +193,13 @@ ImageHeader readNrrdHeader(const fs::path& path) {
   header.fields = std::move(lines.foreign);
   VoxelData& data = header.data;
   const std::vector<std::size_t> axes = takeSizes(fields, path, header);
-  data.type = nrrdType(small(fields["type"]), path);
-  const std::string endian = small(fields["endian"]);
+  data.type = nrrdType(inSmall(fields["type"]), path);
+  const std::string endian = inSmall(fields["endian"]);
   data.swapBytes = endian == "big" && std::endian::native == std::endian::little;
   if (axes.size() == 3)
     header.geometry = nrrdGeometry(fields, axes, header.size, path, header.warnings);
 
-  const std::string encoding = small(fields["encoding"]);
+  const std::string encoding = inSmall(fields["encoding"]);
   data.deflated = encoding == "gzip" || encoding == "gz";
   const bool text = encoding == "ascii" || encoding == "text" || encoding == "txt";
   const VoxelPlace place = nrrdPlace(fields, in, path, data);

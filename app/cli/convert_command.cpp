@@ -11,6 +11,7 @@
 #include "io/image_io.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
+#include "io/not_finite.h"
 #include "io/openfoam_case.h"
 #include "io/patch_files.h"
 
@@ -106,11 +107,13 @@ int convertVolume(const ConvertOptions& options, const Progress& progress) {
   if (!options.meshOption.empty())
     throw InputError("a volume has no such property", options.meshOption,
                      "leave it out, or end the output's name in .ply, .stl, .obj or .vtp");
-  const NativeImage native =
+  NativeImage native =
       readNative(options.input, options.reading, options.component, progress.sub(0.0, 0.6));
+  const std::string replaced = replaceNotFinite(native.volume);
   checkUsable(native.volume, options.input);
   printWarnings(native.info);
   progress.check();
+  if (!replaced.empty()) printWarning(replaced);
   writeVolume(native.volume, options.output);
   progress.report(1.0);
   return Done;

@@ -109,6 +109,7 @@ std::vector<std::string> joinNumbers(int argc, char** argv) {
 }
 
 void addReading(CLI::App& command, ReadOptions& options) {
+  options.replaceNotFinite = true;
   command.add_option("--series", options.series,
                      "Of a DICOM folder: the UID of a series, or the end of it");
   command

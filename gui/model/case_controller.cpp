@@ -24,7 +24,7 @@ QString nameOf(const QString& path) {
     return QStringLiteral("DICOM series");
   }
   QString name = info.completeBaseName();
-  if (name.endsWith(QLatin1String(".nii"))) {
+  if (name.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive)) {
     name.chop(4);
   }
   return name;

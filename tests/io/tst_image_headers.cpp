@@ -126,6 +126,46 @@ class TestImageHeaders : public QObject {
       QVERIFY2(isRamp(f / name), (std::string(name) + ": " + messageOf(f / name)).c_str());
   }
 
+  void moreVoxelsThanTheHeaderSaysAreSaid() {
+    const Folder f;
+    const std::string plain = ramp<std::int16_t>(), longer = plain + std::string(6, '\1');
+    const std::string s = "ElementType = MET_SHORT\n", t = "type: int16\nendian: little\n";
+    const std::string numbers =
+        "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26\n";
+    save(f / "d.raw", longer);
+    save(f / "d.gz", gzipped(longer));
+    save(f / "d.txt", numbers);
+    save(f / "a.mhd", kMeta + s + "ElementDataFile = d.raw\n");
+    save(f / "skip.mhd", kMeta + s + "HeaderSize = 2\nElementDataFile = d.raw\n");
+    save(f / "packed.mhd", kMeta + s + "CompressedData = True\nElementDataFile = d.gz\n");
+    save(f / "text.mhd", kMeta + s + "BinaryData = False\nElementDataFile = d.txt\n");
+    save(f / "b.mha", meta(s, longer));
+    save(f / "a.nhdr", nrrd(t + "encoding: raw\ndata file: d.raw"));
+    save(f / "packed.nhdr", nrrd(t + "encoding: gzip\ndata file: d.gz"));
+    save(f / "text.nhdr", nrrd(t + "encoding: ascii\ndata file: d.txt"));
+    save(f / "b.nrrd", nrrd(t + "encoding: raw", longer));
+    Volume<std::int16_t> image;
+    image.geometry.size = {2, 3, 4};
+    image.voxels = BigVector<std::int16_t>(24, 1);
+    image.voxels[3] = 2;
+    writeVolume(AnyVolume(image), f / "c.nii");
+    save(f / "c.nii", bytesOf(f / "c.nii") + "123456");
+    for (const char* name : {"a.mhd", "skip.mhd", "packed.mhd", "text.mhd", "b.mha", "a.nhdr",
+                             "packed.nhdr", "text.nhdr", "b.nrrd", "c.nii"}) {
+      const std::vector<std::string> warnings = readImage(f / name).info.warnings;
+      QVERIFY2(warnings.size() == 1 &&
+                   warnings[0].find("more than the header says") != std::string::npos,
+               name);
+      QCOMPARE(readNative(f / name).info.warnings, warnings);
+      QCOMPARE(readMask(f / name).warnings, warnings);
+      // A warning may go into a report, which holds no name of a file.
+      QVERIFY(warnings[0].find("d.") == std::string::npos);
+    }
+    // Where the header says that the voxels are the last bytes, there is nothing to say.
+    save(f / "end.mhd", kMeta + s + "HeaderSize = -1\nElementDataFile = d.raw\n");
+    QVERIFY(readImage(f / "end.mhd").info.warnings.empty());
+  }
+
   void impossibleClaimsAreRefusedByName_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QByteArray>("file");
@@ -259,7 +299,7 @@ class TestImageHeaders : public QObject {
     image.voxels = BigVector<std::int16_t>(24, 1);
     image.voxels[3] = 2;
     writeVolume(AnyVolume(image), f / "v.nii");
-    const std::string whole = bytesOf(f / "v.nii");
+    std::string whole = bytesOf(f / "v.nii");
     const auto origin = [&](short qCode, short sCode, float sformX, float shear = 0.0F) {
       std::string bytes = whole;
       put(bytes, 252, qCode);
@@ -270,8 +310,8 @@ class TestImageHeaders : public QObject {
       return readImage(f / "v.nii").image.geometry.origin.x();
     };
     QCOMPARE(origin(1, 1, 10.0F), -10.0);
-    QCOMPARE(origin(1, 1, 50.0F), -50.0);  // both: the scanner's sform
-    QCOMPARE(origin(1, 2, 50.0F), -10.0);  // aligned to something: the scanner's qform
+    QCOMPARE(origin(1, 1, 50.0F), -50.0);  // both: the sform
+    QCOMPARE(origin(1, 2, 50.0F), -50.0);  // aligned to something: as nibabel and 3D Slicer
     QCOMPARE(origin(0, 2, 50.0F), -50.0);  // the only one
     QCOMPARE(origin(1, 0, 50.0F), -10.0);
     QCOMPARE(origin(0, 0, 50.0F), 0.0);
@@ -279,6 +319,14 @@ class TestImageHeaders : public QObject {
     QCOMPARE(origin(1, 1, 50.0F, 0.5F), -10.0);  // a skewed sform
     QCOMPARE(readImage(f / "v.nii").info.warnings.size(), std::size_t{1});
     QVERIFY_EXCEPTION_THROWN(origin(0, 1, 50.0F, 0.5F), InputError);
+    put(whole, 112, std::numeric_limits<float>::quiet_NaN());  // no scaling
+    QCOMPARE(origin(1, 1, 10.0F), -10.0);
+    QCOMPARE(readImage(f / "v.nii").image.voxels[3], 2.0F);
+    put(whole, 112, 2.0F);
+    put(whole, 116, std::numeric_limits<float>::quiet_NaN());
+    QVERIFY_EXCEPTION_THROWN(origin(1, 1, 10.0F), InputError);
+    put(whole, 112, 1.0F);
+    put(whole, 116, 0.0F);
 
     std::string metres = whole;
     metres[123] = 1;

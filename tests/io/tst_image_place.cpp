@@ -216,6 +216,102 @@ class TestImagePlace : public QObject {
     QVERIFY2(message.contains("'AnatomicalOrientation'"), qPrintable(message));
   }
 
+  void theSformOfNiftiIsTakenAndTheOtherSaid_data() {
+    QTest::addColumn<QVector<double>>("sform");  // its first three columns, RAS
+    QTest::addColumn<int>("qCode");
+    QTest::addColumn<QString>("warning");
+    const auto row = [](const char* name, const QVector<double>& sform, int qCode,
+                        const char* warning) {
+      QTest::addRow("%s", name) << sform << qCode << QString(warning);
+    };
+    row("alike", {-1, 0, 0, 0, -2, 0, 0, 0, 3}, 1, "");
+    row("nearly", {-1, 1e-4, 0, 0, -2, 0, 0, 0, 3.0001}, 1, "");
+    row("half a turn", {1, 0, 0, 0, 2, 0, 0, 0, 3}, 1, "turned by 180 degrees");
+    row("another turn", {0, -2, 0, 1, 0, 0, 0, 0, 3}, 1, "turned by 90 degrees");
+    row("mirrored", {1, 0, 0, 0, -2, 0, 0, 0, 3}, 1, "mirrored");
+    row("scaled", {-2, 0, 0, 0, -2, 0, 0, 0, 3}, 1, "voxels of 2 x 2 x 3 against 1 x 2 x 3 mm");
+    row("scaled, alone", {-1, 0, 0, 0, -1, 0, 0, 0, 1}, 0, "1 x 1 x 1 mm and pixdim 1 x 2 x 3 mm");
+    row("alone", {1, 0, 0, 0, 2, 0, 0, 0, 3}, 0, "");
+  }
+  void theSformOfNiftiIsTakenAndTheOtherSaid() {
+    QFETCH(QVector<double>, sform);
+    QFETCH(int, qCode);
+    QFETCH(QString, warning);
+    const Folder f;
+    Volume<std::uint8_t> image;
+    image.geometry.size = {2, 3, 4};
+    image.geometry.spacing = {1, 2, 3};
+    image.voxels = BigVector<std::uint8_t>(24, 1);
+    writeVolume(image, f / "v.nii");
+    std::string bytes = bytesOf(f / "v.nii");
+    put(bytes, 252, static_cast<short>(qCode));
+    put(bytes, 254, short{2});
+    Eigen::Matrix3d lps;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column) {
+        const double value = sform[3 * row + column];
+        put(bytes, static_cast<std::size_t>(280 + 16 * row + 4 * column),
+            static_cast<float>(value));
+        lps(row, column) = row < 2 ? -value : value;
+      }
+    const Read got = read("v.nii", bytes);
+    QCOMPARE(got.error, QString());
+    QCOMPARE(got.warnings.isEmpty(), warning.isEmpty());
+    QVERIFY2(got.warnings.contains(warning), qPrintable(got.warnings));
+    const Eigen::Matrix3d steps = got.geometry.direction * got.geometry.spacing.asDiagonal();
+    QVERIFY((steps - lps).norm() < 1e-6);
+  }
+
+  void namesMayBeInCapitals() {
+    const Folder f;
+    Volume<std::uint8_t> image;
+    image.geometry.size = {2, 3, 4};
+    image.geometry.spacing = {1, 2, 3};
+    image.voxels = BigVector<std::uint8_t>(24, 1);
+    for (const char* name :
+         {"V.NII.GZ", "V.NII", "V.NRRD", "W.NHDR", "V.MHA", "X.MHD", "v.Nii.Gz"}) {
+      writeVolume(image, f / name);
+      const NativeImage back = readNative(f / name);
+      QVERIFY2(std::get<Volume<std::uint8_t>>(back.volume).voxels == image.voxels, name);
+      QVERIFY(geometryOf(back.volume) == image.geometry);
+    }
+    // What it is, is told from the file.
+    fs::rename(f / "V.NII.GZ", f / "packed.nii");
+    fs::rename(f / "V.NII", f / "plain.nii.gz");
+    QVERIFY(readMask(f / "packed.nii").mask.voxels == image.voxels);
+    QVERIFY(readMask(f / "plain.nii.gz").mask.voxels == image.voxels);
+  }
+
+  void whatIsNoNumberIsReplacedAndCounted() {
+    const Folder f;
+    Volume<float> image;
+    image.geometry.size = {2, 3, 4};
+    image.voxels = BigVector<float>(24, 1.0F);
+    image.voxels[3] = -7.0F;
+    image.voxels[4] = 9.0F;
+    const float infinity = std::numeric_limits<float>::infinity();
+    image.voxels[0] = std::numeric_limits<float>::quiet_NaN();
+    image.voxels[1] = infinity;
+    image.voxels[2] = -infinity;
+    writeVolume(image, f / "v.nii");
+    QVERIFY_EXCEPTION_THROWN(readImage(f / "v.nii"), InputError);
+    ReadOptions options;
+    options.replaceNotFinite = true;
+    const LoadedImage read = readImage(f / "v.nii", options);
+    QCOMPARE(read.image.voxels[0], -7.0F);
+    QCOMPARE(read.image.voxels[1], 9.0F);
+    QCOMPARE(read.image.voxels[2], -7.0F);
+    QCOMPARE(read.image.voxels[5], 1.0F);
+    QCOMPARE(read.info.warnings.size(), std::size_t{1});
+    QVERIFY(read.info.warnings[0].find("3 voxels are not a finite number") == 0);
+    const LoadedImage described =
+        readImage(describeImages(f / "v.nii").front(), f / "v.nii", false);
+    QCOMPARE(described.image.voxels[0], -7.0F);
+    image.voxels = BigVector<float>(24, infinity);
+    writeVolume(image, f / "v.nii");
+    QVERIFY_EXCEPTION_THROWN(readImage(f / "v.nii", options), InputError);
+  }
+
   void metaImagesHaveUnitsToo() {
     const auto meta = [](const std::string& line) {
       return "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\nOffset = 4 5 "
