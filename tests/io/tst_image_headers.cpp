@@ -139,7 +139,7 @@ class TestImageHeaders : public QObject {
     save(f / "skip.mhd", kMeta + s + "HeaderSize = 2\nElementDataFile = d.raw\n");
     save(f / "packed.mhd", kMeta + s + "CompressedData = True\nElementDataFile = d.gz\n");
     save(f / "text.mhd", kMeta + s + "BinaryData = False\nElementDataFile = d.txt\n");
-    save(f / "b.mha", meta(s, longer));
+    save(f / "b.mha", meta("ElementType = MET_SHORT", longer));
     save(f / "a.nhdr", nrrd(t + "encoding: raw\ndata file: d.raw"));
     save(f / "packed.nhdr", nrrd(t + "encoding: gzip\ndata file: d.gz"));
     save(f / "text.nhdr", nrrd(t + "encoding: ascii\ndata file: d.txt"));
