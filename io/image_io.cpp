@@ -2,7 +2,6 @@
 #include "io/image_io.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <mutex>
@@ -15,6 +14,7 @@
 #include "io/header_text.h"
 #include "io/image_header.h"
 #include "io/itk_image.h"
+#include "io/mask_values.h"
 #include "io/not_finite.h"
 #include "io/voxel_convert.h"
 
@@ -134,7 +134,8 @@ void forRuns(const OpenImage& image, const Take& take, std::vector<std::string>&
 /// checkUsable(), of voxels that are all finite or replaced.
 void checkReplaced(LoadedImage& loaded, const fs::path& path) {
   const std::string warning = replaceNotFinite(loaded.image);
-  if (!warning.empty()) loaded.info.warnings.push_back(warning);
+  loaded.info.replaced = !warning.empty();
+  if (loaded.info.replaced) loaded.info.warnings.push_back(warning);
   checkUsable(loaded.image, path.string());
 }
 
@@ -198,15 +199,14 @@ AnyVolume readRescaled(const OpenImage& image, std::vector<std::string>& warning
   return inNarrowestType(std::move(volume));
 }
 
-Volume<std::uint8_t> maskOfFloats(const Volume<float>& image, const fs::path& path) {
-  Volume<std::uint8_t> mask(image.geometry);
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
-    if (std::isnan(image.voxels[i]))
-      throw InputError("the mask holds values that are not numbers", path.string(),
-                       "replace NaN by 0 before loading it");
-    mask.voxels[i] = image.voxels[i] != 0.0F ? 1 : 0;
-  }
-  return mask;
+MaskImage maskOfWholeNumbers(const OpenImage& image) {
+  MaskImage read{roomFor<std::uint8_t>(image), image.info.warnings};
+  forRuns(image,
+          [&](std::size_t first, std::span<const std::byte> run) {
+            maskOf(image.header.data, run, read.mask.voxels.data() + first);
+          },
+          read.warnings, {});
+  return read;
 }
 
 /// A volume that the memory cannot hold after all.
@@ -280,23 +280,25 @@ LoadedImage readImage(const ImageSummary& entry, const fs::path& path, bool even
   return loaded;
 }
 
-MaskImage readMask(const fs::path& path) {
+MaskImage readMask(const fs::path& path, std::optional<double> threshold) {
   return inMemory(path, [&]() -> MaskImage {
-    if (isDicom(path)) {
-      const LoadedImage loaded = readDicom(path, {}, {});
-      return {maskOfFloats(loaded.image, path), screenWarnings(loaded.info)};
+    if (!threshold && !isDicom(path)) {
+      const OpenImage image = openImage(path, {}, {});
+      const bool whole =
+          image.header.data.type < VoxelType::Float32 && !image.header.data.rescaled();
+      if (whole) return maskOfWholeNumbers(image);
     }
-    const OpenImage image = openImage(path, {}, {});
-    MaskImage read{roomFor<std::uint8_t>(image), image.info.warnings};
-    std::atomic<bool> numbers{true};
-    forRuns(image,
-            [&](std::size_t first, std::span<const std::byte> run) {
-              if (!maskOf(image.header.data, run, read.mask.voxels.data() + first)) numbers = false;
-            },
-            read.warnings, {});
-    if (!numbers)
-      throw InputError("the mask holds values that are not numbers", path.string(),
-                       "replace NaN by 0 before loading it");
+    NativeImage native = readNative(path);
+    MaskImage read{{}, screenWarnings(native.info)};
+    for (std::string& warning : makeLabels(native.volume, threshold))
+      read.warnings.push_back(std::move(warning));
+    std::visit(
+        [&](const auto& volume) {
+          read.mask = Volume<std::uint8_t>(volume.geometry);
+          std::transform(volume.voxels.begin(), volume.voxels.end(), read.mask.voxels.begin(),
+                         [](auto value) { return value != 0 ? 1 : 0; });
+        },
+        native.volume);
     return read;
   });
 }

@@ -40,6 +40,7 @@ struct InputInfo {
   std::string orientation;  ///< "axial", "oblique coronal" ...
   std::vector<Finding> findings;
   int files = 1;
+  bool replaced = false;               ///< some voxels were no finite numbers, see ReadOptions
   std::vector<DisplayWindow> windows;  ///< from the file
   std::vector<std::string> warnings;   ///< hold no name of a file
 };
@@ -76,8 +77,9 @@ struct MaskImage {
   std::vector<std::string> warnings;
 };
 
-/// As readImage() but without checkUsable(), for masks: a mask may be constant. 1 where not 0.
-MaskImage readMask(const std::filesystem::path& path);
+/// As readImage() but without checkUsable(), for masks: a mask may be constant. 1 where not 0, once
+/// makeLabels() has seen to values that are no whole numbers, or where the threshold is reached.
+MaskImage readMask(const std::filesystem::path& path, std::optional<double> threshold = {});
 
 struct NativeImage {
   AnyVolume volume;

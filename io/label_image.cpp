@@ -4,26 +4,26 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <type_traits>
 
 #include "core/base/error.h"
 #include "io/image_header.h"
+#include "io/label_choice.h"
+#include "io/mask_values.h"
 
 namespace angiomesh {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostLabels = 4096, kListed = 20;
+constexpr std::size_t kMostLabels = 4096;
 constexpr std::size_t kMostLikely = 255;  ///< labels of what may as well be a scan
 constexpr double kLeastAlike = 0.9;
 constexpr int kMostLayers = 256;
 
-/// A segment of 3D Slicer: its name by layer and value.
-using Names = std::map<std::pair<int, std::int64_t>, std::string>;
-
 struct Segments {
-  Names names;
+  std::vector<Label> named;  ///< without their voxels
   int layers = 1;
 };
 
@@ -44,14 +44,19 @@ Segments segmentsOf(const fs::path& path) {
   const ImageFormat format = imageFormat(path);
   if (format != ImageFormat::Nrrd) return segments;
   const ImageHeader header = readHeader(path, format);
+  const auto& fields = header.fields;
   for (int n = 0;; ++n) {
     const std::string key = "Segment" + std::to_string(n) + "_";
-    const auto name = header.fields.find(key + "Name");
-    if (name == header.fields.end()) break;
-    const int value = numberIn(header.fields, key + "LabelValue", n + 1);
-    segments.names[{numberIn(header.fields, key + "Layer", 0), value}] = name->second;
+    const auto name = fields.find(key + "Name"), id = fields.find(key + "ID");
+    if (name == fields.end()) break;
+    Label segment;
+    segment.value = numberIn(fields, key + "LabelValue", n + 1);
+    segment.layer = numberIn(fields, key + "Layer", 0);
+    segment.name = name->second;
+    if (id != fields.end()) segment.id = id->second;
+    segments.named.push_back(std::move(segment));
   }
-  if (!segments.names.empty())
+  if (!segments.named.empty())
     segments.layers = static_cast<int>(std::min<std::uintmax_t>(header.data.values, kMostLayers));
   return segments;
 }
@@ -92,48 +97,16 @@ std::optional<Counts> countValues(const Volume<T>& volume) {
   return counts;
 }
 
-std::string textOf(const Label& label) {
-  std::string text = std::to_string(label.value);
-  if (!label.name.empty()) text += " '" + label.name + "'";
-  return text + " (" + std::to_string(label.voxels) + " voxels)";
-}
-
-std::string listOf(const std::vector<Label>& labels) {
-  std::string text;
-  for (std::size_t n = 0; n < labels.size() && n < kListed; ++n)
-    text += (n == 0 ? "" : ", ") + textOf(labels[n]);
-  if (labels.size() > kListed) text += " and " + std::to_string(labels.size() - kListed) + " more";
-  return text;
-}
-
-const Label& chosen(const std::vector<Label>& labels, const std::string& choice,
-                    const fs::path& path) {
-  if (choice.empty() && labels.size() == 1) return labels.front();
-  if (choice.empty())
-    throw InputError("it holds " + std::to_string(labels.size()) + " labels: " + listOf(labels),
-                     path.string(), "choose one by its value or name (--label)");
-  const Label* found = nullptr;
-  for (const Label& label : labels) {
-    // A name that is a number goes before the value.
-    if (label.name == choice) return label;
-    if (std::to_string(label.value) != choice) continue;
-    if (found != nullptr)
-      throw InputError("several segments have the label " + choice + ", in different layers",
-                       path.string(), "choose by name: " + listOf(labels));
-    found = &label;
-  }
-  if (found == nullptr)
-    throw InputError("there is no label '" + choice + "'", path.string(),
-                     "choose one of " + listOf(labels));
-  return *found;
-}
-
 void addLabels(const Counts& counts, int layer, const Segments& segments,
                std::vector<Label>& labels) {
   for (const auto& [value, voxels] : counts) {
-    const auto name = segments.names.find({layer, value});
-    labels.push_back(
-        {value, name == segments.names.end() ? std::string() : name->second, layer, voxels});
+    Label label{value, {}, {}, layer, voxels};
+    for (const Label& segment : segments.named)
+      if (segment.layer == layer && segment.value == value) {
+        label.name = segment.name;
+        label.id = segment.id;
+      }
+    labels.push_back(std::move(label));
   }
 }
 
@@ -151,30 +124,65 @@ double alikeness(const Volume<float>& image) {
   return pairs > 0 ? static_cast<double>(alike) / static_cast<double>(pairs) : 1.0;
 }
 
+/// A layer, its values made labels.
+NativeImage labelledLayer(const fs::path& path, const Segments& segments, int layer,
+                          const MaskChoice& choice, const Progress& progress) {
+  NativeImage native = nativeLayer(path, segments, layer, progress);
+  for (std::string& warning : makeLabels(native.volume, choice.threshold))
+    native.info.warnings.push_back(std::move(warning));
+  return native;
+}
+
 std::vector<Label> labelsOf(const fs::path& path, const Segments& segments,
-                            const Progress& progress) {
+                            const MaskChoice& choice, const Progress& progress) {
   std::vector<Label> labels;
   for (int layer = 0; layer < segments.layers; ++layer) {
     const auto counts =
         std::visit([](const auto& volume) { return countValues(volume); },
-                   nativeLayer(path, segments, layer, progress.sub(0.0, 0.5)).volume);
+                   labelledLayer(path, segments, layer, choice, progress.sub(0.0, 0.5)).volume);
     if (!counts) return {};
     addLabels(*counts, layer, segments, labels);
   }
   return labels;
 }
 
+/// Sets the voxels of the wanted labels of one layer; those of its `labels` that are in it.
+void addToMask(const AnyVolume& layer, const std::vector<Label>& labels, int number,
+               Volume<std::uint8_t>& mask) {
+  std::set<std::int64_t> values;
+  for (const Label& label : labels)
+    if (label.layer == number) values.insert(label.value);
+  if (values.empty()) return;
+  std::visit(
+      [&](const auto& volume) {
+        for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+          if (volume.voxels[i] != 0 &&
+              values.count(static_cast<std::int64_t>(volume.voxels[i])) != 0)
+            mask.voxels[i] = 1;
+      },
+      layer);
+}
+
 }  // namespace
 
 std::vector<Label> readLabels(const fs::path& path, const Progress& progress) {
-  return labelsOf(path, segmentsOf(path), progress);
+  return labelsOf(path, segmentsOf(path), {}, progress);
 }
 
 std::vector<Label> labelsOfSegmentation(const fs::path& path, const Volume<float>& image,
                                         const Progress& progress) {
   progress.check();
-  if (alikeness(image) < kLeastAlike) return {};
-  const std::optional<Counts> counts = countValues(image);
+  if (!areNearlyWhole(image)) return {};
+  Volume<float> rounded;
+  const bool whole = std::all_of(image.voxels.begin(), image.voxels.end(),
+                                 [](float value) { return value == std::floor(value); });
+  if (!whole) {
+    rounded = image;
+    makeLabels(rounded);
+  }
+  const Volume<float>& values = whole ? image : rounded;
+  if (alikeness(values) < kLeastAlike) return {};
+  const std::optional<Counts> counts = countValues(values);
   if (!counts || counts->size() > kMostLikely) return {};
   std::vector<Label> labels;
   addLabels(*counts, 0, segmentsOf(path), labels);
@@ -198,28 +206,32 @@ LoadedImage readLayer(const fs::path& path, int layer, const Progress& progress)
   return loaded;
 }
 
-LabelMask readLabel(const fs::path& path, const std::string& choice, const Progress& progress) {
+LabelMask readLabel(const fs::path& path, const MaskChoice& choice, const Progress& progress) {
+  if (choice.threshold && !choice.label.empty())
+    throw InputError("a label and a threshold are both given", path.string(),
+                     "give --label or --threshold");
   const Segments segments = segmentsOf(path);
-  const std::vector<Label> labels = labelsOf(path, segments, progress);
+  const std::vector<Label> labels = labelsOf(path, segments, choice, progress);
+  if (labels.empty() && choice.threshold)
+    throw InputError("no voxel reaches the threshold", path.string(), "choose a smaller one");
   if (labels.empty())
     throw InputError(
         "there are no labels in it: all is 0, or values are negative or no whole numbers",
-        path.string(), "give a mask or a label image");
+        path.string(), "give a mask or a label image, or the least value inside (--threshold)");
   LabelMask result;
-  result.label = chosen(labels, choice, path);
+  result.labels = chosenLabels(labels, choice.label, path);
   result.onlyOne = labels.size() == 1;
-  const NativeImage native =
-      nativeLayer(path, segments, result.label.layer, progress.sub(0.5, 1.0));
-  result.warnings = native.info.warnings;
-  std::visit(
-      [&](const auto& volume) {
-        result.mask = Volume<std::uint8_t>(volume.geometry);
-        std::transform(volume.voxels.begin(), volume.voxels.end(), result.mask.voxels.begin(),
-                       [&](auto value) {
-                         return static_cast<std::int64_t>(value) == result.label.value ? 1 : 0;
-                       });
-      },
-      native.volume);
+  for (int layer = 0; layer < segments.layers; ++layer) {
+    if (std::none_of(result.labels.begin(), result.labels.end(),
+                     [&](const Label& label) { return label.layer == layer; }))
+      continue;
+    const NativeImage native = labelledLayer(path, segments, layer, choice, progress.sub(0.5, 1.0));
+    if (result.mask.voxels.empty()) {
+      result.mask = Volume<std::uint8_t>(geometryOf(native.volume));
+      result.warnings = native.info.warnings;
+    }
+    addToMask(native.volume, result.labels, layer, result.mask);
+  }
   return result;
 }
 

@@ -18,16 +18,24 @@ namespace angiomesh {
 struct Label {
   std::int64_t value = 0;
   std::string name;  ///< of 3D Slicer's segmentations, else ""
+  std::string id;    ///< the same: unlike the name, of one segment only
   int layer = 0;     ///< of 3D Slicer's segmentations whose segments overlap
   std::size_t voxels = 0;
 };
 
 /// The labels of an image: its values other than 0, ascending, by layers; empty where it is no
-/// label image, because a value is negative or no whole number or there are more than 4096.
+/// label image, because a value is negative or no whole number or there are more than 4096. Values
+/// that other programs left nearly whole, or between 0 and 1, are taken as makeLabels() does.
 /// ITK-SNAP, 3D Slicer (.seg.nrrd, with names and layers), nnU-Net, TotalSegmentator and plain
 /// masks.
 /// @throws IoError, InputError
 std::vector<Label> readLabels(const std::filesystem::path& path, const Progress& progress = {});
+
+/// Which voxels of a mask or label image are meant.
+struct MaskChoice {
+  std::string label;                ///< see chosenLabels()
+  std::optional<double> threshold;  ///< voxels of this value and more, without labels
+};
 
 /// The labels of an image that looks like a segmentation: as readLabels(), but at most 255, and
 /// neighbours within them alike, which the noise of a scan does not allow. Empty: a scan. `path` is
@@ -42,16 +50,16 @@ int segmentationLayers(const std::filesystem::path& path);
 LoadedImage readLayer(const std::filesystem::path& path, int layer, const Progress& progress = {});
 
 struct LabelMask {
-  Volume<std::uint8_t> mask;  ///< 1 where the label is
-  Label label;
-  bool onlyOne = false;  ///< the image has no other label
+  Volume<std::uint8_t> mask;  ///< 1 where one of the labels is
+  std::vector<Label> labels;  ///< the chosen ones
+  bool onlyOne = false;       ///< the image has no other label
   std::vector<std::string> warnings;
 };
 
-/// The voxels of one label, chosen by value or by name; "" where there is only one.
+/// The voxels of the chosen labels.
 /// @throws IoError, InputError (no label image; no such label, or several and none chosen: the
 /// message lists them)
-LabelMask readLabel(const std::filesystem::path& path, const std::string& choice,
+LabelMask readLabel(const std::filesystem::path& path, const MaskChoice& choice,
                     const Progress& progress = {});
 
 }  // namespace angiomesh

@@ -56,19 +56,14 @@ RunFacts floatsOf(const VoxelData& data, std::span<const std::byte> run, std::si
                        [&](auto zero) { return convert<decltype(zero)>(data, run, first, out); });
 }
 
-bool maskOf(const VoxelData& data, std::span<const std::byte> run, std::uint8_t* out) {
-  return withVoxelType(data.type, [&](auto zero) {
+void maskOf(const VoxelData& data, std::span<const std::byte> run, std::uint8_t* out) {
+  withVoxelType(data.type, [&](auto zero) {
     using T = decltype(zero);
-    bool numbers = true;
     for (std::size_t i = 0; i < run.size() / sizeof(T); ++i) {
       T stored;
       std::memcpy(&stored, run.data() + i * sizeof(T), sizeof(T));
-      double value = static_cast<double>(stored);
-      if (data.rescaled()) value = value * data.slope + data.intercept;
-      if (std::isnan(value)) numbers = false;
-      out[i] = value != 0.0 ? 1 : 0;
+      out[i] = stored != T{0} ? 1 : 0;
     }
-    return numbers;
   });
 }
 

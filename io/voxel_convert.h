@@ -20,7 +20,7 @@ struct RunFacts {
 RunFacts floatsOf(const VoxelData& data, std::span<const std::byte> run, std::size_t first,
                   float* out);
 
-/// 1 where a voxel is not 0. False when one is NaN.
-bool maskOf(const VoxelData& data, std::span<const std::byte> run, std::uint8_t* out);
+/// 1 where a voxel is not 0, whatever slope and intercept are.
+void maskOf(const VoxelData& data, std::span<const std::byte> run, std::uint8_t* out);
 
 }  // namespace angiomesh

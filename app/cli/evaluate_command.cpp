@@ -13,11 +13,12 @@ namespace {
 
 struct EvaluateOptions {
   std::string result, truth;
+  std::optional<double> threshold;
   bool json = false;
 };
 
 int evaluate(const EvaluateOptions& options, const Progress& progress) {
-  const Volume<std::uint8_t> truth = readTruth(options.truth);
+  const Volume<std::uint8_t> truth = readTruth(options.truth, options.threshold);
   const Volume<float> field = readPhiOrMask(options.result);
   const OverlapMeasures measures = compareMasks(maskOnGrid(field, truth.geometry), truth, progress);
   if (options.json)
@@ -35,6 +36,8 @@ void addEvaluate(CLI::App& program, Session& session) {
       program.add_subcommand("evaluate", "Compare a result with the truth, on the truth's grid");
   command->add_option("PHI_OR_MASK", options->result, "Level set function or mask")->required();
   command->add_option("TRUTH", options->truth, "Mask")->required();
+  command->add_option("--threshold", options->threshold,
+                      "Voxels of the truth of this value and more are inside");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &session] {
     session.action = [options, &session] { return evaluate(*options, session.progress); };

@@ -8,6 +8,7 @@
 #include "core/levelset/mask_distance.h"
 #include "core/pipeline/wall_step.h"
 #include "io/image_io.h"
+#include "io/mask_values.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -25,47 +26,70 @@ void print(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) printWarning(warning);
 }
 
+/// A level set function of a float file, or nothing: a mask.
+std::optional<Volume<float>> fieldOf(const std::string& path, const Progress& progress) {
+  const std::vector<ImageSummary> summaries = describeImages(path);
+  if (summaries.empty() || !summaries.front().info.pixelType.starts_with("float")) return {};
+  ReadOptions options;
+  options.replaceNotFinite = true;
+  LoadedImage loaded = readImage(path, options, progress);
+  const float least = valueRange(loaded.image)[0];
+  if (least >= 0.0F || looksLikeResampledMask(loaded.image)) return {};
+  // Voxels that are no numbers are read as outside of a mask, but are nothing in such a function.
+  if (loaded.info.replaced) loaded = readImage(path, {}, progress);
+  print(screenWarnings(loaded.info));
+  return std::move(loaded.image);
+}
+
+bool reachesBorder(const Volume<std::uint8_t>& mask) {
+  const Index3& n = mask.geometry.size;
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j) {
+      const bool inner = k > 0 && k < n[2] - 1 && j > 0 && j < n[1] - 1;
+      for (int i = 0; i < n[0]; i += inner ? std::max(n[0] - 1, 1) : 1)
+        if (mask.at(i, j, k) != 0) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
-Volume<std::uint8_t> readTruth(const std::string& path) {
-  MaskImage read = readMask(path);
+Volume<std::uint8_t> readTruth(const std::string& path, std::optional<double> threshold) {
+  MaskImage read = readMask(path, threshold);
   print(read.warnings);
   return std::move(read.mask);
 }
 
-Volume<float> readPhiOrMask(const std::string& path) {
-  const std::vector<ImageSummary> summaries = describeImages(path);
-  if (!summaries.empty() && summaries.front().info.pixelType.find("float") == std::string::npos)
-    return fieldOfMask(readTruth(path));
-  LoadedImage loaded = readImage(path);
-  print(screenWarnings(loaded.info));
-  Volume<float>& field = loaded.image;
-  if (valueRange(field)[0] >= 0.0F)
-    for (float& value : field.voxels) value = value != 0.0F ? -kHalf : kHalf;
-  return std::move(field);
+void addMaskChoice(CLI::App& command, MaskChoice& choice) {
+  command.add_option("--label", choice.label,
+                     "Which labels of a label image, several between commas: value, or name in a "
+                     ".seg.nrrd; value:7, name:7, id:Segment_1 say which is meant");
+  command.add_option("--threshold", choice.threshold,
+                     "Of a mask of probabilities or any other image: voxels of this value and more "
+                     "are inside");
 }
 
-MeshInput readMeshInput(const std::string& path, const std::string& label,
+Volume<float> readPhiOrMask(const std::string& path, std::optional<double> threshold) {
+  if (!threshold)
+    if (auto field = fieldOf(path, {})) return std::move(*field);
+  return fieldOfMask(readTruth(path, threshold));
+}
+
+MeshInput readMeshInput(const std::string& path, const MaskChoice& choice,
                         const SmoothWallParams& wall, const Progress& progress) {
   MeshInput input;
-  if (label.empty()) {
-    // Before anything that a label image with layers does not go through.
-    const std::vector<ImageSummary> summaries = describeImages(path);
-    const bool isFloat =
-        !summaries.empty() && summaries.front().info.pixelType.starts_with("float");
-    if (isFloat) {
-      LoadedImage loaded = readImage(path, {}, progress.sub(0.0, 0.2));
-      if (valueRange(loaded.image)[0] < 0.0F) {
-        print(screenWarnings(loaded.info));
-        input.phi = std::move(loaded.image);
-        return input;
-      }
+  if (choice.label.empty() && !choice.threshold)
+    if (auto field = fieldOf(path, progress.sub(0.0, 0.2))) {
+      input.phi = std::move(*field);
+      return input;
     }
-  }
-  LabelMask chosen = readLabel(path, label, progress.sub(0.0, 0.2));
+  LabelMask chosen = readLabel(path, choice, progress.sub(0.0, 0.2));
   print(chosen.warnings);
-  input.label = chosen.label;
+  input.labels = std::move(chosen.labels);
   input.otherLabels = !chosen.onlyOne;
+  input.atBorder = reachesBorder(chosen.mask);
+  input.voxels = static_cast<std::size_t>(
+      std::count(chosen.mask.voxels.begin(), chosen.mask.voxels.end(), std::uint8_t{1}));
   MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 0.7));
   input.phi = smoothMask(std::move(made.phi), wall, progress.sub(0.7, 1.0));
   input.largestShiftVoxels = made.largestShiftVoxels;

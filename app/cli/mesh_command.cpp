@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -28,7 +29,8 @@ namespace {
 
 struct MeshOptions {
   ParameterOptions settings;
-  std::string input, output, label;
+  std::string input, output;
+  MaskChoice choice;
   Soundness soundness;
   bool estimate = false, json = false;
 };
@@ -47,10 +49,15 @@ bool isClosed(const TriMesh& mesh) {
 
 /// Where the surface comes from and, of a mask, how the volumes compare.
 Json sourceBlock(const MeshInput& input, const TriMesh* mesh) {
-  if (!input.label) return {{"kind", "level-set"}};
-  Json block{{"kind", input.otherLabels ? "label" : "mask"}, {"label", input.label->value}};
-  if (!input.label->name.empty()) block["name"] = input.label->name;
-  block["voxels"] = input.label->voxels;
+  if (input.labels.empty()) return {{"kind", "level-set"}};
+  const Label& first = input.labels.front();
+  Json block{{"kind", input.otherLabels ? "label" : "mask"}, {"label", first.value}};
+  if (!first.name.empty()) block["name"] = first.name;
+  if (input.labels.size() > 1)
+    for (const Label& label : input.labels)
+      block["labels"].push_back(
+          {{"value", label.value}, {"name", label.name}, {"voxels", label.voxels}});
+  block["voxels"] = input.voxels;
   block["largest_shift_voxels"] = input.largestShiftVoxels;
   block["mask_volume_mm3"] = input.maskVolumeMm3;
   if (mesh != nullptr && isClosed(*mesh)) {
@@ -69,14 +76,32 @@ void printJson(const SurfaceOrigin& origin, const Json& source) {
 
 void printSource(const Json& source) {
   if (source.at("kind") == "level-set") return;
-  std::string name = source.at("label").dump();
-  if (source.contains("name")) name += " '" + source.at("name").get<std::string>() + "'";
+  const auto nameOf = [](const Json& label, const char* value) {
+    const std::string name = label.value("name", std::string());
+    return label.at(value).dump() + (name.empty() ? "" : " '" + name + "'");
+  };
+  std::string name = nameOf(source, "label");
+  const Json joined = source.value("labels", Json::array());
+  for (std::size_t n = 1; n < joined.size(); ++n) name += ", " + nameOf(joined[n], "value");
   std::printf("label %s: %.6g mm3, moved by at most %.2f voxel", name.c_str(),
               source.at("mask_volume_mm3").get<double>(),
               source.at("largest_shift_voxels").get<double>());
   if (source.contains("volume_change_percent"))
     std::printf("; the mesh holds %+.2f %%", source.at("volume_change_percent").get<double>());
   std::printf("\n");
+}
+
+/// Half of each voxel at the border lies outside of the grid on which the wall is known.
+void sayBorder(const MeshInput& input, const TriMesh& mesh, bool cut) {
+  std::string text =
+      "the label reaches the border of the volume, where the surface ends in the middle of the "
+      "voxels";
+  const Geometry& g = input.phi.geometry;
+  const double whole = static_cast<double>(input.voxels) * g.spacing.prod();
+  if (!cut && isClosed(mesh))
+    text += ": it holds " + std::to_string(std::lround(100.0 * enclosedVolumeMm3(mesh) / whole)) +
+            " % of the label's voxels";
+  printWarning(text + "; to keep all of them, add a slice of zeros there");
 }
 
 int estimate(const MeshInput& input, const SplineField& field, const CutAway& away,
@@ -109,7 +134,7 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   const Parameters all = options.settings.parameters();
   const SurfaceParams& params = all.surface;
   const MeshInput input =
-      readMeshInput(options.input, options.label, all.wall, progress.sub(0.0, 0.3));
+      readMeshInput(options.input, options.choice, all.wall, progress.sub(0.0, 0.3));
   const SplineField field = wallField(input.phi, params.spline);
   const Progress rest = progress.sub(0.3, 1.0);
   std::vector<std::string> remarks;
@@ -130,7 +155,7 @@ int mesh(const MeshOptions& options, const Progress& progress) {
                      "give a level set function that is negative inside, or a mask");
   // Flat triangles inscribed in a thin vessel lose more of the mask's volume than its wall does.
   std::size_t left = 0;
-  if (input.label)
+  if (!input.labels.empty())
     made.mesh =
         smoothSurface(made.mesh, all.smooth, &field, rest.sub(0.9, 0.97), made.ports, &left);
   if (left > 0) printWarning(leftUnsmoothed(left));
@@ -155,6 +180,7 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   writeChecked(made.mesh, options.output, options.output, write);
   for (const std::string& warning : made.origin.warnings()) printWarning(warning);
   const Json source = sourceBlock(input, &made.mesh);
+  if (input.atBorder) sayBorder(input, made.mesh, !away.empty());
   if (options.json) {
     printJson(made.origin, source);
   } else {
@@ -175,8 +201,7 @@ void addMesh(CLI::App& program, Session& session) {
                              "smooth.method so that its triangles hold the mask's volume");
   command->add_option("INPUT", options->input, "Level set function, mask or label image")
       ->required();
-  command->add_option("--label", options->label,
-                      "Which label of a label image: its value, or its name in a .seg.nrrd");
+  addMaskChoice(*command, options->choice);
   command->add_option("-o,--output", options->output, "Mesh to write: .ply, .stl, .obj or .vtp");
   command->add_flag("--estimate", options->estimate,
                     "Only estimate the number of triangles; writes nothing");

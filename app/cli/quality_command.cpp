@@ -86,7 +86,8 @@ std::vector<std::string> failures(const Gate& gate, const MeshQuality& q) {
 
 struct QualityOptions {
   ParameterOptions settings;
-  std::string mesh, phi, label, spline, against, truth, gate, frame, unit;
+  std::string mesh, phi, spline, against, truth, gate, frame, unit;
+  MaskChoice choice;
   bool json = false;
 
   /// The interpolant of phi and the wanted edge length, by --set surface.* and --spline.
@@ -167,7 +168,7 @@ int quality(const QualityOptions& options, const Progress& progress) {
   const SurfaceParams surface = options.surface();
   std::optional<SplineField> phi;
   if (!options.phi.empty())
-    phi = wallField(readMeshInput(options.phi, options.label, options.settings.parameters().wall,
+    phi = wallField(readMeshInput(options.phi, options.choice, options.settings.parameters().wall,
                                   progress.sub(0.0, 0.2))
                         .phi,
                     surface.spline);
@@ -218,7 +219,7 @@ void addQuality(CLI::App& program, Session& session) {
   command->add_option("MESH", options->mesh, "Mesh to measure")->required();
   command->add_option("--phi", options->phi,
                       "Level set function, mask or label image to measure against");
-  command->add_option("--label", options->label, "Which label of it, by value or name");
+  addMaskChoice(*command, options->choice);
   command->add_option("--spline", options->spline,
                       "Interpolant of phi: interpolating-bspline, bspline or catmull-rom");
   command->add_option("--against", options->against, "Another mesh, to be measured beside it");

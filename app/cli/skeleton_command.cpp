@@ -17,7 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct SkeletonOptions {
-  std::string input, label;
+  std::string input;
+  MaskChoice choice;
   std::vector<std::string> outputs;
   bool json = false;
 };
@@ -78,7 +79,7 @@ int skeleton(const SkeletonOptions& options, const Progress& progress) {
     checkSkeletonFile(output);
     checkOutputFile(output);
   }
-  const MeshInput input = readMeshInput(options.input, options.label, {}, progress.sub(0.0, 0.5));
+  const MeshInput input = readMeshInput(options.input, options.choice, {}, progress.sub(0.0, 0.5));
   progress.phase("centre lines");
   const Skeleton found = skeletonOf(input.phi, progress.sub(0.5, 1.0));
   if (found.branches.empty())
@@ -102,8 +103,7 @@ void addSkeleton(CLI::App& program, Session& session) {
       "their lengths and radii, junctions, tips");
   command->add_option("INPUT", options->input, "Level set function, mask or label image")
       ->required();
-  command->add_option("--label", options->label,
-                      "Which label of a label image: its value, or its name in a .seg.nrrd");
+  addMaskChoice(*command, options->choice);
   command
       ->add_option("-o,--output", options->outputs,
                    "File to write: .csv (a row for each branch) or .vtp (lines with radii for "

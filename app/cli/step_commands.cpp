@@ -22,7 +22,8 @@ struct StepOptions {
   ParameterOptions settings;
   ReadOptions reading;
   Soundness soundness;
-  std::string input, output, phi, label, method;
+  std::string input, output, phi, method;
+  MaskChoice choice;
 };
 
 RunResult runUntil(Step step, const StepOptions& options, const Progress& progress) {
@@ -63,7 +64,7 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
   std::optional<SplineField> phi;
   if (!options.phi.empty())
     phi = wallField(
-        readMeshInput(options.phi, options.label, params.wall, progress.sub(0.0, 0.3)).phi,
+        readMeshInput(options.phi, options.choice, params.wall, progress.sub(0.0, 0.3)).phi,
         params.surface.spline);
   std::size_t left = 0;
   const TriMesh smooth = smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr,
@@ -134,7 +135,7 @@ void addSmooth(CLI::App& program, Session& session) {
   command->add_option(
       "--phi", options->phi,
       "Level set function, mask or label image whose wall 'keep-wall' keeps (else the mesh's)");
-  command->add_option("--label", options->label, "Which label of it, by value or name");
+  addMaskChoice(*command, options->choice);
 }
 
 }  // namespace angiomesh::cli

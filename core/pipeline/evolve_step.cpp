@@ -148,14 +148,20 @@ EvolveResult makeSegmentation(const Volume<float>& image,
 }
 
 EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
-                       const Progress& progress) {
+                       const Progress& progress, std::vector<std::string>& warnings) {
   const auto label = static_cast<float>(params.segmentation.label);
   Volume<std::uint8_t> mask(image.geometry);
-  std::size_t voxels = 0;
+  std::size_t voxels = 0, rounded = 0;
   for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
-    mask.voxels[i] = image.voxels[i] == label ? 1 : 0;
+    // As resampling and scaling leave labels: 0.988, 1.0000001.
+    const float nearest = std::floor(image.voxels[i] + 0.5F);
+    rounded += nearest != image.voxels[i] ? 1 : 0;
+    mask.voxels[i] = nearest == label ? 1 : 0;
     voxels += mask.voxels[i];
   }
+  if (rounded > 0)
+    warnings.push_back(std::to_string(rounded) +
+                       " voxels of the label image are no whole numbers: they were rounded");
   if (voxels == 0 || voxels == mask.voxels.size())
     throw InputError(voxels == 0 ? "no voxel has this value" : "all voxels have this value",
                      "segmentation.label = " + std::to_string(params.segmentation.label),
@@ -165,8 +171,7 @@ EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
   result.label = {voxels, made.largestShiftVoxels, made.maskVolumeMm3};
   result.converged = true;
   result.stopReason = StopReason::Converged;
-  std::vector<std::string> none;
-  placeWall(std::move(made.phi), nullptr, params.wall, result, none, progress.sub(0.6, 1.0));
+  placeWall(std::move(made.phi), nullptr, params.wall, result, warnings, progress.sub(0.6, 1.0));
   return result;
 }
 

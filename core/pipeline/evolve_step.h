@@ -18,9 +18,10 @@ EvolveResult makeSegmentation(const Volume<float>& image,
                               const RunOptions& options, const Progress& progress,
                               std::vector<std::string>& warnings);
 
-/// The same of a segmentation: the voxels of segmentation.label as a smooth distance.
+/// The same of a segmentation: the voxels of segmentation.label as a smooth distance. Values that
+/// are no whole numbers are rounded, with a warning.
 /// @throws InputError (no such voxels, or nothing else), Cancelled
 EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
-                       const Progress& progress);
+                       const Progress& progress, std::vector<std::string>& warnings);
 
 }  // namespace angiomesh

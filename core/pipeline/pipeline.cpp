@@ -339,7 +339,7 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   const auto evolveStep = [&](Warnings& warnings) {
     if (isSegmented(params))
       return std::make_shared<const EvolveResult>(
-          takeLabel(*run.preprocessed, params, progress.sub(0.35, 0.8)));
+          takeLabel(*run.preprocessed, params, progress.sub(0.35, 0.8), warnings));
     auto vessels = options.keepResults ? run.vesselness : std::exchange(run.vesselness, nullptr);
     return std::make_shared<const EvolveResult>(
         makeSegmentation(*run.preprocessed, std::move(vessels), *run.seeds, params, options,

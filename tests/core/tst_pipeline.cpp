@@ -306,6 +306,10 @@ class TestPipeline : public QObject {
     QVERIFY(pipeline.run(other).evolve->label->voxels != run.evolve->label->voxels);
     other.segmentation.label = 5;
     QVERIFY_EXCEPTION_THROWN(pipeline.run(other), InputError);
+    // As resampling leaves labels.
+    for (float& value : labels.voxels) value *= 0.99F;
+    const RunResult near = Pipeline(makeSource(labels, "labels")).run(params);
+    QCOMPARE(near.evolve->label->voxels, run.evolve->label->voxels);
     params.preprocess.roi = {0.0, 0.0, 0.0, 20.0, 20.0, 20.0};
     QCOMPARE(pipeline.run(params).evolve->phi->geometry.size, (Index3{40, 40, 21}));
   }

@@ -428,7 +428,7 @@ class TestImageIo : public QObject {
     std::string nan = rawVoxels<float>();
     put(nan, 40, std::numeric_limits<float>::quiet_NaN());
     save(folder / "nan.mha", metaImage("MET_FLOAT", nan));
-    QVERIFY_EXCEPTION_THROWN(readMask(folder / "nan.mha"), InputError);
+    QCOMPARE(readMask(folder / "nan.mha").warnings.size(), std::size_t{1});
     save(folder / "label.mha", metaImage("MET_FLOAT", rawVoxels<float>()));
     BigVector<std::uint8_t> expected(24, 1);
     expected[0] = 0;

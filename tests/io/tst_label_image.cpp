@@ -61,7 +61,7 @@ std::string segNrrd(int layers) {
 
 std::string messageOf(const fs::path& path, const std::string& choice = {}) {
   try {
-    readLabel(path, choice);
+    readLabel(path, {choice, {}});
   } catch (const InputError& error) {
     return error.what();
   }
@@ -141,7 +141,7 @@ class TestLabelImage : public QObject {
     writeVolume(AnyVolume(labels<std::uint16_t>(3, 0)), f / "l.mha");
     const LabelMask mask = readLabel(f / "l.mha", {});
     QVERIFY(mask.onlyOne);
-    QCOMPARE(mask.label.value, std::int64_t{3});
+    QCOMPARE(mask.labels.at(0).value, std::int64_t{3});
     QCOMPARE(count(mask.mask), std::size_t{10});
   }
 
@@ -151,8 +151,8 @@ class TestLabelImage : public QObject {
     const std::string message = messageOf(f / "l.mha");
     QVERIFY2(message.find("3 (10 voxels), 800 (5 voxels)") != std::string::npos, message.c_str());
     QVERIFY(message.find("--label") != std::string::npos);
-    QCOMPARE(count(readLabel(f / "l.mha", "800").mask), std::size_t{5});
-    QVERIFY(!readLabel(f / "l.mha", "3").onlyOne);
+    QCOMPARE(count(readLabel(f / "l.mha", {"800", {}}).mask), std::size_t{5});
+    QVERIFY(!readLabel(f / "l.mha", {"3", {}}).onlyOne);
     QVERIFY(messageOf(f / "l.mha", "4").find("800 (5 voxels)") != std::string::npos);
   }
 
@@ -170,14 +170,114 @@ class TestLabelImage : public QObject {
     QCOMPARE(found.size(), std::size_t{2});
     QCOMPARE(found[0].name, std::string("artery"));
     QCOMPARE(found[1].name, std::string("left vein: upper"));
-    const LabelMask vein = readLabel(path, "left vein: upper");
+    const LabelMask vein = readLabel(path, {"left vein: upper", {}});
     QCOMPARE(count(vein.mask), std::size_t{5});
     QCOMPARE(vein.mask.voxels[30], std::uint8_t{1});
     QCOMPARE(vein.mask.geometry.origin, Eigen::Vector3d(1, 2, 3));
-    QCOMPARE(count(readLabel(path, "artery").mask), std::size_t{10});
-    if (layers == 1) QCOMPARE(count(readLabel(path, "2").mask), std::size_t{5});
-    if (layers > 1) QVERIFY(messageOf(path, "1").find("layers") != std::string::npos);
+    QCOMPARE(count(readLabel(path, {"artery", {}}).mask), std::size_t{10});
+    if (layers == 1) QCOMPARE(count(readLabel(path, {"2", {}}).mask), std::size_t{5});
+    if (layers > 1)
+      QVERIFY(messageOf(path, "1").find("several labels fit '1'") != std::string::npos);
     QCOMPARE(describeImages(path).at(0).geometry.size, grid().size);
+  }
+
+  void labelsAreJoined() {
+    const Folder f;
+    writeVolume(AnyVolume(labels<std::uint16_t>(3, 800)), f / "l.mha");
+    const LabelMask both = readLabel(f / "l.mha", {"3, 800", {}});
+    QCOMPARE(count(both.mask), std::size_t{15});
+    QCOMPARE(both.labels.size(), std::size_t{2});
+    QCOMPARE(count(readLabel(f / "l.mha", {"value:800,3,3", {}}).mask), std::size_t{15});
+    QVERIFY(messageOf(f / "l.mha", "3,4").find("no label '4'") != std::string::npos);
+    for (const int layers : {1, 2}) {
+      save(f / "s.seg.nrrd", segNrrd(layers));
+      const LabelMask joined = readLabel(f / "s.seg.nrrd", {"artery,name:left vein: upper", {}});
+      QCOMPARE(count(joined.mask), std::size_t{15});
+      QCOMPARE(joined.mask.voxels[30], std::uint8_t{1});
+    }
+  }
+
+  void whatFitsSeveralSegmentsIsSaid() {
+    const Folder f;
+    const fs::path path = f / "s.seg.nrrd";
+    const auto named = [&](const std::string& second) {
+      std::string text = segNrrd(1);
+      const std::string old = "Segment1_Name:=left vein: upper";
+      text.replace(text.find(old), old.size(), "Segment1_ID:=Segment_2\nSegment1_Name:=" + second);
+      save(path, text);
+    };
+    named("artery");
+    const std::string message = messageOf(path, "artery");
+    QVERIFY2(message.find("several labels fit 'artery'") != std::string::npos, message.c_str());
+    QVERIFY2(message.find("id:Segment_2") != std::string::npos, message.c_str());
+    QVERIFY(messageOf(path, "name:artery").find("several labels") != std::string::npos);
+    QCOMPARE(count(readLabel(path, {"value:2", {}}).mask), std::size_t{5});
+    QCOMPARE(count(readLabel(path, {"id:Segment_2", {}}).mask), std::size_t{5});
+    QCOMPARE(count(readLabel(path, {"1,2", {}}).mask), std::size_t{15});
+    named("1");
+    QVERIFY(messageOf(path, "1").find("name:1 or value:1") != std::string::npos);
+    QCOMPARE(count(readLabel(path, {"value:1", {}}).mask), std::size_t{10});
+    QCOMPARE(count(readLabel(path, {"name:1", {}}).mask), std::size_t{5});
+    named("a,b");
+    QCOMPARE(count(readLabel(path, {"a,b", {}}).mask), std::size_t{5});
+  }
+
+  void masksOfOtherProgramsAreRounded_data() {
+    QTest::addColumn<double>("outside");
+    QTest::addColumn<double>("inside");
+    QTest::addColumn<double>("other");
+    QTest::addColumn<int>("voxels");
+    QTest::addColumn<QString>("warning");
+    const double nan = std::nan("");
+    QTest::newRow("whole") << 0.0 << 1.0 << 1.0 << 15 << "";
+    QTest::newRow("nibabel") << 0.0 << 1.00000006 << 1.00000006 << 15 << "were rounded";
+    QTest::newRow("resampled") << 0.012 << 0.988 << 1.02 << 15 << "up to 0.02";
+    QTest::newRow("softmax") << 0.1 << 0.6 << 0.4 << 10 << "voxels of 0.5 and more";
+    QTest::newRow("overshoot") << -0.08 << 1.1 << 0.5 << 15 << "between -0.08 and 1.1";
+    QTest::newRow("NaN") << 0.0 << 1.0 << nan << 10 << "5 voxels are not a number";
+  }
+  void masksOfOtherProgramsAreRounded() {
+    QFETCH(double, outside);
+    QFETCH(double, inside);
+    QFETCH(double, other);
+    QFETCH(int, voxels);
+    QFETCH(QString, warning);
+    const Folder f;
+    Volume<double> mask(grid());
+    for (std::size_t i = 0; i < 60; ++i)
+      mask.voxels[i] = i < 10 ? inside : i >= 30 && i < 35 ? other : outside;
+    writeVolume(AnyVolume(mask), f / "m.mha");
+    const LabelMask label = readLabel(f / "m.mha", {});
+    QCOMPARE(static_cast<int>(count(label.mask)), voxels);
+    QVERIFY(label.onlyOne);
+    const MaskImage truth = readMask(f / "m.mha");
+    QVERIFY(truth.mask.voxels == label.mask.voxels);
+    QCOMPARE(truth.warnings, label.warnings);
+    QCOMPARE(label.warnings.empty(), warning.isEmpty());
+    if (!warning.isEmpty())
+      QVERIFY2(QString::fromStdString(label.warnings[0]).contains(warning),
+               label.warnings[0].c_str());
+    // Above what any has, at what one has.
+    QVERIFY(QString(messageOf([&] { readLabel(f / "m.mha", {"", 2.0}); })).contains("threshold"));
+    QCOMPARE(static_cast<int>(count(readMask(f / "m.mha", inside).mask)),
+             other >= inside ? 15 : 10);
+    QCOMPARE(static_cast<int>(count(readLabel(f / "m.mha", {"", 0.55}).mask)),
+             other >= 0.55 ? 15 : 10);
+  }
+
+  void severalLabelsAreRounded() {
+    const Folder f;
+    writeVolume(AnyVolume(labels<float>(7.0000005F, 3.98F)), f / "l.mha");
+    QCOMPARE(count(readLabel(f / "l.mha", {"7", {}}).mask), std::size_t{10});
+    QCOMPARE(count(readLabel(f / "l.mha", {"4", {}}).mask), std::size_t{5});
+    const Folder g;
+    writeVolume(AnyVolume(labels<std::uint8_t>(7, 255)), g / "l.nii");
+    std::string bytes = bytesOf(g / "l.nii");
+    put(bytes, 112, 1.0F / 255.0F);  // as nibabel scales 0..1 to uint8
+    save(g / "l.nii", bytes);
+    QCOMPARE(count(readLabel(g / "l.nii", {}).mask), std::size_t{5});
+    QCOMPARE(count(readLabel(g / "l.nii", {"", 0.01}).mask), std::size_t{15});
+    QVERIFY_EXCEPTION_THROWN(readLabel(g / "l.nii", {"1", 0.5}), InputError);
   }
 
   void whatIsNoLabelImageIsRefused() {
