@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "core/base/error.h"
@@ -11,6 +12,7 @@
 #include "core/surface/outward.h"
 #include "core/surface/wall.h"
 #include "io/files.h"
+#include "io/mesh_merge.h"
 #include "io/mesh_patch.h"
 #include "io/mesh_place.h"
 #include "io/point_merger.h"
@@ -28,9 +30,7 @@ std::string counted(std::size_t number, const char* one, const char* many) {
 /// Refuses what the format of the name does not have.
 void checkOptions(const std::string& extension, const MeshWriteOptions& options,
                   const fs::path& path) {
-  if (extension != ".ply" && extension != ".stl" && extension != ".obj" && extension != ".vtp")
-    throw InputError("cannot tell the mesh format from the name", path.string(),
-                     "end the name in .ply, .stl, .obj or .vtp");
+  checkMeshName(path);
   const bool ascii = options.encoding == MeshEncoding::Ascii;
   if (ascii && extension == ".vtp")
     throw InputError("VTP is not written as ASCII text", path.string(), "choose .ply or .stl");
@@ -89,10 +89,14 @@ void writeFile(const WritableMesh& mesh, const std::string& extension, const fs:
   }
 }
 
+/// Of the mark that some editors put before text in UTF-8.
+std::size_t markLength(std::string_view bytes) { return bytes.starts_with("\xef\xbb\xbf") ? 3 : 0; }
+
 PolygonMesh readPolygons(const fs::path& path) {
-  const std::string bytes = readText(path);
+  std::string bytes = readText(path);
   if (bytes.empty()) throw IoError("the file is empty", path.string(), kCopyAgain);
   const std::string extension = meshExtension(path);
+  if (extension != ".stl") bytes.erase(0, markLength(bytes));
   if (extension == ".ply") return readPly(bytes, path);
   if (extension == ".stl") return readStl(bytes, path);
   if (extension == ".obj") return readObj(bytes, path);
@@ -163,12 +167,95 @@ void takePatches(const PolygonMesh& polygons, const fs::path& path, LoadedMesh& 
     loaded.warnings.push_back(
         "the patches are no whole numbers, or not one for each face, and are left out, " +
         path.string());
+  for (const std::string& remark : polygons.remarks)
+    loaded.warnings.push_back(remark + ", " + path.string());
+  if (set.renamed > 0)
+    loaded.warnings.push_back(
+        counted(set.renamed, "patch has", "patches have") +
+        " the name of another one, where blanks and signs that no solver takes are '_', and a "
+        "number behind it, " +
+        path.string());
   if (set.tooMany)
     loaded.warnings.push_back("the file has " + std::to_string(polygons.groupNames.size()) +
                               " patches, which are too many and are left out, " + path.string());
 }
 
+/// What is shorter than any vessel was mostly written in metres.
+void checkSize(const std::vector<Eigen::Vector3d>& points, const MeshReadOptions& options,
+               const fs::path& path, LoadedMesh& loaded) {
+  constexpr double kShortestMm = 1.0, kLongestMm = 2000.0;
+  if (options.unit) return;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(p);
+  const double longest = box.sizes().maxCoeff();
+  if (longest == 0.0 || (longest >= kShortestMm && longest <= kLongestMm)) return;
+  char text[60];
+  std::snprintf(text, sizeof text, "the mesh is %.3g mm long", longest);
+  loaded.warnings.push_back(
+      text +
+      std::string(longest < kShortestMm ? ", shorter than any vessel: are its numbers metres"
+                                        : ", longer than any vessel: are its numbers not mm") +
+      "? Give its unit when reading (convert --from-unit, quality --unit), " + path.string());
+}
+
+void mergePoints(const MeshReadOptions& options, const fs::path& path, LoadedMesh& loaded) {
+  // Cracks of rounding are of this share of the whole.
+  constexpr double kRounding = 1e-5;
+  if (!options.keepPoints)
+    if (const std::size_t merged = mergeEqualPoints(loaded.mesh); merged > 0)
+      loaded.warnings.push_back(counted(merged, "point that lies", "points that lie") +
+                                " at the place of another one became one with it, " +
+                                path.string() + ": --keep-points leaves them apart");
+  if (options.mergeDistanceMm > 0.0) {
+    const OpenMerge merge = mergeOpenPoints(loaded.mesh, options.mergeDistanceMm);
+    loaded.warnings.push_back(
+        counted(merge.points, "point", "points") + " at open edges became one with another one (" +
+        counted(merge.triangles, "triangle", "triangles") + " lost by that), " + path.string());
+  } else if (!options.keepPoints && !options.keepTurns) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : loaded.mesh.points) box.extend(p);
+    const double share = kRounding * box.diagonal().norm();
+    // A round number, to be read and typed.
+    const double distance = share > 0.0 ? std::pow(10.0, std::floor(std::log10(share))) : 0.0;
+    TriMesh closer = distance > 0.0 ? loaded.mesh : TriMesh{};
+    const OpenMerge merge = mergeOpenPoints(closer, distance);
+    char text[40];
+    std::snprintf(text, sizeof text, "%.1g", distance);
+    if (merge.points > 0)
+      loaded.warnings.push_back(
+          "the surface has cracks: " + counted(merge.points, "point", "points") +
+          " at open edges within " + text + " mm of another one, " + path.string() +
+          ": --merge-distance " + text + " joins them");
+  }
+}
+
+void turnRound(const MeshReadOptions& options, const fs::path& path, LoadedMesh& loaded) {
+  if (!options.keepTurns) {
+    const AlikeTurn turn = turnAlike(loaded.mesh);
+    if (turn.turned > 0)
+      loaded.warnings.push_back(counted(turn.turned, "triangle was", "triangles were") +
+                                " not oriented as the others and turned round, " + path.string());
+    if (turn.oneSided > 0)
+      loaded.warnings.push_back(
+          counted(turn.oneSided, "part of the mesh has", "parts of the mesh have") +
+          " no inside and no outside, as a Moebius strip, " + path.string() +
+          ": make the surface anew");
+  }
+  loaded.turnedParts = turnOutward(loaded.mesh).turnedParts;
+  if (loaded.turnedParts > 0)
+    loaded.warnings.push_back(
+        counted(loaded.turnedParts, "closed part of the mesh was", "closed parts were") +
+        " inside out and turned round, " + path.string());
+}
+
 }  // namespace
+
+void checkMeshName(const fs::path& path) {
+  const std::string extension = meshExtension(path);
+  if (extension != ".ply" && extension != ".stl" && extension != ".obj" && extension != ".vtp")
+    throw InputError("cannot tell the mesh format from the name", path.string(),
+                     "end the name in .ply, .stl, .obj or .vtp");
+}
 
 std::vector<std::string> writeMesh(const TriMesh& mesh, const fs::path& path,
                                    const MeshWriteOptions& options) {
@@ -209,14 +296,19 @@ LoadedMesh loadMesh(const fs::path& path, const MeshReadOptions& options) {
   LoadedMesh loaded;
   settlePlace(polygons.header, options, path, loaded);
   toPatientPlace(polygons.points, loaded.frame, loaded.unit);
-  loaded.mesh.triangles = triangulate(polygons);
+  checkSize(polygons.points, options, path, loaded);
+  CutPolygons cut = triangulate(polygons);
+  if (cut.folded > 0)
+    loaded.warnings.push_back(counted(cut.folded, "face crosses itself", "faces cross themselves") +
+                              " and cannot be cut into triangles that do not overlap, " +
+                              path.string() + ": write the mesh with triangles alone");
+  loaded.mesh.triangles = std::move(cut.triangles);
   takePatches(polygons, path, loaded);
   loaded.mesh.points = std::move(polygons.points);
   loaded.hasNormals = polygons.hasNormals;
   loaded.hasQuality = polygons.hasQuality;
-  if (const std::size_t turned = turnOutward(loaded.mesh).turnedParts; turned > 0)
-    loaded.warnings.push_back(counted(turned, "closed part of the mesh was", "closed parts were") +
-                              " inside out and turned round, " + path.string());
+  mergePoints(options, path, loaded);
+  turnRound(options, path, loaded);
   return loaded;
 }
 

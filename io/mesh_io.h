@@ -32,6 +32,9 @@ struct MeshWriteOptions {
   std::vector<std::string> patchNames = {};
 };
 
+/// @throws InputError unless the name ends as a mesh that can be written
+void checkMeshName(const std::filesystem::path& path);
+
 /// Writes .ply (float64 vertices), .stl, .obj or .vtp by extension, to a temporary name, then
 /// renames. Frame and unit are stated in the header, the frame as 3D Slicer reads it. Text holds
 /// the shortest numbers that read back as the same double (ASCII STL: at least 9 digits), so that
@@ -53,6 +56,12 @@ std::vector<std::string> writeMesh(const TriMesh& mesh, const std::filesystem::p
 struct MeshReadOptions {
   std::optional<Frame> frame;
   std::optional<LengthUnit> unit;
+  /// Points at one place that the file has apart stay apart (PLY, OBJ, VTK; STL has no others).
+  bool keepPoints = false;
+  /// Triangles of a part that are not oriented alike stay so.
+  bool keepTurns = false;
+  /// Of points at open edges, which become one within so much of each other; 0: none do.
+  double mergeDistanceMm = 0.0;
 };
 
 struct LoadedMesh {
@@ -65,19 +74,23 @@ struct LoadedMesh {
   /// Of mesh.patch. Of a mesh without patches: what the file calls its only solid, group or face;
   /// empty: nothing.
   std::vector<std::string> patchNames;
+  std::size_t turnedParts = 0;  ///< closed parts that faced inward
   std::vector<std::string> warnings;
 };
 
-/// Reads .ply, .stl, .obj, .vtp or legacy .vtk; points equal bit for bit are merged (STL), polygons
-/// are triangulated, and closed parts that face inward are turned round, with a warning. LPS and mm
-/// unless the header or `options` say otherwise.
+/// Reads .ply, .stl, .obj, .vtp or legacy .vtk. Points equal bit for bit are merged, in formats
+/// other than STL with a warning and not in a mesh that is closed as it is. Polygons are cut into
+/// triangles. Triangles that are not oriented as most of their part are turned round, and then
+/// closed parts that face inward, each with a warning. LPS and mm unless the header or `options`
+/// say otherwise; a size that no vessel has is a warning.
 ///
 /// Patches are read where writeMesh() writes them, `o` of an OBJ file without `g` included, and
-/// `ModelFaceID` from legacy VTK files, too. Patch 0 is the one called "wall", whatever its number
-/// in the file; the others are 1, 2, ... in the order of their first solid or group, or of their
-/// numbers in PLY and VTK files. Where none is called "wall", no triangle is in patch 0: names
-/// stay, numbers move. What has no name is "patch_n" or, in VTK files, "face_ID"; `patch` 0 of a
-/// PLY file is "wall". Names are cleaned as in writing. A file with one patch alone has none.
+/// from legacy VTK files, too; `CellEntityIds`, as VMTK and Gmsh write them, where there is no
+/// `ModelFaceID`. Names are whole lines ("outlet 1"). Patch 0 is the one called "wall", whatever
+/// its number in the file; the others are 1, 2, ... in the order of their first solid or group, or
+/// of their numbers in PLY and VTK files. Where none is called "wall", no triangle is in patch 0:
+/// names stay, numbers move. What has no name is "patch_n" or, in VTK files, "face_ID"; `patch` 0
+/// of a PLY file is "wall". Names are cleaned as in writing. A file with one patch alone has none.
 /// @throws IoError, InputError
 LoadedMesh loadMesh(const std::filesystem::path& path, const MeshReadOptions& options = {});
 

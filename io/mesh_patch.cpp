@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/mesh_patch.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cctype>
 #include <limits>
 #include <set>
 
 #include "core/surface/port.h"
+#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {
@@ -24,8 +26,9 @@ std::string nameOfNumber(std::size_t patch) {
   return patch == 0 ? kWallName : "patch_" + std::to_string(patch);
 }
 
-/// Cleaned, all there and all different.
-void makeUsable(std::vector<std::string>& names) {
+/// Cleaned, all there and all different. Returns how many have a number for the sake of that.
+std::size_t makeUsable(std::vector<std::string>& names) {
+  std::size_t renamed = 0;
   std::set<std::string> taken;
   std::map<std::string, int> last;
   for (std::size_t patch = 0; patch < names.size(); ++patch) {
@@ -34,7 +37,20 @@ void makeUsable(std::vector<std::string>& names) {
     // Counting on from the last number: many equal names take no time that grows with their square.
     for (int& number = last.try_emplace(name, 1).first->second; !taken.insert(names[patch]).second;)
       names[patch] = name + "-" + std::to_string(++number);
+    if (names[patch] != name) ++renamed;
   }
+  return renamed;
+}
+
+double areaOf(const PolygonMesh& mesh, const std::vector<std::uint32_t>& polygon) {
+  Eigen::Vector3d twice = Eigen::Vector3d::Zero();
+  const std::size_t count = mesh.points.size();
+  for (std::size_t c = 1; c + 1 < polygon.size(); ++c) {
+    if (polygon[0] >= count || polygon[c] >= count || polygon[c + 1] >= count) return 0.0;
+    const Eigen::Vector3d& first = mesh.points[polygon[0]];
+    twice += (mesh.points[polygon[c]] - first).cross(mesh.points[polygon[c + 1]] - first);
+  }
+  return 0.5 * twice.norm();
 }
 
 bool isWall(const std::string& name) {
@@ -68,11 +84,24 @@ std::vector<std::vector<std::uint32_t>> trianglesByPatch(const TriMesh& mesh, st
   return triangles;
 }
 
+std::string wholeName(std::string_view line) {
+  TextScanner scan(line);
+  std::string name;
+  for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
+    if (word.find('=') != std::string_view::npos) break;
+    name += (name.empty() ? "" : " ") + std::string(word);
+  }
+  return name;
+}
+
 std::uint32_t GroupsByName::number(std::string_view name) {
   const auto next = static_cast<std::uint32_t>(mesh_.groupNames.size());
   if (!name.empty()) {
     const auto [entry, isNew] = numbers_.emplace(name, next);
-    if (!isNew) return entry->second;
+    if (!isNew) {
+      ++again_;
+      return entry->second;
+    }
   }
   mesh_.groupNames.emplace_back(name);
   return next;
@@ -100,6 +129,26 @@ void groupByNumber(PolygonMesh& mesh, const std::vector<double>& numbers,
     mesh.groups.push_back(groups[static_cast<std::uint32_t>(value)]);
 }
 
+void groupByEntity(PolygonMesh& mesh, const std::vector<double>& numbers) {
+  std::map<double, double> areas;
+  if (numbers.size() == mesh.polygons.size())
+    for (std::size_t p = 0; p < numbers.size(); ++p)
+      areas[numbers[p]] += areaOf(mesh, mesh.polygons[p]);
+  std::map<std::uint32_t, std::string> names;
+  if (areas.size() > 1 && (areas.begin()->first == 0.0 || areas.begin()->first == 1.0)) {
+    const auto largest =
+        std::max_element(areas.begin(), areas.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (largest == areas.begin()) {
+      names[static_cast<std::uint32_t>(largest->first)] = kWallName;
+      mesh.remarks.push_back("of VMTK's CellEntityIds, the patches, " +
+                             std::to_string(static_cast<int>(largest->first)) +
+                             " is taken for the wall");
+    }
+  }
+  groupByNumber(mesh, numbers, std::move(names), "face_");
+}
+
 PatchSet patchesOfGroups(const std::vector<std::uint32_t>& groups,
                          const std::vector<std::string>& names) {
   PatchSet set;
@@ -124,7 +173,7 @@ PatchSet patchesOfGroups(const std::vector<std::uint32_t>& groups,
     patchOf[group] = static_cast<std::uint16_t>(set.names.size());
     set.names.push_back(names[group]);
   }
-  makeUsable(set.names);
+  set.renamed = makeUsable(set.names);
   for (const std::uint32_t group : groups) set.patch.push_back(patchOf[group]);
   return set;
 }

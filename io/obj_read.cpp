@@ -13,6 +13,12 @@ namespace {
 /// What the format calls the group of faces before the first one.
 constexpr std::string_view kDefaultGroup = "default";
 
+bool hasLineOf(std::string_view text, std::string_view kind) {
+  for (TextScanner lines(text); !lines.done();)
+    if (TextScanner(lines.line()).word() == kind) return true;
+  return false;
+}
+
 }  // namespace
 
 PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path) {
@@ -22,12 +28,22 @@ PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path)
   };
   PolygonMesh mesh;
   // Objects hold groups: they count where there are no groups.
-  const bool hasGroups = bytes.starts_with("g ") || bytes.find("\ng ") != std::string::npos;
+  const bool hasGroups = hasLineOf(bytes, "g");
   GroupsByName groups(mesh);
   std::optional<std::uint32_t> group;
   TextScanner lines(bytes);
+  std::string joined;
   for (int number = 1; !lines.done(); ++number) {
-    const std::string_view text = lines.line();
+    std::string_view text = lines.line();
+    if (text.ends_with('\\') && !text.starts_with('#')) {
+      joined.clear();
+      for (; text.ends_with('\\') && !lines.done(); ++number) {
+        joined += text.substr(0, text.size() - 1);
+        joined += ' ';
+        text = lines.line();
+      }
+      text = joined += text;
+    }
     TextScanner scan(text);
     const std::string_view kind = scan.word();
     if (kind.starts_with('#')) {
@@ -40,8 +56,8 @@ PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path)
     } else if (kind == "vn") {
       mesh.hasNormals = true;
     } else if (kind == (hasGroups ? "g" : "o")) {
-      const std::string_view name = scan.word();
-      group = groups.number(name.empty() ? kDefaultGroup : name);
+      const std::string name = wholeName(scan.rest());
+      group = groups.number(name.empty() ? kDefaultGroup : std::string_view(name));
     } else if (kind == "f") {
       std::vector<std::uint32_t> polygon;
       for (std::string_view corner = scan.word(); !corner.empty(); corner = scan.word()) {

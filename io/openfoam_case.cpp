@@ -34,7 +34,8 @@ constexpr int kMostLevels = 12;
 constexpr double kMargin = 1.37;
 
 /// Words that OpenFOAM's dictionaries take for a name: no number is one.
-std::vector<std::string> patchWords(const std::vector<Port>& ports) {
+std::vector<std::string> patchWords(const std::vector<Port>& ports,
+                                    std::vector<std::string>& warnings) {
   std::vector<std::string> names{kWallName};
   for (const Port& port : ports) {
     const bool letter =
@@ -43,7 +44,24 @@ std::vector<std::string> patchWords(const std::vector<Port>& ports) {
   }
   std::vector<std::string> words = fileWords(names);
   for (std::string& word : words) std::replace(word.begin(), word.end(), '.', '_');
-  return fileWords(words);
+  words = fileWords(words);
+  warnings = renamedWords(names, words, "in the case");
+  return words;
+}
+
+struct RimEdges {
+  std::size_t open = 0, crowded = 0;
+};
+
+RimEdges countRimEdges(const TriMesh& mesh) {
+  RimEdges count;
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    end = edgeRunEnd(sides, i);
+    if (end == i + 1) ++count.open;
+    if (end > i + 2) ++count.crowded;
+  }
+  return count;
 }
 
 void checkUsable(const TriMesh& mesh, const std::vector<Port>& ports, const fs::path& folder) {
@@ -51,12 +69,17 @@ void checkUsable(const TriMesh& mesh, const std::vector<Port>& ports, const fs::
     throw InputError(what, folder.string(), advice);
   };
   checkMesh(mesh);
+  if (!isClosed(mesh)) {
+    const RimEdges rim = countRimEdges(mesh);
+    refuse("the surface is not closed (" + std::to_string(rim.open) + " open edges, " +
+               std::to_string(rim.crowded) +
+               " of more than two triangles), so that it has no inside to be filled",
+           "cap its openings as patches of their own, join its cracks with --merge-distance, or "
+           "make a closed surface with 'mesh --cut'");
+  }
   if (ports.empty() || mesh.patch.empty())
     refuse("the mesh has no ports, so that nothing could flow through it",
            "cut the vessels, or give a mesh with the patches 'wall', inlets and outlets");
-  if (!isClosed(mesh))
-    refuse("the surface is not closed, so that it has no inside to be filled",
-           "cap its openings or mend it");
   std::vector<std::size_t> counts(ports.size() + 1, 0);
   for (const std::uint16_t patch : mesh.patch) {
     if (patch >= counts.size())
@@ -136,7 +159,7 @@ OpenFoamCase writeOpenFoamCase(const TriMesh& mesh, const std::vector<Port>& por
   turnOutward(outward);
   OpenFoamCase result;
   OpenFoamMesh& plan = result.mesh;
-  plan.patches = patchWords(ports);
+  plan.patches = patchWords(ports, result.warnings);
   for (const Port& port : measurePatches(outward, ports.size()))
     plan.diameters.push_back(1e-3 * port.equivalentDiameterMm());
   if (!(*std::min_element(plan.diameters.begin(), plan.diameters.end()) > 0.0))

@@ -60,6 +60,17 @@ std::vector<std::string> fileWords(const std::vector<std::string>& names) {
   return words;
 }
 
+std::vector<std::string> renamedWords(const std::vector<std::string>& names,
+                                      const std::vector<std::string>& words,
+                                      const std::string& where) {
+  std::vector<std::string> sentences;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (words[n].size() > names[n].size())
+      sentences.push_back("the patch '" + names[n] + "' is called " + words[n] + " " + where +
+                          ", where another one has its name");
+  return sentences;
+}
+
 std::vector<std::filesystem::path> writePatchFiles(const TriMesh& mesh,
                                                    const std::filesystem::path& path,
                                                    const MeshWriteOptions& options,

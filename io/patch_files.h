@@ -28,4 +28,10 @@ std::vector<std::filesystem::path> writePatchFiles(const TriMesh& mesh,
 /// all different even where small and capital letters are the same.
 std::vector<std::string> fileWords(const std::vector<std::string>& names);
 
+/// Says of each name whose word has a number behind it, because another name would have become the
+/// same word: "the patch 'in' is called in-2 `where`, ...".
+std::vector<std::string> renamedWords(const std::vector<std::string>& names,
+                                      const std::vector<std::string>& words,
+                                      const std::string& where);
+
 }  // namespace angiomesh

@@ -54,7 +54,7 @@ Scalar scalarOf(std::string_view name, const fs::path& path) {
 void readPatchName(TextScanner& comment, Header& header) {
   double number = -1.0;
   if (comment.word() != "patch" || !comment.number(number)) return;
-  const std::string_view name = comment.word();
+  const std::string name = wholeName(comment.rest());
   if (number >= 0.0 && number <= 65535.0 && !name.empty())
     header.patches.emplace(static_cast<std::uint32_t>(number), name);
 }
@@ -155,6 +155,32 @@ void readVertices(const Element& element, Body& body, PolygonMesh& mesh) {
   }
 }
 
+/// As Stanford's scans have them: strips of triangles one after the other, each ended by -1.
+void readStrips(const Element& element, Body& body, PolygonMesh& mesh, const fs::path& path) {
+  std::vector<std::uint32_t> strip;
+  std::vector<std::vector<std::uint32_t>> triangles;
+  for (std::uint64_t i = 0; i < element.count; ++i)
+    for (const Property& property : element.properties) {
+      const bool isList = property.countType != Scalar::None;
+      const double count = isList ? body.next(property.countType) : 1.0;
+      if (!(count >= 0.0) || count > static_cast<double>(body.rest())) throwTruncated(path);
+      const bool corners =
+          isList && (property.name == "vertex_indices" || property.name == "vertex_index");
+      for (double c = 0.0; c < count; ++c) {
+        const double value = body.next(property.type);
+        if (!corners) continue;
+        if (value >= 0.0) strip.push_back(indexOf(value, path));
+        if (value >= 0.0 && c + 1.0 < count) continue;
+        appendStrip(strip, triangles);
+        strip.clear();
+      }
+    }
+  // Strips are joined by triangles that name a corner twice.
+  for (auto& triangle : triangles)
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+      mesh.polygons.push_back(std::move(triangle));
+}
+
 /// Faces with their patches, or an element of no interest (`mesh` null).
 void readRows(const Element& element, Body& body, PolygonMesh* mesh, std::vector<double>& patches,
               const fs::path& path) {
@@ -203,6 +229,8 @@ PolygonMesh readPly(const std::string& bytes, const fs::path& path) {
         if (property.countType != Scalar::None) broken(path, "a list in a vertex");
       mesh.hasNormals = has("nx") && has("ny") && has("nz");
       readVertices(element, body, mesh);
+    } else if (element.name == "tristrips") {
+      readStrips(element, body, mesh, path);
     } else {
       readRows(element, body, element.name == "face" ? &mesh : nullptr, patches, path);
     }

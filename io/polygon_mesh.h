@@ -21,7 +21,8 @@ struct PolygonMesh {
   std::vector<std::string> groupNames;  ///< in the order of the file; empty: has none
   MeshHeader header;
   bool hasNormals = false, hasQuality = false;
-  bool oddGroups = false;  ///< were stated in a way that makes no sense, and left out
+  bool oddGroups = false;            ///< were stated in a way that makes no sense, and left out
+  std::vector<std::string> remarks;  ///< warnings of the reader, without the file's name
 };
 
 /// @throws IoError (truncated), InputError (not such a file)
@@ -37,9 +38,15 @@ PolygonMesh readVtkPolyData(const std::string& bytes, const std::filesystem::pat
 void appendStrip(const std::vector<std::uint32_t>& strip,
                  std::vector<std::vector<std::uint32_t>>& polygons);
 
-/// Cuts polygons with more than three corners into triangles, n - 2 for n corners. Indices must be
-/// in range.
-std::vector<std::array<std::uint32_t, 3>> triangulate(const PolygonMesh& mesh);
+/// Polygons as triangles, n - 2 for n corners. Those that cannot be cut without triangles over each
+/// other, as they cross themselves, are `folded`.
+struct CutPolygons {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::size_t folded = 0;
+};
+
+/// Indices must be in range.
+CutPolygons triangulate(const PolygonMesh& mesh);
 
 /// A mesh in the frame and unit of the options, with what they ask for.
 struct WritableMesh {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstring>
 
 #include "core/base/error.h"
@@ -31,13 +33,13 @@ PolygonMesh readBinary(const std::string& bytes, std::uint32_t count) {
   return mesh;
 }
 
-/// The first word after "solid", unless it is a statement such as SPACE=LPS.
-std::string nameOf(std::string_view line) {
-  const std::string_view name = TextScanner(line).word();
-  return name.find('=') == std::string_view::npos ? std::string(name) : std::string();
+std::string inSmallLetters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return small;
 }
 
-PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& path) {
+PolygonMesh readAscii(std::string_view bytes, const std::filesystem::path& path) {
   const auto broken = [&]() -> IoError {
     return {"the STL text is truncated or damaged", path.string(), kCopyAgain};
   };
@@ -49,7 +51,7 @@ PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& pat
   bool ended = false;
   std::vector<std::uint32_t> face;
   while (!scan.done()) {
-    const std::string_view word = scan.word();
+    const std::string word = inSmallLetters(scan.word());
     if (word == "vertex") {
       double x = 0.0;
       double y = 0.0;
@@ -70,10 +72,16 @@ PolygonMesh readAscii(const std::string& bytes, const std::filesystem::path& pat
       // Any word may be in a name, so the line is taken as a whole.
       const std::string_view line = scan.line();
       mesh.header.read(line);
-      solid = solids.number(nameOf(line));
+      solid = solids.number(wholeName(line));
     }
   }
   if (!ended || !face.empty()) throw broken();
+  if (solids.again() > 0)
+    mesh.remarks.push_back(
+        (solids.again() == 1
+             ? "a solid has the name of an earlier one and is"
+             : std::to_string(solids.again()) + " solids have the names of earlier ones and are") +
+        std::string(" one patch with it: give each a name of its own to keep them apart"));
   return mesh;
 }
 
@@ -85,9 +93,12 @@ PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path)
   const std::size_t expected = kHeader + kRecord * static_cast<std::size_t>(count);
   // Some binary files begin with "solid" as well: the size decides.
   if (bytes.size() >= kHeader && bytes.size() == expected) return readBinary(bytes, count);
-  const std::string head = bytes.substr(0, 2000);
+  std::string_view text = bytes;
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  const std::string head = inSmallLetters(text.substr(0, 2000));
   if (head.starts_with("solid") && head.find('\0') == std::string::npos)
-    return readAscii(bytes, path);
+    return readAscii(text, path);
   if (bytes.size() < kHeader)
     throw InputError("not an STL file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
   if (bytes.size() > expected) {

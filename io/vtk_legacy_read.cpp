@@ -48,7 +48,10 @@ class LegacyReader {
     }
     if (!faces_.empty()) takeFaces();
     for (const auto& strip : strips_) appendStrip(strip, mesh_.polygons);
-    if (!faces_.empty()) groupByNumber(mesh_, faces_, {}, "face_");
+    if (!faces_.empty() && entities_)
+      groupByEntity(mesh_, faces_);
+    else if (!faces_.empty())
+      groupByNumber(mesh_, faces_, {}, "face_");
     return std::move(mesh_);
   }
 
@@ -170,7 +173,7 @@ class LegacyReader {
   }
 
   /// Of the attributes behind the cells only one array is of interest: it is looked for by its
-  /// name, among the cells' attributes and not the points'.
+  /// names, among the cells' attributes and not the points'.
   void findFaces(std::string_view section) {
     std::string_view attributes = text_.rest();
     if (section == "POINT_DATA") {
@@ -180,8 +183,13 @@ class LegacyReader {
     } else {
       attributes = attributes.substr(0, attributes.find("\nPOINT_DATA "));
     }
+    findFaces(attributes, kFaceId);
+    entities_ = faces_.empty();
+    if (entities_) findFaces(attributes, kEntityIds);
+  }
+
+  void findFaces(std::string_view attributes, const std::string& name) {
     const std::size_t cells = others_ + mesh_.polygons.size() + strips_.size();
-    const std::string name(kFaceId);
     if (const std::size_t at = attributes.find("\nSCALARS " + name + " ");
         at != std::string_view::npos) {
       text_ = TextScanner(attributes.substr(at + 10 + name.size()));
@@ -237,6 +245,7 @@ class LegacyReader {
   Cells strips_;
   std::size_t others_ = 0;     ///< points and lines, which are no surface
   std::vector<double> faces_;  ///< of the cells, then of the polygons
+  bool entities_ = false;      ///< they are VMTK's
   Encoding encoding_ = Encoding::Ascii;
   bool newCells_ = false;
 };

@@ -23,6 +23,7 @@
 #include <exception>
 
 #include "core/base/error.h"
+#include "io/cut_polygon.h"
 #include "io/polygon_mesh.h"
 #include "io/quiet_terminal.h"
 #include "io/vtp_data.h"
@@ -107,6 +108,25 @@ void addPolygon(vtkCellArray* cells, const Polygon& polygon) {
   for (const std::uint32_t corner : polygon) cells->InsertCellPoint(static_cast<vtkIdType>(corner));
 }
 
+/// Empty where VTK does not manage.
+CornerTriangles cutWithVtk(const std::vector<Eigen::Vector3d>& corners, vtkPolygon* cell,
+                           vtkIdList* list) {
+  const auto count = static_cast<vtkIdType>(corners.size());
+  cell->Points->SetNumberOfPoints(count);
+  cell->PointIds->SetNumberOfIds(count);
+  for (vtkIdType c = 0; c < count; ++c) {
+    cell->Points->SetPoint(c, corners[static_cast<std::size_t>(c)].data());
+    cell->PointIds->SetId(c, c);
+  }
+  list->Reset();
+  CornerTriangles triangles;
+  if (cell->Triangulate(list) == 0 || list->GetNumberOfIds() != 3 * (count - 2)) return triangles;
+  const auto corner = [&](vtkIdType i) { return static_cast<std::uint32_t>(list->GetId(i)); };
+  for (vtkIdType t = 0; t + 2 < count; ++t)
+    triangles.push_back({corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)});
+  return triangles;
+}
+
 }  // namespace
 
 PolygonMesh readVtkPolyData(const std::string& bytes, const fs::path& path) {
@@ -137,34 +157,31 @@ bool unpackWithVtk(const std::string& packer, std::string_view packed, std::size
   });
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangulate(const PolygonMesh& mesh) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+CutPolygons triangulate(const PolygonMesh& mesh) {
+  CutPolygons result;
   vtkNew<vtkPolygon> cell;
-  vtkNew<vtkIdList> cut;
+  vtkNew<vtkIdList> list;
+  std::vector<Eigen::Vector3d> corners;
   for (const std::vector<std::uint32_t>& polygon : mesh.polygons) {
     if (polygon.size() == 3) {
-      triangles.push_back({polygon[0], polygon[1], polygon[2]});
+      result.triangles.push_back({polygon[0], polygon[1], polygon[2]});
       continue;
     }
-    const auto corners = static_cast<vtkIdType>(polygon.size());
-    cell->Points->SetNumberOfPoints(corners);
-    cell->PointIds->SetNumberOfIds(corners);
-    for (vtkIdType c = 0; c < corners; ++c) {
-      cell->Points->SetPoint(c, mesh.points[polygon[static_cast<std::size_t>(c)]].data());
-      cell->PointIds->SetId(c, c);
+    corners.clear();
+    for (const std::uint32_t corner : polygon) corners.push_back(mesh.points[corner]);
+    CornerTriangles cut = cutWithVtk(corners, cell, list);
+    // VTK stops at corners that lie at one place.
+    if (cut.empty() || foldsOver(corners, cut)) {
+      CornerTriangles ears = cutByEars(corners);
+      if (!ears.empty()) cut = std::move(ears);
     }
-    cut->Reset();
-    const bool fine = cell->Triangulate(cut) != 0 && cut->GetNumberOfIds() == 3 * (corners - 2);
-    for (vtkIdType t = 0; t + 2 < corners; ++t) {
-      // A polygon too degenerate to be cut by ears becomes a fan: the surface stays closed.
-      const auto corner = [&](vtkIdType i) {
-        const vtkIdType at = fine ? cut->GetId(3 * t + i) : (i == 0 ? 0 : t + i);
-        return polygon[static_cast<std::size_t>(at)];
-      };
-      triangles.push_back({corner(0), corner(1), corner(2)});
-    }
+    // A polygon that cannot be cut becomes a fan: the surface stays closed.
+    for (std::uint32_t t = 1; cut.size() + 2 < corners.size(); ++t) cut.push_back({0, t, t + 1});
+    if (foldsOver(corners, cut)) ++result.folded;
+    for (const auto& [a, b, c] : cut)
+      result.triangles.push_back({polygon[a], polygon[b], polygon[c]});
   }
-  return triangles;
+  return result;
 }
 
 void writeVtp(const WritableMesh& mesh, const fs::path& path) {

@@ -13,6 +13,8 @@ namespace angiomesh {
 /// SimVascular's number of each cell's face, from 1 on, and the faces' names in their order.
 inline constexpr const char* kFaceId = "ModelFaceID";
 inline constexpr const char* kFaceNames = "ModelFaceNames";
+/// VMTK's and Gmsh's number of each cell's face.
+inline constexpr const char* kEntityIds = "CellEntityIds";
 
 /// The value of an attribute within an XML tag; empty when there is none.
 std::optional<std::string_view> xmlAttribute(std::string_view tag, std::string_view name);

@@ -34,7 +34,10 @@ class VtpReader {
       at = xml_.find('<', end);
     }
     if (piece_) finishPiece();
-    if (!faces_.empty()) groupByNumber(mesh_, faces_, std::move(faceNames_), "face_");
+    if (!faces_.empty() && entities_)
+      groupByEntity(mesh_, faces_);
+    else if (!faces_.empty())
+      groupByNumber(mesh_, faces_, std::move(faceNames_), "face_");
     return std::move(mesh_);
   }
 
@@ -119,9 +122,9 @@ class VtpReader {
       if (name == kFaceNames) takeFaceNames(textsOf(arrayOf(tag, content)));
     } else if (section_ == "PointData" || section_ == "CellData") {
       mesh_.hasQuality = mesh_.hasQuality || name == "quality";
-      if (section_ == "CellData" && name == kFaceId &&
+      if (section_ == "CellData" && (name == kFaceId || name == kEntityIds) &&
           xmlAttribute(tag, "NumberOfComponents").value_or("1") == "1")
-        arrays_[kFaceId] = arrayOf(tag, content);
+        arrays_[std::string(name)] = arrayOf(tag, content);
     } else if (section_ == "Points") {
       if (countOf(tag, "NumberOfComponents") != 3) throwTruncated(path_);
       arrays_["Points"] = arrayOf(tag, content);
@@ -180,8 +183,10 @@ class VtpReader {
   /// of several triangles each, last.
   void takeFaces(const std::vector<std::vector<std::uint32_t>>& polygons,
                  const std::vector<std::vector<std::uint32_t>>& strips) {
-    if (arrays_.count(kFaceId) == 0) return;
-    const std::vector<double> faces = numbers(kFaceId, others_ + polys_ + strips_);
+    const char* const name = arrays_.count(kFaceId) > 0 ? kFaceId : kEntityIds;
+    if (arrays_.count(name) == 0) return;
+    entities_ = name == kEntityIds;
+    const std::vector<double> faces = numbers(name, others_ + polys_ + strips_);
     auto face = faces.begin() + static_cast<std::ptrdiff_t>(others_);
     for (const auto& polygon : polygons) {
       if (polygon.size() >= 3) faces_.push_back(*face);
@@ -269,6 +274,7 @@ class VtpReader {
   std::uint64_t others_ = 0;             ///< points and lines, which are no surface
   std::map<std::string, Array> arrays_;  ///< of the piece
   std::vector<double> faces_;            ///< of the mesh's polygons
+  bool entities_ = false;                ///< they are VMTK's
   std::map<std::uint32_t, std::string> faceNames_;
 };
 

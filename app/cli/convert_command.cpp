@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 struct ConvertOptions {
   ReadOptions reading;
+  MeshReading meshReading;
   std::optional<int> component;
   std::string input, output, unit = "mm", frame = "lps", fromFrame, fromUnit;
   bool ascii = false, normals = false, quality = false, solidNames = false, patchFiles = false,
@@ -43,8 +44,35 @@ bool isMeshName(const fs::path& path) {
   return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
 }
 
+bool isVolumeName(const std::string& name) {
+  const std::string extension = meshExtension(name);
+  for (const char* known : {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".gz", ".dcm"})
+    if (extension == known) return true;
+  return false;
+}
+
+/// Says which of the two names is wrong before a file is read as what it is not.
+void checkKinds(const ConvertOptions& options) {
+  const std::string input = meshExtension(options.input);
+  const bool fromMesh = isMeshName(options.input) || input == ".vtk";
+  if (isMeshName(options.output)) {
+    if (isVolumeName(options.input) || fs::is_directory(options.input))
+      throw InputError("a volume does not become a mesh by conversion", options.input,
+                       "make its surface with 'run' or, of a mask, with 'mesh'");
+    return;
+  }
+  if (!fromMesh) return;
+  if (isVolumeName(options.output))
+    throw InputError("a mesh does not become a volume", options.output,
+                     "end the output's name in .ply, .stl, .obj or .vtp");
+  throw InputError("no format that can be written has the ending of the output's name",
+                   options.output,
+                   "end it in .ply, .stl, .obj or .vtp, or write a folder with --openfoam");
+}
+
 LoadedMesh loadSpoken(const ConvertOptions& options) {
-  LoadedMesh loaded = loadMesh(options.input, meshReadOptions(options.fromFrame, options.fromUnit));
+  LoadedMesh loaded =
+      loadMesh(options.input, options.meshReading.options(options.fromFrame, options.fromUnit));
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   if (!loaded.frameStated && options.fromFrame.empty())
     printWarning("the mesh does not say its frame, LPS is taken, " + options.input +
@@ -84,6 +112,9 @@ int convertMesh(const ConvertOptions& options, const Progress& progress) {
   }
   std::vector<std::string> warnings;
   writePatchFiles(loaded.mesh, options.output, write, &warnings);
+  for (const std::string& warning :
+       renamedWords(write.patchNames, fileWords(write.patchNames), "among the files"))
+    warnings.push_back(warning);
   for (const std::string& warning : warnings) printWarning(warning + ", " + options.output);
   return Done;
 }
@@ -138,7 +169,7 @@ void addConvert(CLI::App& program, Session& session) {
                    "Of a colour, vector or 4D image: which value of a voxel, or which point in "
                    "time, from 0 on")
       ->check(CLI::NonNegativeNumber);
-  const std::vector<CLI::Option*> ofMeshes{
+  std::vector<CLI::Option*> ofMeshes{
       command->add_option("--unit", options->unit, "Of the mesh to write: mm or m")
           ->check(CLI::IsMember({"mm", "m"})),
       command->add_option("--frame", options->frame, "Of the mesh to write: lps or ras")
@@ -160,6 +191,8 @@ void addConvert(CLI::App& program, Session& session) {
                         "whatever they tell"),
       command->add_flag("--patch-files", options->patchFiles,
                         "Write each patch to a file of its own, too: NAME_PATCH beside NAME")};
+  for (CLI::Option* option : addMeshReading(*command, options->meshReading))
+    ofMeshes.push_back(option);
   CLI::Option* openFoam = command->add_flag(
       "--openfoam", options->openFoam,
       "Write a folder for OpenFOAM instead: the closed mesh in metres, its patches as wall, inlets "
@@ -176,6 +209,7 @@ void addConvert(CLI::App& program, Session& session) {
     session.action = [options, &session] {
       checkOther(*options);
       if (options->openFoam) return convertToOpenFoam(*options, session.progress);
+      checkKinds(*options);
       return isMeshName(options->output) ? convertMesh(*options, session.progress)
                                          : convertVolume(*options, session.progress);
     };

@@ -130,7 +130,10 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   if (options.estimate != options.output.empty())
     throw InputError(options.estimate ? "an estimate writes no mesh" : "no mesh to write is named",
                      "-o", "give either -o or --estimate");
-  if (!options.estimate) checkOutputFile(options.output);
+  if (!options.estimate) {
+    checkMeshName(options.output);
+    checkOutputFile(options.output);
+  }
   const Parameters all = options.settings.parameters();
   const SurfaceParams& params = all.surface;
   const MeshInput input =

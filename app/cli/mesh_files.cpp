@@ -45,6 +45,25 @@ MeshReadOptions meshReadOptions(const std::string& frame, const std::string& uni
   return options;
 }
 
+MeshReadOptions MeshReading::options(const std::string& frame, const std::string& unit) const {
+  MeshReadOptions options = meshReadOptions(frame, unit);
+  options.keepPoints = keepPoints;
+  options.mergeDistanceMm = mergeDistanceMm;
+  return options;
+}
+
+std::vector<CLI::Option*> addMeshReading(CLI::App& command, MeshReading& reading) {
+  constexpr double kLeastMm = 1e-9, kMostMm = 10.0;
+  return {command.add_flag("--keep-points", reading.keepPoints,
+                           "Leave points of the mesh apart that lie at one place (of STL, they are "
+                           "always one)"),
+          command
+              .add_option("--merge-distance", reading.mergeDistanceMm,
+                          "Close cracks: make one of points at open edges of the mesh that lie "
+                          "within so many mm of each other")
+              ->check(CLI::Range(kLeastMm, kMostMm))};
+}
+
 std::vector<std::string> plainPatchNames(const LoadedMesh& loaded, bool& any) {
   std::vector<std::string> names = loaded.patchNames;
   if (!loaded.key.empty()) return names;

@@ -18,6 +18,18 @@ LengthUnit unitFromOption(const std::string& word);
 /// Of the two words; empty: by the file's header.
 MeshReadOptions meshReadOptions(const std::string& frame, const std::string& unit);
 
+/// --keep-points and --merge-distance of a command that reads a mesh.
+struct MeshReading {
+  bool keepPoints = false;
+  double mergeDistanceMm = 0.0;
+
+  /// With meshReadOptions().
+  [[nodiscard]] MeshReadOptions options(const std::string& frame = {},
+                                        const std::string& unit = {}) const;
+};
+/// Adds both; returns them.
+std::vector<CLI::Option*> addMeshReading(CLI::App& command, MeshReading& reading);
+
 /// Names of a file's patches. Those of files that this program wrote (they state a key) are words
 /// of its user, and kept. In files of anybody those that may be of files and patients become
 /// numbers; `any`: there were some.

@@ -88,6 +88,7 @@ struct QualityOptions {
   ParameterOptions settings;
   std::string mesh, phi, spline, against, truth, gate, frame, unit;
   MaskChoice choice;
+  MeshReading reading;
   bool json = false;
 
   /// The interpolant of phi and the wanted edge length, by --set surface.* and --spline.
@@ -118,7 +119,7 @@ WallMeasures measureWall(const TriMesh& mesh, const SplineField& phi, const Sizi
 Json wallBlocks(const WallMeasures& wall, const MeshQuality& mesh) {
   Json zeroSet{{"volume_mm3", wall.zeroSet.volumeMm3}, {"area_mm2", wall.zeroSet.areaMm2}};
   // An open surface encloses no volume.
-  if (mesh.closed && wall.zeroSet.volumeMm3 > 0.0)
+  if (mesh.hasVolume() && wall.zeroSet.volumeMm3 > 0.0)
     zeroSet["volume_change_percent"] = 100.0 * (mesh.volumeMm3 / wall.zeroSet.volumeMm3 - 1.0);
   Json sizing{{"edges_in_range_percent", wall.sizing.edgesInRangePercent},
               {"edge_ratio_mean", wall.sizing.edgeRatioMean},
@@ -134,7 +135,7 @@ Json wallBlocks(const WallMeasures& wall, const MeshQuality& mesh) {
 void printWall(const WallMeasures& wall, const MeshQuality& mesh) {
   std::printf("\nzero set      area %.6g mm2, volume %.6g mm3", wall.zeroSet.areaMm2,
               wall.zeroSet.volumeMm3);
-  if (mesh.closed && wall.zeroSet.volumeMm3 > 0.0)
+  if (mesh.hasVolume() && wall.zeroSet.volumeMm3 > 0.0)
     std::printf(" (the mesh: %+.3f %%)", 100.0 * (mesh.volumeMm3 / wall.zeroSet.volumeMm3 - 1.0));
   std::printf(
       "\nedge length   %.2f %% of the edges within 0.7 to 1.4 of the wanted length, mean "
@@ -146,7 +147,7 @@ void printWall(const WallMeasures& wall, const MeshQuality& mesh) {
 
 /// The mesh to measure, placed as the user says.
 TriMesh measuredMesh(const QualityOptions& options) {
-  LoadedMesh loaded = loadMesh(options.mesh, meshReadOptions(options.frame, options.unit));
+  LoadedMesh loaded = loadMesh(options.mesh, options.reading.options(options.frame, options.unit));
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   if (!options.phi.empty() && !loaded.frameStated && options.frame.empty())
     printWarning("the mesh does not say its frame, LPS is taken, " + options.mesh +
@@ -156,9 +157,9 @@ TriMesh measuredMesh(const QualityOptions& options) {
 
 /// The other mesh: by its header, and where that is silent as the user says of the first one.
 TriMesh againstMesh(const QualityOptions& options) {
-  LoadedMesh loaded = loadMesh(options.against);
+  LoadedMesh loaded = loadMesh(options.against, options.reading.options());
   if (!loaded.frameStated && !loaded.unitStated)
-    loaded = loadMesh(options.against, meshReadOptions(options.frame, options.unit));
+    loaded = loadMesh(options.against, options.reading.options(options.frame, options.unit));
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   return std::move(loaded.mesh);
 }
@@ -231,6 +232,7 @@ void addQuality(CLI::App& program, Session& session) {
       ->check(CLI::IsMember({"lps", "ras"}));
   command->add_option("--unit", options->unit, "Of the mesh, whatever its header says: mm or m")
       ->check(CLI::IsMember({"mm", "m"}));
+  addMeshReading(*command, options->reading);
   std::string gates = "End with exit code 3 unless the mesh passes:";
   for (const Gate& gate : kGates) gates += std::string(" ") + gate.name + " (" + gate.help + ")";
   command->add_option("--gate", options->gate, gates);

@@ -22,6 +22,7 @@ struct StepOptions {
   ParameterOptions settings;
   ReadOptions reading;
   Soundness soundness;
+  MeshReading meshReading;
   std::string input, output, phi, method;
   MaskChoice choice;
 };
@@ -57,9 +58,10 @@ int segmentCommand(const StepOptions& options, const Progress& progress) {
 }
 
 int smoothCommand(const StepOptions& options, const Progress& progress) {
+  checkMeshName(options.output);
   Soundness soundness = options.soundness;
   const Parameters params = options.settings.parameters();
-  const LoadedMesh loaded = loadMesh(options.input);
+  const LoadedMesh loaded = loadMesh(options.input, options.meshReading.options());
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   std::optional<SplineField> phi;
   if (!options.phi.empty())
@@ -132,6 +134,7 @@ void addSmooth(CLI::App& program, Session& session) {
                                "Mesh to write: .ply, .stl, .obj or .vtp", smoothCommand);
   CLI::App* command = program.get_subcommand("smooth");
   addSoundness(*command, options->soundness);
+  addMeshReading(*command, options->meshReading);
   command->add_option(
       "--phi", options->phi,
       "Level set function, mask or label image whose wall 'keep-wall' keeps (else the mesh's)");

@@ -143,7 +143,7 @@ void printQualities(const std::vector<NamedQuality>& columns) {
   printRow("self-intersections", columns, [](Q q) { return count(q.selfIntersections); });
   printRow("area (mm2)", columns, [](Q q) { return text("%.6g", q.areaMm2); });
   printRow("volume (mm3)", columns,
-           [](Q q) { return q.closed ? text("%.6g", q.volumeMm3) : std::string("-"); });
+           [](Q q) { return q.hasVolume() ? text("%.6g", q.volumeMm3) : std::string("-"); });
   printShape(columns);
   printRow("roughness (mm)", columns, [](Q q) {
     return q.roughness ? text("%.4g", q.roughness->spreadMm) : std::string("-");

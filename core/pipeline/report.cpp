@@ -42,7 +42,7 @@ Json meshBlock(const MeshQuality& q) {
              {"oriented", q.oriented},
              {"area_mm2", q.areaMm2}};
   // The volume of an open surface would depend on where the origin lies.
-  if (q.closed) block["volume_mm3"] = q.volumeMm3;
+  if (q.hasVolume()) block["volume_mm3"] = q.volumeMm3;
   if (q.triangles > 0) {
     block["min_angle_deg"] = {
         {"min", q.minAngleMin}, {"p01", q.minAngleP01}, {"mean", q.minAngleMean}};
@@ -239,7 +239,7 @@ Json smoothingBlock(const MeshQuality& before, const MeshQuality& after) {
   const auto percent = [](double from, double to) { return 100.0 * (to / from - 1.0); };
   Json block;
   block["area_change_percent"] = percent(before.areaMm2, after.areaMm2);
-  if (before.closed && after.closed && before.volumeMm3 > 0.0) {
+  if (before.hasVolume() && after.hasVolume()) {
     block["volume_change_percent"] = percent(before.volumeMm3, after.volumeMm3);
     block["radius_change_percent"] =
         percent(before.volumeMm3 / before.areaMm2, after.volumeMm3 / after.areaMm2);

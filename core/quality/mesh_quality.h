@@ -50,6 +50,8 @@ struct MeshQuality {
   int euler = 0;
   int genus = 0;  ///< sum over components, from euler = sum of 2 - 2g - b
   bool closed = false, oriented = false;
+  /// Whether it encloses a volume: what is not oriented has none, whatever volumeMm3 says.
+  [[nodiscard]] bool hasVolume() const { return closed && oriented; }
   double areaMm2 = 0.0, volumeMm3 = 0.0;
   double minAngleMin = 0.0, minAngleP01 = 0.0,
          minAngleMean = 0.0;  ///< smallest angle of each triangle, degrees

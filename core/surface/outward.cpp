@@ -132,6 +132,59 @@ OutwardTurn turnOutward(TriMesh& mesh) {
   return result;
 }
 
+AlikeTurn turnAlike(TriMesh& mesh) {
+  constexpr std::uint32_t kNone = 0xffffffffU;
+  struct Neighbours {
+    std::array<std::uint32_t, 3> triangle{kNone, kNone, kNone};
+    std::array<bool, 3> agrees{};
+  };
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  std::vector<Neighbours> around(mesh.triangles.size());
+  bool alike = true;
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    end = edgeRunEnd(sides, i);
+    if (end != i + 2) continue;
+    const EdgeSide &one = sides[i], &other = sides[i + 1];
+    const bool agrees = one.forward != other.forward;
+    alike = alike && agrees;
+    around[one.triangle].triangle[one.side] = other.triangle;
+    around[other.triangle].triangle[other.side] = one.triangle;
+    around[one.triangle].agrees[one.side] = around[other.triangle].agrees[other.side] = agrees;
+  }
+  AlikeTurn result;
+  if (alike) return result;
+  enum : char { Unknown, Kept, Turned };
+  std::vector<char> state(mesh.triangles.size(), Unknown);
+  for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
+    if (state[first] != Unknown) continue;
+    std::vector<std::uint32_t> part{first};
+    state[first] = Kept;
+    bool oneSided = false;
+    std::size_t turned = 0;
+    for (std::size_t n = 0; n < part.size(); ++n)
+      for (std::size_t side = 0; side < 3; ++side) {
+        const std::uint32_t next = around[part[n]].triangle[side];
+        if (next == kNone) continue;
+        const char as = (state[part[n]] == Kept) == around[part[n]].agrees[side] ? Kept : Turned;
+        if (state[next] == Unknown) {
+          state[next] = as;
+          part.push_back(next);
+          turned += as == Turned ? 1 : 0;
+        }
+        oneSided = oneSided || state[next] != as;
+      }
+    if (oneSided) ++result.oneSided;
+    if (oneSided) continue;
+    const char less = 2 * turned > part.size() ? Kept : Turned;
+    for (const std::uint32_t t : part) {
+      if (state[t] != less) continue;
+      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+      ++result.turned;
+    }
+  }
+  return result;
+}
+
 bool isClosed(const TriMesh& mesh) {
   const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
   for (std::size_t i = 0; i < sides.size();) {

@@ -19,6 +19,16 @@ struct OutwardTurn {
 /// that are not closed are left alone. Indices must be in range.
 OutwardTurn turnOutward(TriMesh& mesh);
 
+struct AlikeTurn {
+  std::size_t turned = 0;    ///< triangles
+  std::size_t oneSided = 0;  ///< parts that cannot be oriented, as a Moebius strip
+};
+
+/// Turns triangles round so that all of a part run along its edges of two triangles in opposite
+/// ways; of two ways to do so, the one that turns fewer. A part is connected by such edges. Those
+/// that are one-sided are left alone. Indices must be in range.
+AlikeTurn turnAlike(TriMesh& mesh);
+
 /// Whether every edge lies between exactly two triangles, and there is a triangle.
 bool isClosed(const TriMesh& mesh);
 

@@ -73,7 +73,7 @@ const std::vector<Row>& rows() {
       {"Centroid off · κ, mean",
        [](const Q& q) { return curved(q.centroidTimesCurvature, &CurvedDeviation::mean); }},
       {"Area, mm²", [](const Q& q) { return fixed(q.areaMm2, 1); }},
-      {"Volume, mm³", [](const Q& q) { return q.closed ? fixed(q.volumeMm3, 1) : kNothing; }},
+      {"Volume, mm³", [](const Q& q) { return q.hasVolume() ? fixed(q.volumeMm3, 1) : kNothing; }},
       {"Vertices", [](const Q& q) { return count(q.vertices); }},
       {"Oriented", [](const Q& q) { return yesNo(q.oriented); }},
       {"Boundary edges", [](const Q& q) { return count(q.boundaryEdges); }},

@@ -214,6 +214,65 @@ class TestConvert : public QObject, CliFolder {
     QVERIFY(readBytes(at("foam/system/snappyHexMeshDict")).contains("roe_jane { name roe_jane; }"));
   }
 
+  void whichNameIsWrongIsSaid() {
+    QFile volume(at("a.nrrd"));
+    QVERIFY(volume.open(QIODevice::WriteOnly));
+    volume.write("NRRD0004\n");
+    volume.close();
+    const auto said = [&](const QString& line) {
+      const CliResult result = cli(line.split(' '));
+      return result.code == 2 ? QString(result.errors) : QString("no error");
+    };
+    for (const QString name : {"x.vtu", "x", "x.vtk"}) {
+      const QString error = said("convert ball.ply -o " + name);
+      QVERIFY(error.contains(name) && !error.contains("ball.ply"));
+      QVERIFY(error.contains(".ply, .stl, .obj or .vtp"));
+      QVERIFY(said("smooth missing.ply -o " + name).contains(name));
+    }
+    QVERIFY(said("convert ball.ply -o x.nrrd").contains("does not become a volume, x.nrrd"));
+    QVERIFY(said("convert a.nrrd -o x.stl").contains("'mesh'"));
+    QVERIFY(said("mesh missing.nrrd -o x.vtu").contains("x.vtu"));
+  }
+
+  void anOpenSurfaceForOpenFoamIsCalledOpen() {
+    writeMesh(shapes::openTube(24, 9, 2.0), place("open.stl"));
+    const CliResult result = cli({"convert", "open.stl", "-o", "openfoam", "--openfoam"});
+    QCOMPARE(result.code, 2);
+    QVERIFY(result.errors.contains("is not closed (48 open edges, 0 of"));
+    QVERIFY(result.errors.contains("--merge-distance") && result.errors.contains("--cut"));
+  }
+
+  void pointsAndCracksAreJoinedAsAsked() {
+    TriMesh soup;
+    const TriMesh tube = cappedTube(24, 9, 2.0);
+    double gap = 0.0;
+    for (const auto& triangle : tube.triangles)
+      for (const std::uint32_t corner : triangle) {
+        soup.points.emplace_back(tube.points[corner] + Eigen::Vector3d(gap, 0.0, -gap));
+        gap = 1e-6 - gap;
+      }
+    for (std::uint32_t p = 0; p < soup.points.size(); p += 3)
+      soup.triangles.push_back({p, p + 1, p + 2});
+    writeMesh(soup, place("cracks.ply"));
+    const auto closed = [&](const QStringList& more) {
+      const CliResult result = cli(QStringList{"quality", "cracks.ply", "--json"} + more);
+      return result.json()["mesh"].toObject()["closed"].toBool();
+    };
+    QVERIFY(!closed({}) && closed({"--merge-distance", "1e-5"}));
+    const CliResult converted =
+        cli({"convert", "cracks.ply", "-o", "whole.stl", "--merge-distance", "1e-5"});
+    QCOMPARE(converted.code, 0);
+    QVERIFY(converted.errors.contains("at open edges became one with another one"));
+    QVERIFY(isClosed(readMesh(place("whole.stl"))));
+    QCOMPARE(cli({"smooth", "cracks.ply", "-o", "whole.ply", "--merge-distance", "1e-5"}).code, 0);
+    QVERIFY(isClosed(readMesh(place("whole.ply"))));
+    QCOMPARE(cli({"quality", "cracks.ply", "--merge-distance", "0"}).code, 2);
+    QCOMPARE(cli({"convert", "cracks.ply", "-o", "kept.ply", "--keep-points"}).code, 0);
+    MeshReadOptions keep;
+    keep.keepPoints = true;
+    QCOMPARE(loadMesh(place("kept.ply"), keep).mesh.points.size(), soup.points.size());
+  }
+
   void smoothingKeepsThePatches() {
     writeSolids();
     const CliResult result =

@@ -343,7 +343,7 @@ class TestMeshPatches : public QObject {
     };
     const LoadedMesh groups =
         load("o one\ng wall\n" + face + "o two\ng in top\n" + face + "g wall\n" + face);
-    QCOMPARE(groups.patchNames, (Names{"wall", "in"}));
+    QCOMPARE(groups.patchNames, (Names{"wall", "in_top"}));
     QCOMPARE(groups.mesh.patch, (Patches{0, 1, 0}));
     const LoadedMesh objects = load("o one\n" + face + "usemtl red\no two\n" + face);
     QCOMPARE(objects.patchNames, (Names{"wall", "one", "two"}));
