@@ -18,6 +18,8 @@ using Eigen::Vector3d;
 
 constexpr double kSlabVoxels = 2.0;
 constexpr int kThinVesselCells = 3;
+/// How far beside a section's rim voxels of the same wall may be joined.
+constexpr double kBesideVoxels = 1.0;
 /// Rims closer than this would leave no room for triangles between them.
 constexpr double kLeastGapVoxels = 1.5;
 
@@ -82,6 +84,9 @@ class Cutter {
   struct Link {
     std::size_t near, far;
   };
+  struct Way : Link {
+    bool joined;
+  };
 
   [[nodiscard]] std::string nameOf(std::size_t n) const { return away_.nameOf(n); }
 
@@ -143,15 +148,21 @@ class Cutter {
                .value < 0.0;
   }
 
-  [[nodiscard]] bool parts(const Section& section, const Vector3d& p, const Vector3d& q) const {
+  // Where the way between two voxels on different sides of the plane passes it.
+  static Vector3d crossing(const Section& section, const Vector3d& p, const Vector3d& q) {
     const double hp = section.height(p), hq = section.height(q);
-    if ((hp > 0.0) == (hq > 0.0)) return false;
-    return section.covers(p + hp / (hp - hq) * (q - p));
+    return p + hp / (hp - hq) * (q - p);
   }
 
+  // The ways between voxels that the section parts: those through it, and those beside its rim that
+  // run along them. Neighbours inside phi count as joined wherever phi passes 0 between them, as on
+  // a rough wall, and the section's outline is that of phi: without the latter the two sides would
+  // be joined by such a way around the rim.
   void findLinks(std::size_t n) {
     const Section& section = away_.sections[n];
     links_.emplace_back();
+    std::vector<Way> beside;
+    std::unordered_set<std::size_t> near, far;  // ends of those through the section
     forEachAround(grid_, section, 2.0 * grid_.spacing.maxCoeff(), [&](const Index3& p) {
       const std::size_t from = offset(p);
       const Vector3d here = centreOf(grid_, p);
@@ -159,12 +170,37 @@ class Cutter {
       for (const Index3& step : neighbours()) {
         const Index3 q{p[0] + step[0], p[1] + step[1], p[2] + step[2]};
         if (!grid_.contains(q[0], q[1], q[2]) || !inside(offset(q))) continue;
-        if (!parts(section, here, centreOf(grid_, q))) continue;
-        away_.voxels.voxels[from] |= kLinked;
-        away_.voxels.voxels[offset(q)] |= kLinked;
-        parted_.insert(keyOf(from, offset(q)));
-        if (joined(p, step)) links_.back().push_back({from, offset(q)});
+        const Vector3d there = centreOf(grid_, q);
+        if (section.height(there) <= 0.0) continue;
+        const Vector3d at = crossing(section, here, there);
+        const Way way{from, offset(q), joined(p, step)};
+        if (section.covers(at)) {
+          part(n, way);
+          near.insert(way.near);
+          far.insert(way.far);
+        } else if (way.joined && section.covers(at, kBesideVoxels * grid_.voxelMm())) {
+          beside.push_back(way);
+        }
       }
+    });
+    for (const Way& way : beside)
+      if (touches(way.near, near) || touches(way.far, far)) part(n, way);
+  }
+
+  void part(std::size_t n, const Way& way) {
+    away_.voxels.voxels[way.near] |= kLinked;
+    away_.voxels.voxels[way.far] |= kLinked;
+    parted_.insert(keyOf(way.near, way.far));
+    if (way.joined) links_[n].push_back({way.near, way.far});
+  }
+
+  // Whether the voxel, or one that it is joined with, is among them.
+  [[nodiscard]] bool touches(std::size_t voxel, const std::unordered_set<std::size_t>& ends) const {
+    if (ends.count(voxel) != 0) return true;
+    const Index3 p = grid_.indexOf(voxel);
+    return std::any_of(neighbours().begin(), neighbours().end(), [&](const Index3& step) {
+      const Index3 q{p[0] + step[0], p[1] + step[1], p[2] + step[2]};
+      return grid_.contains(q[0], q[1], q[2]) && ends.count(offset(q)) != 0 && joined(p, step);
     });
   }
 

@@ -246,13 +246,14 @@ class SectionTracer {
 
 }  // namespace
 
-bool Section::covers(const Eigen::Vector3d& pointLps) const {
+bool Section::covers(const Eigen::Vector3d& pointLps, double mm) const {
   const double square = lattice.u.squaredNorm();
   const Eigen::Vector3d d = pointLps - lattice.origin;
   const double x = d.dot(lattice.u) / square, y = d.dot(lattice.v) / square;
   const int i0 = static_cast<int>(std::floor(x)), j0 = static_cast<int>(std::floor(y));
-  for (int j = j0; j <= j0 + 1; ++j)
-    for (int i = i0; i <= i0 + 1; ++i)
+  const int around = static_cast<int>(std::ceil(mm / std::sqrt(square)));
+  for (int j = j0 - around; j <= j0 + 1 + around; ++j)
+    for (int i = i0 - around; i <= i0 + 1 + around; ++i)
       if (i >= 0 && j >= 0 && i < lattice.columns && j < lattice.rows &&
           lattice.inside[static_cast<std::size_t>(i) + static_cast<std::size_t>(lattice.columns) *
                                                            static_cast<std::size_t>(j)] != 0)

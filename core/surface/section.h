@@ -26,8 +26,9 @@ struct Section {
   [[nodiscard]] double height(const Eigen::Vector3d& pointLps) const {
     return (pointLps - plane.pointLps).dot(plane.normalLps);
   }
-  /// Whether a point near the plane lies over the section, to a lattice step.
-  [[nodiscard]] bool covers(const Eigen::Vector3d& pointLps) const;
+  /// Whether a point near the plane lies over the section or, `mm` from it, beside it; to a lattice
+  /// step.
+  [[nodiscard]] bool covers(const Eigen::Vector3d& pointLps, double mm = 0.0) const;
   [[nodiscard]] double equivalentDiameterMm() const;
 
   /// The voxels, first and last, within a distance of its rim and of what lies inside it.

@@ -38,6 +38,22 @@ struct Cut {
   }
 };
 
+// Along z, of radius 6; the wall is rough, more so around than along.
+Volume<float> roughTube(int length, double rough) {
+  Geometry g;
+  g.size = {24, 22, length};
+  const Volume<float> noise = shapes::noise(g.size, 1);
+  Volume<float> phi = shapes::sampled(
+      g, [](const Vector3d& p) { return std::hypot(p.x() - 11.5, p.y() - 10.5) - 6.0; });
+  for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+    const auto [x, y, z] = g.indexOf(i);
+    float sum = 0.0F;
+    for (int k = z - 1; k <= z + 1; ++k) sum += noise.at(x, y, std::clamp(k, 0, length - 1));
+    phi.voxels[i] += static_cast<float>(rough / std::sqrt(3.0)) * sum;
+  }
+  return phi;
+}
+
 std::size_t unverifiedOf(const ZeroSetMesh& mesh) {
   return static_cast<std::size_t>(std::count_if(mesh.components.begin(), mesh.components.end(),
                                                 [](const auto& c) { return !c.verified; }));
@@ -337,6 +353,39 @@ class TestCuts : public QObject {
     QVERIFY(refused({{centre, axis}, {centre + Vector3d(0, 0, 1), axis}}, "touch"));
     QVERIFY(refused({{centre, axis}, {centre + 8.0 * axis, axis}}, "'second' lies in what"));
     QVERIFY(refused({{centre, Vector3d::UnitX()}}, "reaches the border"));
+  }
+
+  /// A straight tube whose wall is rough, cut at every voxel and between all of them: the voxels on
+  /// both sides are joined nowhere but through the section.
+  void aRoughTubeIsCutAnywhere() {
+    const Volume<float> phi = roughTube(64, 0.15);
+    for (const SplineKind kind : {SplineKind::InterpolatingBspline, SplineKind::Bspline}) {
+      const SplineField field(phi, kind);
+      for (double z = 3.0; z < 60.0; z += 0.5) {
+        const CutAway away = cutAway(field, phi, {{{11.5, 10.5, z}, {0.0, 0.0, 1.0}}}, {"out"});
+        // All of the tube beyond, but for specks beside it, and nothing before.
+        std::size_t beyond = 0, taken = 0;
+        for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+          const bool is = away.voxels.voxels[i] == CutAway::kTaken;
+          const bool high = phi.geometry.indexOf(i)[2] > z;
+          QVERIFY(!is || high);
+          taken += is ? 1 : 0;
+          beyond += high && phi.voxels[i] < 0.0F ? 1 : 0;
+        }
+        QVERIFY2(static_cast<double>(taken) > 0.98 * static_cast<double>(beyond),
+                 qPrintable(QString::number(z)));
+      }
+    }
+  }
+
+  void aRoughTubeHasOneFlatCap() {
+    const Volume<float> phi = roughTube(30, 0.1);
+    for (double z = 8.0; z < 20.0; z += 1.5) {
+      const Cut cut(phi, {{{11.5, 10.5, z}, {0.0, 0.0, 1.0}}});
+      const ZeroSetMesh mesh = cut.mesh();
+      checkPorts(mesh, cut.away, SurfaceBorder::Cap);
+      for (const Vector3d& p : mesh.mesh.points) QVERIFY(p.z() < z + 1e-9);
+    }
   }
 };
 
