@@ -18,7 +18,8 @@ Volume<float> curvatureFlow(const Volume<float>& image, int iterations, double t
   Image::SpacingType spacing;
   for (unsigned int a = 0; a < 3; ++a) {
     size[a] = static_cast<itk::SizeValueType>(g.size[a]);
-    spacing[a] = g.spacing[static_cast<Eigen::Index>(a)];
+    // The filter's step is stable up to 1/16 of the squared spacing.
+    spacing[a] = g.spacing[static_cast<Eigen::Index>(a)] / g.spacing.minCoeff();
   }
   input->SetRegions(size);
   input->SetSpacing(spacing);

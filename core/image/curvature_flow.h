@@ -6,7 +6,9 @@
 
 namespace angiomesh {
 
-/// I_t = kappa |grad I| (ITK's curvature flow filter), in physical spacing. Same grid as the input.
+/// I_t = kappa |grad I| (ITK's curvature flow filter). Same grid as the input.
+/// @param timeStep squared voxels, of the shortest spacing: what is smoothed does not depend on the
+/// unit or the size of the voxels, only on their shape
 Volume<float> curvatureFlow(const Volume<float>& image, int iterations, double timeStep,
                             const Progress& progress = {});
 

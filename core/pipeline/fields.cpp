@@ -36,7 +36,8 @@ void addPreprocess(FieldTable& t) {
             ANGIOMESH_MEMBER(preprocess.curvatureFlowIterations), 1, 1000,
             "iterations of the curvature flow");
   t.real("preprocess.curvatureFlow.timeStep", ANGIOMESH_MEMBER(preprocess.curvatureFlowTimeStep),
-         1e-4, 0.125, "", "time step of the curvature flow");
+         1e-4, 0.125, "voxels\u00b2",
+         "time step of the curvature flow, in voxels whatever their size; 0.0625 is stable");
   t.box("preprocess.roi", ANGIOMESH_MEMBER(preprocess.roi),
         "region of interest: two opposite corners x0,y0,z0,x1,y1,z1 in mm LPS");
 }

@@ -28,7 +28,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 1, 2, 2, 8, 5, 4, 3};
+constexpr std::array<int, kStepCount> kStepVersions{1, 2, 2, 2, 8, 6, 4, 3};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{

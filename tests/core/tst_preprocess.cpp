@@ -93,6 +93,33 @@ class TestPreprocess : public QObject {
     QVERIFY_EXCEPTION_THROWN(preprocess(noise, params, progress), Cancelled);
   }
 
+  /// Its step is in voxels: in mm, thin vessels of small voxels would go, and large ones stay
+  /// noisy.
+  void curvatureFlowDoesTheSameForVoxelsOfAnySize() {
+    const auto vessel = [](double voxelMm) {
+      Geometry g = cube(20);
+      g.spacing.setConstant(voxelMm);
+      return sampled(g, [&](const Eigen::Vector3d& x) {
+        const double r = std::hypot(x[0] / voxelMm - 9.7, x[1] / voxelMm - 9.4);
+        return 100.0 * std::exp(-r * r / 4.0);
+      });
+    };
+    PreprocessParams params;
+    params.curvatureFlowEnabled = true;
+    const Volume<float> one = preprocess(vessel(1.0), params);
+    QVERIFY(one.at(10, 9, 10) > 60.0F);
+    for (const double voxelMm : {0.25, 0.3, 3.0}) {
+      const Volume<float> other = preprocess(vessel(voxelMm), params);
+      for (std::size_t i = 0; i < one.voxels.size(); ++i)
+        QVERIFY(std::fabs(other.voxels[i] - one.voxels[i]) < 1e-2F);
+    }
+    // Thick slices keep their shape: along the vessel, in which nothing changes, nothing happens.
+    Volume<float> thick = vessel(1.0);
+    thick.geometry.spacing[2] = 3.0;
+    const Volume<float> flown = preprocess(thick, params);
+    QVERIFY(std::fabs(flown.at(10, 9, 10) - one.at(10, 9, 10)) < 1e-2F);
+  }
+
   void unusableVolumesAreRefused() {
     Volume<float> image(cube(4), 1.0F);
     QVERIFY_EXCEPTION_THROWN(checkUsable(image, "x"), InputError);
