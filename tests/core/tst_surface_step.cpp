@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/pipeline/expected_surface.h"
 #include "core/quality/mesh_quality.h"
 #include "core/surface/zero_set_mesh.h"
@@ -158,6 +159,20 @@ class TestSurfaceStep : public QObject {
     });
     QVERIFY2(rough.roughness() > 5.0, qPrintable(QString::number(rough.roughness())));
     QVERIFY(near(rough.smoothTriangles, perArea * 2.0 * M_PI * 43.0 / 4.5, 0.2));
+  }
+
+  void aBlobOfNoiseIsRoughAtTheDefaultSize() {
+    Volume<float> phi(analytic::cube(28));
+    for (std::size_t n = 0; n < phi.voxels.size(); ++n) {
+      const Index3 p = phi.geometry.indexOf(n);
+      const bool in = std::all_of(p.begin(), p.end(), [](int i) { return i > 1 && i < 26; });
+      phi.voxels[n] = in && randomUniform(5, n) < 0.5 ? -0.5F : 0.5F;
+    }
+    const SurfaceParams params;
+    const ExpectedSurface blob = expectSurface(phi, SplineField(phi, params.spline), params);
+    QVERIFY(blob.triangles > 2e5);
+    QVERIFY2(!warningsOf(blob).empty(), qPrintable(QString::number(blob.roughness())));
+    QVERIFY(warningsOf(blob)[0].find("the wall is rough") != std::string::npos);
   }
 
   void theFrontAndTheRemesherFollowTheSize_data() {
