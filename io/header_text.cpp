@@ -187,12 +187,14 @@ void placeText(const VoxelPlace& place, const fs::path& path, VoxelText text, Im
   data.pieces.push_back({file, start, found});
 }
 
-std::string longerText(std::uintmax_t more, const std::string& what, bool local, bool several) {
+std::string longerText(std::uintmax_t more, const std::string& what, bool local, bool several,
+                       bool atLeast) {
   return "the " +
          std::string(local     ? "file"
                      : several ? "voxel files"
                                : "voxel file") +
-         " hold" + (several && !local ? "" : "s") + " " + std::to_string(more) + " " + what +
+         " hold" + (several && !local ? "" : "s") + (atLeast ? " at least " : " ") +
+         std::to_string(more) + " " + what +
          " more than the header says: either its size is wrong, or the voxels do not begin where "
          "it says";
 }

@@ -52,6 +52,7 @@ void placeText(const VoxelPlace& place, const std::filesystem::path& path, Voxel
                ImageHeader& header);
 
 /// A warning: so many bytes or values more than the header says.
-std::string longerText(std::uintmax_t more, const std::string& what, bool local, bool several);
+std::string longerText(std::uintmax_t more, const std::string& what, bool local, bool several,
+                       bool atLeast = false);
 
 }  // namespace angiomesh

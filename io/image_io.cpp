@@ -128,7 +128,8 @@ void forRuns(const OpenImage& image, const Take& take, std::vector<std::string>&
   const VoxelData& data = image.header.data;
   const std::uintmax_t more = readVoxels(data, image.value, take, progress);
   if (more > 0)
-    warnings.push_back(longerText(more, "values", data.pieces.front().file == image.path, false));
+    warnings.push_back(longerText(more, "values", data.pieces.front().file == image.path, false,
+                                  more * voxelTypeBytes(data.type) >= kMostCounted));
 }
 
 /// checkUsable(), of voxels that are all finite or replaced.

@@ -262,12 +262,23 @@ std::string formerVoxelFile(const fs::path& header, const std::string& stem,
   return {};
 }
 
+/// A name for the voxel file beside a header that no reader takes for a pattern or a keyword.
+std::string voxelStem(const fs::path& header) {
+  std::string stem = header.stem().string();
+  for (char& c : stem)
+    if (c == '%' || static_cast<unsigned char>(c) < 0x20) c = '_';
+  for (const std::size_t end : {std::size_t{0}, stem.size() - 1})
+    if (stem[end] == ' ') stem[end] = '_';
+  const std::string word = inSmall(stem.substr(0, 5));
+  return word.starts_with("list") || word == "local" ? "_" + stem : stem;
+}
+
 /// Writes the voxels under a name that is free, then the header that names them: the header's
 /// rename is the moment at which the new image is there. What the old header named goes last.
 void writePair(const fs::path& path, const std::string& extension,
                const std::function<void(std::ofstream&)>& voxels,
                const std::function<std::string(const std::string&)>& headerFor) {
-  const std::string stem = path.stem().string();
+  const std::string stem = voxelStem(path);
   std::string name = stem + extension;
   std::error_code error;
   for (int n = 1; fs::exists(fs::symlink_status(path.parent_path() / name, error)); ++n)

@@ -41,12 +41,14 @@ struct VoxelData {
   [[nodiscard]] bool rescaled() const { return slope != 1.0 || intercept != 0.0; }
 };
 
+inline constexpr std::uintmax_t kMostCounted = std::uintmax_t{1} << 22;
+
 /// Calls take(first, bytes) for runs of voxels, in the byte order of this machine, each voxel once:
 /// `first` is the number of the first voxel. Of several values per voxel those of number `value`.
 /// Runs of one size begin at its multiples and come in any order and from several threads at once
 /// where the data are not deflated. The check sum of deflated data is checked. Returns how many
-/// values more there are than `data` says, as far as only reading shows it: of deflated data and
-/// text.
+/// values more there are than `data` says, as far as only reading shows it: of deflated data, where
+/// it stops at some kMostCounted bytes, and of text.
 /// @throws IoError (unreadable, truncated, damaged), InputError (text that is no number), Cancelled
 std::uintmax_t readVoxels(
     const VoxelData& data, std::uintmax_t value,

@@ -126,6 +126,18 @@ class TestImageHeaders : public QObject {
       QVERIFY2(isRamp(f / name), (std::string(name) + ": " + messageOf(f / name)).c_str());
   }
 
+  void unpackingStopsNotFarBeyondTheHeader() {
+    const Folder f;
+    const std::string zeros(std::size_t{48} << 20, '\0');
+    save(f / "d.gz", gzipped(ramp<std::int16_t>() + zeros));
+    save(f / "a.nhdr", nrrd("type: int16\nendian: little\nencoding: gzip\ndata file: d.gz"));
+    const std::vector<std::string> warnings = readImage(f / "a.nhdr").info.warnings;
+    QCOMPARE(warnings.size(), std::size_t(1));
+    const std::size_t at = warnings[0].find("at least ");
+    QVERIFY2(at != std::string::npos, warnings[0].c_str());
+    QVERIFY(std::stoull(warnings[0].substr(at + 9)) < zeros.size() / 8);
+  }
+
   void moreVoxelsThanTheHeaderSaysAreSaid() {
     const Folder f;
     const std::string plain = ramp<std::int16_t>(), longer = plain + std::string(6, '\1');

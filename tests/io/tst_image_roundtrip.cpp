@@ -233,6 +233,17 @@ class TestImageRoundTrip : public QObject {
              ramp(plainGrid()).voxels);
   }
 
+  void anyNameCanBeReadAgain() {
+    const Folder folder;
+    for (const char* name : {"x 77 %.mhd", "v%03d 1 9 1.nhdr", "LIST.mhd", "list 2.nhdr",
+                             "Local.mhd", " a .mhd", "b\tc\nd.nhdr", "\xc3\xa4 \"\xc3\xb6\".mhd"}) {
+      writeVolume(AnyVolume(ramp(plainGrid())), folder / name);
+      QVERIFY2(std::get<Volume<std::int16_t>>(readNative(folder / name).volume).voxels ==
+                   ramp(plainGrid()).voxels,
+               name);
+    }
+  }
+
   void scaledNiftiIsConvertedExactly() {
     const Folder folder;
     const auto scaled = [&](float slope, float intercept) {
