@@ -294,6 +294,7 @@ HeaderResult readDicomHeader(const fs::path& path, DicomSeries& series) {
   const OFCondition status =
       format.loadFileUntilTag(source.path().c_str(), EXS_Unknown, EGL_noChange, kLongestText,
                               ERM_autoDetect, DCM_PixelData);
+  checkOpened(path, status);
   DcmDataset& data = *format.getDataset();
   series.uid = text(data, DCM_SeriesInstanceUID);
   series.description = text(data, DCM_SeriesDescription);

@@ -4,11 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "io/open_file.h"
 
 namespace angiomesh {
 namespace {
@@ -23,7 +24,9 @@ constexpr std::uint64_t kNoEnd = std::numeric_limits<std::uint64_t>::max();
 /// Bytes of a file by their place, through a window.
 class Window {
  public:
-  explicit Window(const fs::path& file) : in_(file, std::ios::binary) {}
+  explicit Window(const fs::path& file) : file_(file) {
+    if (!file_.isOpen()) throwNotOpened(file.filename().string(), file_.error());
+  }
 
   /// Null behind the end.
   const unsigned char* at(std::uint64_t place, std::size_t count) {
@@ -34,14 +37,11 @@ class Window {
 
  private:
   void fill(std::uint64_t place) {
-    in_.clear();
-    in_.seekg(static_cast<std::streamoff>(place));
-    in_.read(reinterpret_cast<char*>(bytes_.data()), static_cast<std::streamsize>(bytes_.size()));
     start_ = place;
-    got_ = in_.gcount() > 0 ? static_cast<std::size_t>(in_.gcount()) : 0;
+    got_ = file_.readAt(place, bytes_.data(), bytes_.size());
   }
 
-  std::ifstream in_;
+  OpenFile file_;
   std::array<unsigned char, 1U << 13U> bytes_{};
   std::uint64_t start_ = 0;
   std::size_t got_ = 0;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -82,6 +83,7 @@ bool readNative(const DicomFile& file, const std::vector<int>& frames, const Fra
   const PixelLayout& layout = file.layout;
   if (layout.encapsulated || layout.deflated || layout.bigEndian) return false;
   const OpenFile open(file.path);
+  if (!open.isOpen()) throwNotOpened(file.path.filename().string(), open.error());
   const std::uint64_t start = pixelsAtEnd(open, file);
   if (start == 0) return false;
   thread_local std::vector<unsigned char> words;  // fresh memory costs more than the reading
@@ -89,8 +91,10 @@ bool readNative(const DicomFile& file, const std::vector<int>& frames, const Fra
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const std::uint64_t at =
         start + static_cast<std::uint64_t>(frames[n]) * static_cast<std::uint64_t>(words.size());
-    if (open.readAt(at, words.data(), words.size()) < words.size())
+    if (open.readAt(at, words.data(), words.size()) < words.size()) {
+      if (errno != 0) throwNotOpened(file.path.filename().string(), errno);
       damaged(file.path, "it cannot be read");
+    }
     sink.words(n, words.data());
   }
   return true;
@@ -221,6 +225,7 @@ void readFile(const DicomFile& file, const std::vector<int>& frames, const Frame
   const DicomSource source(file.path);
   DcmFileFormat format;
   const OFCondition status = format.loadFile(source.path().c_str());
+  checkOpened(file.path, status);
   if (status.bad()) damaged(file.path, status.text());
   DcmDataset& data = *format.getDataset();
   std::error_code error;

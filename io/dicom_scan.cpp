@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <set>
 #include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "io/dicom_series.h"
 #include "io/image_format.h"
+#include "io/open_file.h"
 
 namespace angiomesh {
 namespace {
@@ -30,22 +32,33 @@ void prepareDcmtk() {
   static_cast<void>(ready);
 }
 
-/// The regular files of a folder, and below it, sorted. Links to folders are not followed: they may
-/// go round in circles.
+/// What file systems and desktops keep for themselves, and often from others.
+bool isOfTheSystem(const fs::path& folder) {
+  static const std::set<std::string> names = {"lost+found", "System Volume Information",
+                                              "$RECYCLE.BIN"};
+  return names.count(folder.filename().string()) != 0;
+}
+
+/// The files of a folder, and below it, sorted; links that lead nowhere among them. Links to
+/// folders are not followed: they may go round in circles.
 std::vector<fs::path> filesIn(const fs::path& folder, ScanDepth depth, const Progress& progress) {
   std::error_code error;
   std::vector<fs::path> files;
-  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
-                                         error);
+  fs::path at = folder;  // the folder that is opened next
+  fs::recursive_directory_iterator entry(folder, error);
   for (const fs::recursive_directory_iterator end; !error && entry != end; entry.increment(error)) {
     progress.check();
-    std::error_code ignored;
-    if (depth == ScanDepth::Here) entry.disable_recursion_pending();
-    if (entry->is_regular_file(ignored)) files.push_back(entry->path());
+    std::error_code unknown;
+    const fs::file_type type = entry->status(unknown).type();
+    const bool isFolder = entry->is_directory(unknown) && !entry->is_symlink(unknown);
+    if (isFolder) at = entry->path();
+    if (depth == ScanDepth::Here || (isFolder && isOfTheSystem(at)))
+      entry.disable_recursion_pending();
+    const bool exists = type != fs::file_type::not_found;
+    if (exists && unknown) throwNotOpened(entry->path().filename().string(), unknown.value());
+    if (type == fs::file_type::regular || !exists) files.push_back(entry->path());
   }
-  if (error)
-    throw IoError("cannot read the folder (" + error.message() + ")", folder.string(),
-                  "check the permissions");
+  if (error) throwNotOpened(at.string(), error.value());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -61,11 +74,14 @@ std::vector<ScannedFile> readHeaders(const std::vector<fs::path>& files, const P
   std::atomic<std::size_t> done{0};
   parallelFor(0, files.size(), 8, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const std::string extension = files[i].extension().string();
-      if (looksLikeDicom(files[i]))
+      const std::string extension = inSmall(files[i].extension().string());
+      std::error_code error;
+      if (!fs::exists(files[i], error))
+        scanned[i].result.damage = "a link leads to no file";
+      else if (looksLikeDicom(files[i]))
         scanned[i].result = readDicomHeader(files[i], scanned[i].series);
       else
-        scanned[i].misnamed = extension == ".dcm" || extension == ".DCM";
+        scanned[i].misnamed = extension == ".dcm";
     }
     done += last - first;
     progress.report(static_cast<double>(done) / static_cast<double>(files.size()));

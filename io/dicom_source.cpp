@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -76,6 +77,7 @@ bool inflateTo(const MemoryFile& copy, std::string_view packed) {
 
 DicomSource::DicomSource(const fs::path& file) : path_(file) {
   std::ifstream in(file, std::ios::binary);
+  if (!in) throwNotOpened(file.filename().string(), errno);
   std::string bytes(kHead, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
@@ -91,6 +93,17 @@ DicomSource::DicomSource(const fs::path& file) : path_(file) {
     throw IoError("there is no memory to inflate the file", file.filename().string(),
                   "close other programs");
   path_ = copy_->path();
+}
+
+void checkOpened(const fs::path& file, const OFCondition& status) {
+  if (status.good()) return;
+  const OpenFile again(file);
+  if (!again.isOpen()) throwNotOpened(file.filename().string(), again.error());
+  constexpr unsigned short kNotOpened = 18;  // DCMTK's own, with the system's words
+  if (status.module() == OFM_dcmdata && status.code() == kNotOpened)
+    throw IoError(std::string("it cannot be opened or read (") + status.text() + ")",
+                  file.filename().string(),
+                  "close other programs, or raise the limit on open files (ulimit -n)");
 }
 
 }  // namespace angiomesh

@@ -6,6 +6,8 @@
 
 #include "io/memory_file.h"
 
+class OFCondition;
+
 namespace angiomesh {
 
 /// Where DCMTK is to read a DICOM file: the file itself or, where its data set is deflated, an
@@ -22,5 +24,9 @@ class DicomSource {
   std::filesystem::path path_;
   std::unique_ptr<MemoryFile> copy_;
 };
+
+/// Throws where DCMTK's status says that the file could not be opened, which says nothing of what
+/// is in it. @throws IoError
+void checkOpened(const std::filesystem::path& file, const OFCondition& status);
 
 }  // namespace angiomesh

@@ -9,13 +9,13 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <memory>
 #include <new>
 #include <system_error>
 
 #include "core/base/error.h"
 #include "io/files.h"
+#include "io/open_file.h"
 
 namespace angiomesh {
 namespace {
@@ -32,15 +32,14 @@ using GzFile = std::unique_ptr<gzFile_s, GzClose>;
 
 GzFile openGz(const fs::path& path) {
   GzFile file(gzopen(path.c_str(), "rb"));
-  if (!file)
-    throw IoError("cannot read the file (" + std::generic_category().message(errno) + ")",
-                  path.string(), "check the name and the permissions");
+  if (!file) throwNotOpened(path.string(), errno);
   gzbuffer(file.get(), 1U << 17U);
   return file;
 }
 
-std::string firstBytes(const fs::path& path, std::size_t count) {
+std::string firstBytes(const fs::path& path, std::size_t count, bool& gzip) {
   const GzFile file = openGz(path);
+  gzip = gzdirect(file.get()) == 0;
   std::string bytes(count, '\0');
   const int got = gzread(file.get(), bytes.data(), static_cast<unsigned>(count));
   int fault = Z_OK;
@@ -81,10 +80,8 @@ ImageFormat imageFormat(const fs::path& path) {
   if (!fs::is_regular_file(status)) throw IoError("not a regular file", path.string(), kFormats);
   if (fs::file_size(path, error) == 0)
     throw IoError("the file is empty", path.string(), kCopyAgain);
-  const std::string head = firstBytes(path, 4096);
-  std::array<unsigned char, 2> magic{};
-  std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(magic.data()), 2);
-  const bool gzip = magic[0] == 0x1f && magic[1] == 0x8b;
+  bool gzip = false;
+  const std::string head = firstBytes(path, 4096, gzip);
   if (gzip && head.empty()) throw IoError("the file is truncated", path.string(), kCopyAgain);
   const bool nrrd = head.starts_with("NRRD00");
   const bool dicom = isDicomHead(head);
@@ -114,10 +111,11 @@ std::string inSmall(std::string text) {
 }
 
 bool looksLikeDicom(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
+  const OpenFile file(path);
+  if (!file.isOpen()) throwNotOpened(path.filename().string(), file.error());
   std::string head(140, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  head.resize(file.readAt(0, head.data(), head.size()));
+  if (head.size() < 140 && errno != 0) throwNotOpened(path.filename().string(), errno);
   return isDicomHead(head);
 }
 

@@ -12,7 +12,8 @@ enum class ImageFormat { MetaImage, Nrrd, Nifti, Dicom };
 /// InputError (not an image that Angiomesh reads)
 ImageFormat imageFormat(const std::filesystem::path& path);
 
-/// True when the first bytes are those of a DICOM file; never throws for a file that is none.
+/// True when the first bytes are those of a DICOM file. @throws IoError (the file cannot be opened
+/// or read, which says nothing of what it is)
 bool looksLikeDicom(const std::filesystem::path& path);
 
 /// The letters A to Z as small ones: names of files and fields may be in capitals.

@@ -9,17 +9,20 @@
 #include <string>
 #include <string_view>
 
+#include "io/open_file.h"
+
 namespace angiomesh {
 
 /// A file that lives in memory, for libraries that take a path. It goes away with the object.
 class MemoryFile {
  public:
-  MemoryFile() : descriptor_(::memfd_create("angiomesh", MFD_CLOEXEC)) {}
+  /// @throws IoError (too many open files)
+  MemoryFile() : descriptor_(::memfd_create("angiomesh", MFD_CLOEXEC)) {
+    if (descriptor_ < 0) throwNotOpened("a file in memory", errno);
+  }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
+  ~MemoryFile() { ::close(descriptor_); }
 
   /// False when the memory is full.
   [[nodiscard]] bool append(std::string_view bytes) const {

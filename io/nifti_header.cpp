@@ -4,9 +4,9 @@
 #include <Eigen/Dense>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <memory>
 #include <numbers>
 #include <sstream>
@@ -15,6 +15,7 @@
 #include "io/files.h"
 #include "io/header_text.h"
 #include "io/image_header.h"
+#include "io/open_file.h"
 
 namespace angiomesh {
 namespace {
@@ -58,12 +59,13 @@ class Fields {
   bool swap_ = false;
 };
 
-Fields readFields(const fs::path& path) {
+Fields readFields(const fs::path& path, bool& deflated) {
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
   std::string bytes(kHeader, '\0');
-  if (!file ||
-      gzread(file.get(), bytes.data(), static_cast<unsigned>(kHeader)) != static_cast<int>(kHeader))
+  if (!file) throwNotOpened(path.string(), errno);
+  if (gzread(file.get(), bytes.data(), static_cast<unsigned>(kHeader)) != static_cast<int>(kHeader))
     throw IoError("the file is truncated", path.string(), kCopyAgain);
+  deflated = gzdirect(file.get()) == 0;
   return Fields(bytes);
 }
 
@@ -237,7 +239,8 @@ void takeSizes(const Fields& h, const fs::path& path, ImageHeader& header) {
 }  // namespace
 
 ImageHeader readNiftiHeader(const fs::path& path) {
-  const Fields h = readFields(path);
+  bool deflated = false;
+  const Fields h = readFields(path, deflated);
   if (!h.singleFile())
     throw InputError("a NIfTI header without its voxels, or an Analyze file", path.string(),
                      "convert the .hdr/.img pair to .nii");
@@ -262,9 +265,7 @@ ImageHeader readNiftiHeader(const fs::path& path) {
   }
   if (header.size.size() == 3) header.geometry = geometryOf(h, header, path, header.warnings);
 
-  std::array<unsigned char, 2> magic{};
-  std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(magic.data()), 2);
-  data.deflated = magic[0] == 0x1f && magic[1] == 0x8b;
+  data.deflated = deflated;
   VoxelPlace place;
   place.local = true;
   (data.deflated ? data.skipInflated : place.start) = static_cast<std::uintmax_t>(offset);

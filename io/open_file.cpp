@@ -6,11 +6,16 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <system_error>
+
+#include "core/base/error.h"
 
 namespace angiomesh {
 
 OpenFile::OpenFile(const std::filesystem::path& path)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (descriptor_ < 0) error_ = errno;
+}
 
 OpenFile::~OpenFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -33,6 +38,18 @@ std::size_t OpenFile::readAt(std::uintmax_t start, void* to, std::size_t bytes) 
   }
   errno = 0;
   return got;
+}
+
+void throwNotOpened(const std::string& where, int error) {
+  const char* advice = "check the medium";
+  if (error == EMFILE || error == ENFILE)
+    advice = "raise the limit on open files (ulimit -n), or close other programs";
+  else if (error == EACCES || error == EPERM)
+    advice = "check the permissions";
+  else if (error == ENOENT || error == ENOTDIR)
+    advice = "check the name";
+  throw IoError("it cannot be opened or read (" + std::generic_category().message(error) + ")",
+                where, advice);
 }
 
 }  // namespace angiomesh

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace angiomesh {
 
@@ -15,8 +16,10 @@ class OpenFile {
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
 
-  /// Else errno says why.
+  /// Else errno says why, and error().
   [[nodiscard]] bool isOpen() const { return descriptor_ >= 0; }
+  /// The errno of a failed opening.
+  [[nodiscard]] int error() const { return error_; }
   /// 0 when it cannot be told.
   [[nodiscard]] std::uintmax_t size() const;
   /// The number of bytes read: less than asked for at the end of the file, where errno is 0, and
@@ -25,6 +28,10 @@ class OpenFile {
 
  private:
   int descriptor_;
+  int error_ = 0;
 };
+
+/// That the system does not let a file or folder be opened or read, why, and what to do about it.
+[[noreturn]] void throwNotOpened(const std::string& where, int error);
 
 }  // namespace angiomesh

@@ -44,6 +44,64 @@ class TestDicomScan : public QObject {
     QVERIFY(screenWarnings(loaded.info).empty());
   }
 
+  void whatCannotBeOpenedIsNoReasonForFewerSlices() {
+    const Folder folder;
+    saveSeries(folder.path());
+    rlimit before{};
+    ::getrlimit(RLIMIT_NOFILE, &before);
+    int refused = 0;
+    for (rlim_t descriptors = 3; descriptors <= 20; ++descriptors) {
+      rlimit limit = before;
+      limit.rlim_cur = descriptors;
+      ::setrlimit(RLIMIT_NOFILE, &limit);
+      LoadedImage loaded;
+      const QString failure = messageOf([&] { loaded = readImage(folder.path()); });
+      ::setrlimit(RLIMIT_NOFILE, &before);
+      if (failure.isEmpty()) {
+        verifyVoxels(loaded.image, plain);
+      } else {
+        QVERIFY2(failure.contains("Too many open files"), qPrintable(failure));
+        ++refused;
+      }
+    }
+    QVERIFY(refused > 0);
+  }
+
+  void whatMayNotBeReadIsNamed() {
+    const Folder folder;
+    saveSeries(folder.path());
+    // Root may read everything: as nobody, who may come this far.
+    const bool root = ::geteuid() == 0;
+    fs::permissions(folder.path(), fs::perms::others_read | fs::perms::others_exec,
+                    fs::perm_options::add);
+    fs::create_directory(folder / "more");
+    for (const char* name : {"5.dcm", "more"}) {
+      const fs::perms perms = fs::status(folder / name).permissions();
+      fs::permissions(folder / name, fs::perms::none);
+      if (root) QCOMPARE(::seteuid(65534), 0);
+      const QString failure = messageOf([&] { readImage(folder.path()); });
+      if (root) QCOMPARE(::seteuid(0), 0);
+      fs::permissions(folder / name, perms);
+      QVERIFY2(failure.contains("Permission denied") && failure.contains(name),
+               qPrintable(failure));
+    }
+    verifyVoxels(readImage(folder.path()).image, plain);
+  }
+
+  void aLinkThatLeadsNowhereMayBeASlice() {
+    const Folder folder;
+    saveSeries(folder.path());
+    fs::create_symlink(folder / "gone", folder / "extra");
+    const QString message = refusal(folder.path());
+    QVERIFY2(message.contains("a link leads to no file") && message.contains("extra"),
+             qPrintable(message));
+    fs::remove(folder / "extra");
+    // In a folder without slices it was none.
+    fs::create_directory(folder / "notes");
+    fs::create_symlink(folder / "gone", folder / "notes/extra");
+    verifyVoxels(readImage(folder.path()).image, plain);
+  }
+
   void aDamagedFileConcernsItsOwnSeriesOnly() {
     const Folder folder;
     saveSeries(folder.path());
