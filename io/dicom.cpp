@@ -20,6 +20,15 @@ const char* const kChoose = "choose one with --series and its UID or the end of 
 /// Fewer slices are a localizer or a single picture, not a volume.
 constexpr std::size_t kLeastSlices = 3;
 
+[[noreturn]] void refuseWithoutImage(const fs::path& path) {
+  const std::string kind = kindWithoutImage(path);
+  if (kind == "MediaStorageDirectoryStorage")
+    throw InputError("a DICOMDIR, which lists the images of a medium and holds none", path.string(),
+                     "give the folder that it lies in");
+  throw InputError("the DICOM file holds no image" + (kind.empty() ? kind : ": it is " + kind),
+                   path.string(), "give a file with an image");
+}
+
 Stacks stacksOf(const fs::path& path, const Progress& progress, ScanDepth depth,
                 std::vector<std::string>& warnings) {
   Stacks stacks;
@@ -28,8 +37,7 @@ Stacks stacksOf(const fs::path& path, const Progress& progress, ScanDepth depth,
       stacks.push_back(std::make_shared<const DicomStack>(std::move(stack)));
   if (!stacks.empty()) return stacks;
   std::error_code error;
-  if (!fs::is_directory(path, error))
-    throw InputError("the DICOM file holds no image", path.string(), "give a file with an image");
+  if (!fs::is_directory(path, error)) refuseWithoutImage(path);
   throw InputError("there is no DICOM image in the folder or below it", path.string(),
                    "give the folder that holds the series");
 }
@@ -143,7 +151,10 @@ InputInfo infoOf(const DicomStack& stack, const StackGrid& grid) {
   if (stack.frames.empty()) return info;
   const DicomFrame& middle = stack.frames[stack.frames.size() / 2];
   const PixelLayout& layout = stack.fileOf(middle).layout;
-  info.pixelType = (layout.isSigned ? "int" : "uint") + std::to_string(layout.allocated);
+  info.pixelType = (layout.real       ? "float"
+                    : layout.isSigned ? "int"
+                                      : "uint") +
+                   std::to_string(layout.allocated);
   info.windows = middle.windows;
   if (middle.placed) info.orientation = orientationText(middle.alongRow, middle.alongColumn);
   return info;

@@ -33,8 +33,10 @@ bool isReadable(DcmItem& item, const DcmTagKey& tag) {
 std::optional<double> number(DcmItem& item, const DcmTagKey& tag, unsigned long index = 0) {
   Float64 value = 0.0;
   if (!isReadable(item, tag)) return std::nullopt;
-  if (item.findAndGetFloat64(tag, value, index).bad()) return std::nullopt;
-  return value;
+  if (item.findAndGetFloat64(tag, value, index).good()) return value;
+  Float32 single = 0.0F;
+  if (item.findAndGetFloat32(tag, single, index).bad()) return std::nullopt;
+  return static_cast<double>(single);
 }
 
 /// Printable ASCII only: descriptions come in many character sets.
@@ -193,6 +195,19 @@ PixelLayout layoutOf(DcmDataset& data) {
   layout.jpeg2000 = syntax == EXS_JPEG2000 || syntax == EXS_JPEG2000LosslessOnly ||
                     syntax == EXS_JPEG2000Multicomponent ||
                     syntax == EXS_JPEG2000MulticomponentLosslessOnly;
+  layout.real = !data.tagExists(DCM_PixelData) &&
+                (data.tagExists(DCM_FloatPixelData) || data.tagExists(DCM_DoubleFloatPixelData));
+  if (layout.real) {
+    layout.allocated = data.tagExists(DCM_FloatPixelData) ? 32 : 64;
+    const bool single = layout.allocated == 32;
+    const auto from =
+        number(data, single ? DCM_FloatPixelPaddingValue : DCM_DoubleFloatPixelPaddingValue);
+    const auto to = number(
+        data, single ? DCM_FloatPixelPaddingRangeLimit : DCM_DoubleFloatPixelPaddingRangeLimit);
+    if (from)
+      layout.padding = {std::min(*from, to.value_or(*from)), std::max(*from, to.value_or(*from))};
+    return layout;
+  }
   const std::string padding = text(data, DCM_PixelPaddingValue);
   if (!padding.empty()) {
     // Writers do not agree on whether it is signed: taken as the pixels are.
@@ -204,7 +219,8 @@ PixelLayout layoutOf(DcmDataset& data) {
     const int from = asPixels(padding);
     const std::string limit = text(data, DCM_PixelPaddingRangeLimit);
     const int to = limit.empty() ? from : asPixels(limit);
-    layout.padding = {std::min(from, to), std::max(from, to)};
+    layout.padding = {static_cast<double>(std::min(from, to)),
+                      static_cast<double>(std::max(from, to))};
   }
   return layout;
 }
@@ -287,9 +303,9 @@ std::string dateOf(DcmItem& data) {
 
 HeaderResult readDicomHeader(const fs::path& path, DicomSeries& series) {
   const char* const kTooDeep = "the DICOM header nests sequences more than a hundred deep";
-  if (nestsTooDeeply(path)) return {false, kTooDeep, false};
+  if (nestsTooDeeply(path)) return {false, kTooDeep, false, {}};
   const DicomSource source(path);
-  if (source.inflated() && nestsTooDeeply(source.path())) return {false, kTooDeep, false};
+  if (source.inflated() && nestsTooDeeply(source.path())) return {false, kTooDeep, false, {}};
   DcmFileFormat format;
   const OFCondition status =
       format.loadFileUntilTag(source.path().c_str(), EXS_Unknown, EGL_noChange, kLongestText,
@@ -304,21 +320,22 @@ HeaderResult readDicomHeader(const fs::path& path, DicomSeries& series) {
   DcmElement* last = data.card() > 0 ? data.getElement(data.card() - 1) : nullptr;
   const bool known = last != nullptr && DcmTagKey(DCM_SeriesInstanceUID) < last->getTag();
   if (status.bad())
-    return {false, std::string("the DICOM header is damaged (") + status.text() + ")", known};
+    return {false, std::string("the DICOM header is damaged (") + status.text() + ")", known, {}};
   DicomFile file = fileOf(data, path);
   file.layout.deflated = source.inflated();
   if (file.columns < 1 || file.rows < 1) {
     // An image whose header ends before it states its size was cut off between two elements.
     const std::string kind = text(*format.getMetaInfo(), DCM_MediaStorageSOPClassUID);
     if (dcmIsImageStorageSOPClassUID(kind.c_str()))
-      return {false, "the DICOM file is truncated", known};
-    return {};
+      return {false, "the DICOM file is truncated", known, {}};
+    const char* const name = dcmFindNameOfUID(kind.c_str());
+    return {false, {}, known, name != nullptr ? name : ""};
   }
   if (std::string damage = sizeDamage(file); !damage.empty())
-    return {false, std::move(damage), known};
+    return {false, std::move(damage), known, {}};
   addFrames(data, file, series);
   series.files.push_back(std::move(file));
-  return {true, {}, known};
+  return {true, {}, known, {}};
 }
 
 }  // namespace angiomesh

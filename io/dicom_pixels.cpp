@@ -215,8 +215,42 @@ void readJpeg2000(DcmDataset& data, const DicomFile& file, const std::vector<int
     sink.values(n, all.data() + static_cast<std::size_t>(frames[n]) * file.pixels());
 }
 
+/// Float and Double Float Pixel Data, which are never compressed.
+void readReal(const DicomFile& file, const std::vector<int>& frames, const FrameSink& sink) {
+  const DicomSource source(file.path);
+  DcmFileFormat format;
+  const OFCondition status = format.loadFile(source.path().c_str());
+  checkOpened(file.path, status);
+  if (status.bad()) damaged(file.path, status.text());
+  DcmDataset& data = *format.getDataset();
+  const bool single = file.layout.allocated == 32;
+  DcmElement* element = nullptr;
+  const DcmTagKey tag = single ? DCM_FloatPixelData : DCM_DoubleFloatPixelData;
+  const std::size_t wanted = frameBytes(file) * static_cast<std::size_t>(file.frames);
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(source.path(), error);
+  if (data.findAndGetElement(tag, element).bad() || element == nullptr)
+    damaged(file.path, "no pixel data");
+  if (element->getLengthField() > bytes) damaged(file.path, "they are longer than the file");
+  if (element->getLength() < wanted)
+    damaged(file.path,
+            std::to_string(element->getLength()) + " of " + std::to_string(wanted) + " bytes");
+  Float32* floats = nullptr;
+  Float64* doubles = nullptr;
+  if ((single ? element->getFloat32Array(floats) : element->getFloat64Array(doubles)).bad())
+    damaged(file.path, "no pixels");
+  std::vector<float> values(file.pixels());
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    const std::size_t first = static_cast<std::size_t>(frames[n]) * file.pixels();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = single ? floats[first + i] : static_cast<float>(doubles[first + i]);
+    sink.values(n, values.data());
+  }
+}
+
 void readFile(const DicomFile& file, const std::vector<int>& frames, const FrameSink& sink) {
   const int allocated = file.layout.allocated;
+  if (file.layout.real) return readReal(file, frames, sink);
   if (allocated != 8 && allocated != 16 && allocated != 32)
     throw InputError("BitsAllocated is not 8, 16 or 32", file.path.filename().string(),
                      "convert the series with another program");
@@ -240,7 +274,7 @@ void readFile(const DicomFile& file, const std::vector<int>& frames, const Frame
 
 struct Rescale {
   double slope, intercept;
-  std::optional<std::array<int, 2>> padding;
+  std::optional<std::array<double, 2>> padding;
 };
 
 /// What a conversion met beside plain values.
@@ -257,7 +291,7 @@ void rescale(const Value& valueAt, std::size_t count, const Rescale& how, float*
   if (!how.padding) return;
   const auto [from, until] = *how.padding;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto stored = static_cast<std::int64_t>(valueAt(i));
+    const auto stored = static_cast<double>(valueAt(i));
     if (stored >= from && stored <= until) {
       to[i] = std::numeric_limits<float>::quiet_NaN();
       ++padding.voxels;

@@ -152,6 +152,12 @@ std::vector<DicomSeries> scanFolder(const fs::path& folder, const Progress& prog
 
 }  // namespace
 
+std::string kindWithoutImage(const fs::path& path) {
+  prepareDcmtk();
+  DicomSeries none;
+  return readDicomHeader(path, none).kind;
+}
+
 std::vector<DicomSeries> scanDicom(const fs::path& path, const Progress& progress, ScanDepth depth,
                                    std::vector<std::string>& warnings) {
   prepareDcmtk();

@@ -24,7 +24,8 @@ struct PixelLayout {
   bool encapsulated = false;  ///< compressed
   bool jpeg2000 = false, rle = false;
   bool deflated = false;
-  std::optional<std::array<int, 2>> padding;  ///< stored values, from and to, that are no image
+  bool real = false;  ///< Float or Double Float Pixel Data: numbers of 32 or 64 bits
+  std::optional<std::array<double, 2>> padding;  ///< stored values, from and to, that are no image
 
   bool operator==(const PixelLayout&) const = default;
 };
@@ -105,6 +106,10 @@ struct StackGrid {
   [[nodiscard]] const Finding* refusal() const;
 };
 
+/// What a DICOM file is that holds no image: "a DICOMDIR", "EncapsulatedPDFStorage" ...; "" where
+/// it does not say. @throws IoError
+std::string kindWithoutImage(const std::filesystem::path& path);
+
 /// The series of a file, or of a folder and all below it, by UID. Reads headers only, in parallel.
 /// What is no DICOM image is left out; `warnings` tells of files whose name says that they should
 /// be.
@@ -116,6 +121,7 @@ struct HeaderResult {
   bool image = false;        ///< there was an image, or several
   std::string damage;        ///< what is wrong with the file, without its name; empty: nothing
   bool knowsSeries = false;  ///< the header was readable beyond the series' UID
+  std::string kind;          ///< of object, in DICOM's words, where there was no image
 };
 
 /// Reads the header of one file and adds its images to `series`, whose describing fields are set as

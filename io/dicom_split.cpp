@@ -35,19 +35,47 @@ bool sameSpacing(const DicomFrame& a, const DicomFrame& b) {
          std::fabs(a.spacingY / b.spacingY - 1.0) <= kSameSpacing;
 }
 
-/// Files that are there twice, by their instance UID, are used once.
+/// Whether two files of one instance UID are one image that is there twice: writers of research
+/// data give all slices the same one.
+bool isCopyOf(const DicomFrame& a, const DicomFrame& b) {
+  if (a.placed != b.placed) return false;
+  if (a.placed && ((a.position - b.position).norm() > kSamePlaceMm || !sameDirection(a, b)))
+    return false;
+  return a.instanceNumber == b.instanceNumber && a.split == b.split;
+}
+
+/// Files that are there twice, by their instance UID and their place, are used once.
 void dropCopies(DicomSeries& series) {
-  std::map<std::string, std::size_t> first;
+  std::vector<const DicomFrame*> frameOf(series.files.size(), nullptr);
+  for (const DicomFrame& frame : series.frames)
+    if (frameOf[frame.file] == nullptr) frameOf[frame.file] = &frame;
+  std::map<std::string, std::vector<std::size_t>> kept;
   std::vector<bool> isCopy(series.files.size(), false);
   Finding finding{FindingKind::RepeatedFile, false, {}, {}, {}};
-  std::size_t copies = 0;
+  std::size_t copies = 0, sameUid = 0;
   for (std::size_t i = 0; i < series.files.size(); ++i) {
     const std::string& uid = series.files[i].instanceUid;
-    if (uid.empty() || first.emplace(uid, i).second) continue;
-    isCopy[i] = true;
+    if (uid.empty() || frameOf[i] == nullptr) continue;
+    std::vector<std::size_t>& others = kept[uid];
+    isCopy[i] = std::any_of(others.begin(), others.end(), [&](std::size_t other) {
+      return isCopyOf(*frameOf[i], *frameOf[other]);
+    });
+    if (!isCopy[i]) {
+      sameUid += others.empty() ? 0 : 1;
+      others.push_back(i);
+      continue;
+    }
     if (++copies <= 3)
       finding.names += (copies > 1 ? ", " : "") + series.files[i].path.filename().string();
   }
+  if (sameUid > 0)
+    series.findings.push_back({FindingKind::RepeatedUid,
+                               false,
+                               std::to_string(sameUid) +
+                                   " images have the instance UID of another one, which lies "
+                                   "elsewhere: all are used, by their positions",
+                               {},
+                               {}});
   if (copies == 0) return;
   series.frames.erase(std::remove_if(series.frames.begin(), series.frames.end(),
                                      [&](const DicomFrame& frame) { return isCopy[frame.file]; }),
@@ -66,6 +94,30 @@ struct Group {
 struct Differences {
   bool size = false, direction = false, spacing = false, placed = false, reference = false;
 };
+
+/// Frames of reference that differ belong to volumes of their own where each has slices of its own.
+/// Where a slice stands alone in its frame, as some archives leave it, or names none, the frames
+/// say nothing: they are forgotten, with a note.
+void forgetStrayReferences(DicomSeries& series) {
+  std::map<std::string, std::size_t> counts;
+  for (const DicomFrame& frame : series.frames) ++counts[frame.frameOfReference];
+  const auto several = std::count_if(counts.begin(), counts.end(), [](const auto& one) {
+    return !one.first.empty() && one.second > 1;
+  });
+  if (counts.size() < 2 || several > 1) return;
+  for (DicomFrame& frame : series.frames) frame.frameOfReference.clear();
+  const std::size_t named = counts.size() - counts.count("");
+  const std::string what = counts.count("") == 0
+                               ? std::to_string(named) + " frames of reference"
+                               : std::to_string(counts[""]) + " images state no frame of reference";
+  series.findings.push_back(
+      {FindingKind::MixedReference,
+       false,
+       (counts.count("") == 0 ? "the images of the series state " + what : what) +
+           ": they are taken as one volume, by their positions",
+       {},
+       {}});
+}
 
 std::vector<Group> groupAlike(const DicomSeries& series, Differences& differences) {
   std::vector<Group> groups;
@@ -286,6 +338,7 @@ DicomStack stackOf(const DicomSeries& series, Group group) {
 std::vector<DicomStack> splitSeries(DicomSeries series) {
   dropCopies(series);
   if (series.frames.empty()) return {stackOf(series, {})};
+  forgetStrayReferences(series);
   Differences differences;
   std::vector<Group> groups = groupAlike(series, differences);
   labelGroups(groups, series, differences);

@@ -17,6 +17,10 @@ std::string findingWord(FindingKind kind) {
       return "mixed-size";
     case FindingKind::MixedSpacing:
       return "mixed-spacing";
+    case FindingKind::MixedReference:
+      return "mixed-reference";
+    case FindingKind::RepeatedUid:
+      return "repeated-uid";
     case FindingKind::GantryTilt:
       return "gantry-tilt";
     case FindingKind::ShiftedSlices:

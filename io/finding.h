@@ -15,6 +15,8 @@ enum class FindingKind {
   MixedOrientation,
   MixedSize,
   MixedSpacing,
+  MixedReference,
+  RepeatedUid,
   GantryTilt,
   ShiftedSlices,
   NoPosition,
