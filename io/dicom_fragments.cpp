@@ -146,13 +146,8 @@ std::string jpegDamage(const Bytes& head, const DicomFile& file) {
 std::string jpeg2000Damage(const Bytes& head, const DicomFile& file, std::uint64_t fileBytes,
                            std::uint64_t& sample) {
   const std::size_t start = codestreamStart(head);
-  if (start == std::string::npos || !hasWholeHead(head, start)) {
-    // One frame may be cut into several fragments.
-    const bool first = sample == 0;
-    return first || start != std::string::npos || file.frames > 1
-               ? "the head of a JPEG 2000 picture"
-               : "";
-  }
+  if (start == std::string::npos || !hasWholeHead(head, start))
+    return "the head of a JPEG 2000 picture";
   const CodedPicture picture = jpeg2000Picture(head, start + 2);
   if (picture.width != static_cast<std::uint64_t>(file.columns) ||
       picture.height != static_cast<std::uint64_t>(file.rows))
@@ -176,33 +171,98 @@ bool readHead(DcmPixelItem& item, std::uint64_t most, std::vector<unsigned char>
   return item.getPartialValue(bytes.data(), 0, static_cast<Uint32>(bytes.size())).good();
 }
 
+/// Of RLE and JPEG 2000.
+std::string streamsDamage(DcmPixelSequence& fragments, const DicomFile& file,
+                          std::uint64_t fileBytes) {
+  const auto streams = frameStreams(fragments, file);
+  if (streams.empty()) return "it is not clear which of its fragments belong to which frame";
+  std::uint64_t sample = 0;
+  for (const std::vector<unsigned char>& stream : streams) {
+    if (stream.empty()) return "a fragment is empty";
+    if (!file.layout.jpeg2000) continue;
+    const std::vector<unsigned char> begin(
+        stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(
+                                             std::min<std::size_t>(stream.size(), kJpeg2000Head)));
+    std::string damage = jpeg2000Damage(Bytes(begin), file, fileBytes, sample);
+    if (!damage.empty()) return damage;
+  }
+  return {};
+}
+
 std::string fragmentsDamage(DcmPixelSequence& fragments, const DicomFile& file,
                             std::uint64_t fileBytes) {
-  const bool jpeg2000 = file.layout.jpeg2000;
-  const unsigned long count = fragments.card();
-  const auto frames = static_cast<unsigned long>(file.frames);
-  // GDCM ends the program where frames and fragments do not match. RLE has one for each frame.
-  if ((jpeg2000 || file.layout.rle) && (frames > 1 ? count != frames + 1 : count < 2))
-    return "its fragments are not one for each frame";
-  std::uint64_t total = 0, sample = 0;
-  for (unsigned long i = 0; i < count; ++i) {
+  std::uint64_t total = 0;
+  for (unsigned long i = 0; i < fragments.card(); ++i) {
     DcmPixelItem* item = nullptr;
     if (fragments.getItem(item, i).bad() || item == nullptr) return "a fragment is missing";
     const std::uint64_t length = item->getLengthField();
     total += length;
     if (total > fileBytes) return "its fragments are longer than the file";
-    if (i == 0) continue;  // the table of the others
-    if (length == 0 && jpeg2000) return "a fragment is empty";
-    if (length == 0) continue;
+  }
+  if (file.layout.jpeg2000 || file.layout.rle) return streamsDamage(fragments, file, fileBytes);
+  for (unsigned long i = 1; i < fragments.card(); ++i) {
+    DcmPixelItem* item = nullptr;
     std::vector<unsigned char> bytes;
-    if (!readHead(*item, jpeg2000 ? kJpeg2000Head : kHead, bytes))
+    if (fragments.getItem(item, i).bad() || !readHead(*item, kHead, bytes))
       return "a fragment cannot be read";
-    const Bytes head(bytes);
-    std::string damage =
-        jpeg2000 ? jpeg2000Damage(head, file, fileBytes, sample) : jpegDamage(head, file);
+    if (bytes.empty()) continue;
+    std::string damage = jpegDamage(Bytes(bytes), file);
     if (!damage.empty()) return damage;
   }
   return {};
+}
+
+/// Whether a fragment begins a frame: an RLE head states its segments and where the first one is, a
+/// JPEG 2000 codestream or JP2 file has a signature.
+bool beginsFrame(const std::vector<unsigned char>& bytes, const DicomFile& file) {
+  const Bytes head(bytes);
+  if (file.layout.jpeg2000)
+    return head.at(0, 4) == 0xff4fff51 || head.at(4, 4) == 0x6a502020;  // SOC and SIZ, "jP  "
+  const auto segments = static_cast<std::uint64_t>(std::max(file.layout.allocated / 8, 1));
+  return bytes.size() >= 64 && head.at(0, 4) == segments << 24U && head.at(4, 4) == 64U << 24U;
+}
+
+/// The numbers of the fragments with which frames begin, by the table of offsets; empty without
+/// one.
+std::vector<unsigned long> startsByTable(DcmPixelSequence& fragments) {
+  DcmPixelItem* table = nullptr;
+  std::vector<unsigned char> bytes;
+  if (fragments.getItem(table, 0).bad() || !readHead(*table, kJpeg2000Head, bytes)) return {};
+  std::vector<unsigned long> starts;
+  std::uint64_t at = 0;
+  for (unsigned long i = 1; i < fragments.card() && 4 * starts.size() + 4 <= bytes.size(); ++i) {
+    const std::size_t entry = 4 * starts.size();
+    std::uint64_t offset = 0;
+    for (std::size_t b = 4; b-- > 0;) offset = offset << 8U | bytes[entry + b];
+    if (offset == at) starts.push_back(i);
+    DcmPixelItem* item = nullptr;
+    if (fragments.getItem(item, i).bad()) return {};
+    at += 8 + item->getLengthField();  // behind its tag and length
+  }
+  return starts;
+}
+
+/// The same, whatever says it; empty where nothing does.
+std::vector<unsigned long> frameStarts(DcmPixelSequence& fragments, const DicomFile& file) {
+  const unsigned long count = fragments.card();
+  const auto frames = static_cast<std::size_t>(file.frames);
+  if (count < 2) return {};
+  if (frames == 1) return {1};
+  std::vector<unsigned long> starts;
+  if (count == frames + 1) {
+    for (unsigned long i = 1; i < count; ++i) starts.push_back(i);
+    return starts;
+  }
+  starts = startsByTable(fragments);
+  if (starts.size() == frames) return starts;
+  starts.clear();
+  for (unsigned long i = 1; i < count; ++i) {
+    DcmPixelItem* item = nullptr;
+    std::vector<unsigned char> bytes;
+    if (fragments.getItem(item, i).bad() || !readHead(*item, 64, bytes)) return {};
+    if (beginsFrame(bytes, file)) starts.push_back(i);
+  }
+  return starts.size() == frames && starts.front() == 1 ? starts : std::vector<unsigned long>{};
 }
 
 }  // namespace
@@ -218,6 +278,23 @@ DcmPixelSequence* fragmentsOf(DcmDataset& data) {
   DcmPixelSequence* fragments = nullptr;
   return pixels->getEncapsulatedRepresentation(syntax, parameter, fragments).good() ? fragments
                                                                                     : nullptr;
+}
+
+std::vector<std::vector<unsigned char>> frameStreams(DcmPixelSequence& fragments,
+                                                     const DicomFile& file) {
+  const std::vector<unsigned long> starts = frameStarts(fragments, file);
+  std::vector<std::vector<unsigned char>> streams(starts.size());
+  for (std::size_t n = 0; n < starts.size(); ++n) {
+    const unsigned long end = n + 1 < starts.size() ? starts[n + 1] : fragments.card();
+    for (unsigned long i = starts[n]; i < end; ++i) {
+      DcmPixelItem* item = nullptr;
+      std::vector<unsigned char> bytes;
+      constexpr std::uint64_t kAll = 0xffffffffU;
+      if (fragments.getItem(item, i).bad() || !readHead(*item, kAll, bytes)) return {};
+      streams[n].insert(streams[n].end(), bytes.begin(), bytes.end());
+    }
+  }
+  return streams;
 }
 
 Jpeg2000Sample jpeg2000Sample(DcmDataset& data) {

@@ -161,19 +161,34 @@ void readWhole(DcmDataset& data, const DicomFile& file, const std::vector<int>& 
 void readRle(DcmDataset& data, const DicomFile& file, const std::vector<int>& frames,
              const FrameSink& sink) {
   DcmPixelSequence* fragments = fragmentsOf(data);
-  std::vector<unsigned char> packed, words(frameBytes(file));
+  if (fragments == nullptr) damaged(file.path, "no pixel data");
+  const auto streams = frameStreams(*fragments, file);
+  std::vector<unsigned char> words(frameBytes(file));
   for (std::size_t n = 0; n < frames.size(); ++n) {
-    DcmPixelItem* item = nullptr;
-    const std::string frame = "frame " + std::to_string(frames[n] + 1);
-    if (fragments == nullptr ||
-        fragments->getItem(item, static_cast<unsigned long>(frames[n]) + 1).bad())
-      damaged(file.path, frame);
-    packed.resize(item->getLengthField());
-    if (item->getPartialValue(packed.data(), 0, static_cast<Uint32>(packed.size())).bad() ||
-        !unpackRle(packed, file.pixels(), words.size() / file.pixels(), words.data()))
-      damaged(file.path, frame);
+    const auto frame = static_cast<std::size_t>(frames[n]);
+    if (frame >= streams.size() ||
+        !unpackRle(streams[frame], file.pixels(), words.size() / file.pixels(), words.data()))
+      damaged(file.path, "frame " + std::to_string(frames[n] + 1));
     sink.words(n, words.data());
   }
+}
+
+/// The same fragments, one for each frame: GDCM ends the program where their numbers differ.
+void insertStreams(DcmDataset& from, const DicomFile& file, DcmDataset& to) {
+  DcmPixelSequence* fragments = fragmentsOf(from);
+  if (fragments == nullptr) damaged(file.path, "no pixel data");
+  auto* pixels = new DcmPixelData(DCM_PixelData);
+  auto* sequence = new DcmPixelSequence(DCM_PixelSequenceTag);
+  sequence->insert(new DcmPixelItem(DCM_PixelItemTag));  // a table without entries
+  for (const std::vector<unsigned char>& stream : frameStreams(*fragments, file)) {
+    std::vector<unsigned char> even = stream;
+    if (even.size() % 2 != 0) even.push_back(0);
+    auto* item = new DcmPixelItem(DCM_PixelItemTag);
+    item->putUint8Array(even.data(), static_cast<unsigned long>(even.size()));
+    sequence->insert(item);
+  }
+  pixels->putOriginalRepresentation(from.getOriginalXfer(), nullptr, sequence);
+  to.insert(pixels, true);
 }
 
 /// GDCM makes room for whatever lengths the elements of a file state, and ends the program where an
@@ -197,7 +212,7 @@ void readJpeg2000(DcmDataset& data, const DicomFile& file, const std::vector<int
         {DCM_HighBit, sample.bits - 1},
         {DCM_PixelRepresentation, sample.isSigned ? 1 : 0}})
     copy.putAndInsertUint16(tag, static_cast<Uint16>(value));
-  data.findAndInsertCopyOfElement(DCM_PixelData, &copy);
+  insertStreams(data, file, copy);
   const MemoryFile memory;
   const OFCondition status = lean.saveFile(memory.path().c_str(), data.getOriginalXfer());
   if (status.bad()) damaged(file.path, status.text());

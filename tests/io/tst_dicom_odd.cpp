@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // DICOM that archives, research programs and other objects than scanners' images bring along.
-#include "tests/io/dicom_writer.h"
+#include <dcmtk/dcmdata/dcpixel.h>
+#include <dcmtk/dcmdata/dcpixseq.h>
+#include <dcmtk/dcmdata/dcpxitem.h>
+
+#include "tests/io/jpeg2000_writer.h"
 
 using namespace angiomesh;
 using namespace angiomesh::test;
@@ -36,6 +40,48 @@ void makeReal(const fs::path& path, double nothing) {
     element->putFloat64Array(numbers.data(), count);
   }
   QVERIFY(format.saveFile(path.c_str(), EXS_LittleEndianExplicit).good());
+}
+
+/// Cuts each compressed frame of a file into three fragments, the first of 70 bytes.
+void cutFragments(const fs::path& path, bool withTable) {
+  DcmFileFormat format;
+  QVERIFY(format.loadFile(path.c_str()).good() && format.loadAllDataIntoMemory().good());
+  DcmDataset& data = *format.getDataset();
+  const E_TransferSyntax syntax = data.getOriginalXfer();
+  DcmElement* element = nullptr;
+  data.findAndGetElement(DCM_PixelData, element);
+  DcmPixelSequence* whole = nullptr;
+  QVERIFY(dynamic_cast<DcmPixelData*>(element)
+              ->getEncapsulatedRepresentation(syntax, nullptr, whole)
+              .good());
+  auto* cut = new DcmPixelSequence(DCM_PixelSequenceTag);
+  auto* table = new DcmPixelItem(DCM_PixelItemTag);
+  cut->insert(table);
+  std::vector<Uint32> offsets;
+  Uint32 at = 0;
+  for (unsigned long i = 1; i < whole->card(); ++i) {
+    DcmPixelItem* item = nullptr;
+    whole->getItem(item, i);
+    Uint8* bytes = nullptr;
+    item->getUint8Array(bytes);
+    const std::vector<Uint8> all(bytes, bytes + item->getLength());
+    offsets.push_back(at);
+    const std::size_t half = 70 + (all.size() - 70) / 4 * 2;
+    for (const auto& [from, to] :
+         {std::pair<std::size_t, std::size_t>{0, 70}, {70, half}, {half, all.size()}}) {
+      auto* part = new DcmPixelItem(DCM_PixelItemTag);
+      part->putUint8Array(all.data() + from, static_cast<unsigned long>(to - from));
+      cut->insert(part);
+      at += static_cast<Uint32>(8 + to - from);
+    }
+  }
+  if (withTable)
+    table->putUint8Array(reinterpret_cast<const Uint8*>(offsets.data()),
+                         static_cast<unsigned long>(4 * offsets.size()));
+  auto* pixels = new DcmPixelData(DCM_PixelData);
+  pixels->putOriginalRepresentation(syntax, nullptr, cut);
+  data.insert(pixels, true);
+  QVERIFY(format.saveFile(path.c_str(), syntax).good());
 }
 
 }  // namespace
@@ -123,6 +169,31 @@ class TestDicomOdd : public QObject {
     const std::string whole = bytesOf(folder / "5.dcm");
     save(folder / "5.dcm", whole.substr(0, whole.size() - 40));
     QVERIFY(refusal(folder.path()).startsWith("Io: "));
+  }
+
+  void framesMayBeCutIntoFragments_data() {
+    QTest::addColumn<bool>("rle");
+    QTest::addColumn<bool>("table");
+    QTest::newRow("RLE") << true << false;
+    QTest::newRow("RLE with a table") << true << true;
+    QTest::newRow("JPEG 2000") << false << false;
+    QTest::newRow("JPEG 2000 with a table") << false << true;
+  }
+  void framesMayBeCutIntoFragments() {
+    QFETCH(bool, rle);
+    QFETCH(bool, table);
+    const E_TransferSyntax syntax = rle ? EXS_RLELossless : EXS_LittleEndianExplicit;
+    const Folder single, several;
+    saveSeries(single.path(), {}, syntax);
+    saveEnhanced(several / "e", {4, 1, 0, 5, 3, 2}, true, syntax);
+    for (const Folder* folder : {&single, &several})
+      for (const auto& entry : fs::directory_iterator(folder->path())) {
+        if (!rle) toJpeg2000(entry.path());
+        cutFragments(entry.path(), table);
+      }
+    verifyVoxels(readImage(single.path()).image, plain);
+    verifyVoxels(readImage(several.path()).image,
+                 [](int stored, int) { return static_cast<float>(0.5 * stored - 7.0); });
   }
 
   void objectsWithoutImagesSayWhatTheyAre() {
