@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/dicom_series.h"
+#include "io/geometry_check.h"
 #include "io/slice_orientation.h"
 
 namespace angiomesh {
@@ -246,6 +247,8 @@ LoadedImage readDicom(const fs::path& path, const ReadOptions& options, const Pr
   const Stacks all = stacksOf(path, progress.sub(0.0, 0.3), ScanDepth::AllBelow, warnings);
   const auto stack = choose(all, options.series, path, warnings);
   LoadedImage loaded = readDicomStack(stack, options.evenOut, path, progress.sub(0.3, 0.9));
+  for (std::string& warning : checkGeometry(loaded.image.geometry))
+    warnings.push_back(std::move(warning));
   loaded.info.warnings.insert(loaded.info.warnings.begin(), warnings.begin(), warnings.end());
   return loaded;
 }
@@ -272,6 +275,9 @@ std::vector<ImageSummary> describeDicom(const fs::path& path, const Progress& pr
     summary.geometry = grid.geometry;
     summary.info = infoOf(*stack, grid);
     summary.info.warnings = common;
+    if (grid.refusal() == nullptr)
+      for (std::string& warning : checkGeometry(summary.geometry))
+        summary.info.warnings.push_back(std::move(warning));
     summary.stack = stack;
     summaries.push_back(std::move(summary));
   }

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "io/dicom.h"
+#include "io/geometry_check.h"
 #include "io/header_text.h"
 #include "io/image_header.h"
 #include "io/itk_image.h"
@@ -96,6 +97,8 @@ OpenImage openImage(const fs::path& path, const std::string& seriesUid,
   image.info.pixelType = voxelTypeName(header.data.type);
   image.info.modality = header.modality;
   image.info.warnings = header.warnings;
+  for (std::string& warning : checkGeometry(image.geometry))
+    image.info.warnings.push_back(std::move(warning));
   return image;
 }
 

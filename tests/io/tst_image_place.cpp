@@ -23,6 +23,13 @@ std::string nrrd(const std::string& fields) {
          voxels();
 }
 
+/// Without those of unlikely sizes, which follow from the units in a test.
+QString withoutSizes(const QString& warnings) {
+  QStringList lines = warnings.split('\n');
+  lines.removeIf([](const QString& line) { return line.contains("none of a scan of vessels"); });
+  return lines.join('\n');
+}
+
 struct Read {
   Geometry geometry;
   QString warnings;
@@ -137,9 +144,9 @@ class TestImagePlace : public QObject {
     QVERIFY(std::fabs(got.geometry.spacing.z() - 0.8 * z) < 1e-9);
     QVERIFY(std::fabs(got.geometry.origin.x() - 10.0 * x) < 1e-9);
     QVERIFY(std::fabs(got.geometry.origin.z() - 30.0 * z) < 1e-9);
-    QCOMPARE(got.warnings.isEmpty(), warning.isEmpty());
+    QCOMPARE(withoutSizes(got.warnings).isEmpty(), warning.isEmpty());
     QVERIFY2(got.warnings.contains(warning), qPrintable(got.warnings));
-    QCOMPARE(got.warnings.count('\n'), warning.isEmpty() ? 0 : 1);
+    QCOMPARE(withoutSizes(got.warnings).count('\n'), warning.isEmpty() ? 0 : 1);
   }
 
   void unitsBelongToTheAxesOfASlantedSpace() {
@@ -312,6 +319,41 @@ class TestImagePlace : public QObject {
     QVERIFY_EXCEPTION_THROWN(readImage(f / "v.nii", options), InputError);
   }
 
+  void placesThatNoScanHasAreSaid_data() {
+    QTest::addColumn<QString>("spacing");
+    QTest::addColumn<QString>("matrix");
+    QTest::addColumn<QString>("warning");
+    const QString unit = "1 0 0 0 1 0 0 0 1";
+    QTest::newRow("plain") << "0.5 0.5 1" << unit << "";
+    QTest::newRow("three digits") << "0.5 0.5 1"
+                                  << "0.866 0.5 0 -0.5 0.866 0 0 0 1"
+                                  << "";
+    QTest::newRow("twice") << "0.5 0.5 1"
+                           << "2 0 0 0 2 0 0 0 2"
+                           << "length 1 but 2 x 2 x 2";
+    QTest::newRow("skewed") << "0.5 0.5 1"
+                            << "1 0 0 0.0871557 0.9961947 0 0 0 1"
+                            << "by 5 degrees";
+    QTest::newRow("micrometres") << "0.004 0.004 0.004" << unit << "0.004 x 0.004 x 0.004 mm";
+    QTest::newRow("large voxels") << "500 500 500" << unit << "500 x 500 x 500 mm";
+    QTest::newRow("metres") << "0.0005 0.0005 0.001" << unit << "in millimetres?";
+    QTest::newRow("small box") << "0.02 0.02 0.02" << unit << "a volume of";
+  }
+  void placesThatNoScanHasAreSaid() {
+    QFETCH(QString, spacing);
+    QFETCH(QString, matrix);
+    QFETCH(QString, warning);
+    const Read got =
+        read("v.mha", "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = " +
+                          spacing.toStdString() + "\nTransformMatrix = " + matrix.toStdString() +
+                          "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + voxels());
+    QCOMPARE(got.error, QString());
+    QCOMPARE(got.warnings.isEmpty(), warning.isEmpty());
+    QVERIFY2(got.warnings.contains(warning), qPrintable(got.warnings));
+    if (QTest::currentDataTag() == QString("twice"))
+      QVERIFY(lies(got.geometry, {1, 1, 2}, {0, 0, 0}, {1, 1, 1}));
+  }
+
   void metaImagesHaveUnitsToo() {
     const auto meta = [](const std::string& line) {
       return "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\nOffset = 4 5 "
@@ -327,7 +369,7 @@ class TestImagePlace : public QObject {
       QVERIFY2(lies(got.geometry, scale * Eigen::Vector3d(1, 2, 3),
                     scale * Eigen::Vector3d(4, 5, 6), {1, 1, 1}),
                line.c_str());
-      QCOMPARE(got.warnings, QString());
+      QCOMPARE(withoutSizes(got.warnings), QString());
     }
     const Read got = read("v.mha", meta("DistanceUnits = ell\n"));
     QVERIFY(got.warnings.contains("'ell'"));

@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -63,6 +64,14 @@ double niftiTolerance(const Geometry& g) {
   return 4.0 * 6e-8 * (g.origin.norm() + sides.norm());
 }
 
+/// The geometries here are of any size and angle.
+bool onlyOfGeometry(const std::vector<std::string>& warnings) {
+  return std::all_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("none of a scan of vessels") != std::string::npos ||
+           warning.find("right angles") != std::string::npos;
+  });
+}
+
 template <class T>
 void verifyRoundTrips(std::mt19937& random) {
   const Folder folder;
@@ -72,7 +81,7 @@ void verifyRoundTrips(std::mt19937& random) {
     writeVolume(before, path);
     const NativeImage after = readNative(path);
     QCOMPARE(after.info.pixelType, voxelTypeName(voxelTypeOf(before)));
-    QVERIFY2(after.info.warnings.empty(), extension);
+    QVERIFY2(onlyOfGeometry(after.info.warnings), extension);
     QVERIFY2(std::get<Volume<T>>(after.volume).voxels == std::get<Volume<T>>(before).voxels,
              extension);
     const Geometry &g = geometryOf(before), &h = geometryOf(after.volume);
