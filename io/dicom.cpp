@@ -75,6 +75,9 @@ std::string listOf(const Stacks& all) {
 
 /// Slices that ought to be a volume, whatever may be wrong with them.
 bool isVolume(const DicomStack& stack) {
+  if (std::any_of(stack.findings.begin(), stack.findings.end(),
+                  [](const Finding& finding) { return finding.kind == FindingKind::Segmentation; }))
+    return false;
   if (stack.frames.empty()) return true;  // a damaged series: nobody knows
   const DicomFrame& first = stack.frames.front();
   return stack.frames.size() >= kLeastSlices && first.placed && stack.fileOf(first).samples == 1;
@@ -107,7 +110,8 @@ Stacks stacksOf(const std::vector<ImageSummary>& entries) {
 
 std::string textOfLeftOut(const Stacks& all) {
   return "of " + std::to_string(all.size()) + seriesWord(all) + " all but one hold fewer than " +
-         std::to_string(kLeastSlices) + " slices with a position and were left out";
+         std::to_string(kLeastSlices) +
+         " slices with a position, or segmentations, and were left out";
 }
 
 std::shared_ptr<const DicomStack> chooseAlone(const Stacks& all, const fs::path& path,
@@ -174,6 +178,8 @@ std::string adviceFor(FindingKind kind) {
       return "give the folder that holds the whole series";
     case FindingKind::DamagedFile:
       return "copy the file again, or take it out of the folder";
+    case FindingKind::Segmentation:
+      return "name the file of the segmentation instead of its folder";
     case FindingKind::ColourImage:
       return "give a series with one value per pixel";
     default:

@@ -168,6 +168,11 @@ DicomFrame readFrameOf(const Places& from) {
     frame.spacingX = x.value_or(1.0);
     frame.spacingY = y.value_or(1.0);
   }
+  if (measures != nullptr)
+    frame.stepMm = number(*measures, DCM_SpacingBetweenSlices)
+                       .value_or(number(*measures, DCM_SliceThickness).value_or(0.0));
+  if (DcmItem* segment = from.macro(DCM_SegmentIdentificationSequence))
+    frame.segment = integer(*segment, DCM_ReferencedSegmentNumber, 0);
   if (DcmItem* transform = from.macro(DCM_PixelValueTransformationSequence)) {
     frame.slope = number(*transform, DCM_RescaleSlope).value_or(1.0);
     frame.intercept = number(*transform, DCM_RescaleIntercept).value_or(0.0);
@@ -246,7 +251,7 @@ std::string sizeDamage(const DicomFile& file) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(file.path, error);
   const auto has = static_cast<double>(error ? 0 : bytes);
-  const double each = std::max(file.layout.allocated / 8, 1) * std::max(file.samples, 1);
+  const double each = std::max(file.layout.allocated, 1) / 8.0 * std::max(file.samples, 1);
   const double wanted = static_cast<double>(file.pixels()) * each * file.frames;
   const bool packed = file.layout.encapsulated || file.layout.deflated;
   if (wanted <= (packed ? has * kLargestExpansion : has) && file.frames <= has) return {};
@@ -286,6 +291,21 @@ void addFrames(DcmDataset& data, const DicomFile& file, DicomSeries& series) {
     frame.index = f;
     series.frames.push_back(std::move(frame));
   }
+}
+
+/// Of a segmentation (PS3.3 C.8.20); nothing of another object.
+void readSegmentsOf(DcmDataset& data, DicomSeries& series) {
+  if (text(data, DCM_SOPClassUID) != UID_SegmentationStorage) return;
+  constexpr unsigned long kMostSegments = 4096;
+  for (unsigned long n = 0; n < kMostSegments; ++n) {
+    DcmItem* item = nullptr;
+    if (data.findAndGetSequenceItem(DCM_SegmentSequence, item, static_cast<long>(n)).bad()) break;
+    series.segments.push_back({word(*item, DCM_SegmentNumber, static_cast<int>(n) + 1),
+                               text(*item, DCM_SegmentLabel).substr(0, 64)});
+  }
+  if (series.segments.empty()) series.segments.push_back({1, {}});
+  if (text(data, DCM_SegmentationType) == "FRACTIONAL")
+    series.mostFraction = std::max(word(data, DCM_MaximumFractionalValue, 255), 1);
 }
 
 std::string dateOf(DcmItem& data) {
@@ -333,6 +353,7 @@ HeaderResult readDicomHeader(const fs::path& path, DicomSeries& series) {
   }
   if (std::string damage = sizeDamage(file); !damage.empty())
     return {false, std::move(damage), known, {}};
+  readSegmentsOf(data, series);
   addFrames(data, file, series);
   series.files.push_back(std::move(file));
   return {true, {}, known, {}};

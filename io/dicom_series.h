@@ -63,10 +63,18 @@ struct DicomFrame {
   Eigen::Vector3d alongRow = Eigen::Vector3d::UnitX();
   Eigen::Vector3d alongColumn = Eigen::Vector3d::UnitY();
   double spacingX = 1.0, spacingY = 1.0;  ///< mm between columns and between rows
+  double stepMm = 0.0;                    ///< between slices, or their thickness; 0: not stated
+  int segment = 0;                        ///< of a segmentation: whose voxels these are
   double slope = 1.0, intercept = 0.0;
   std::string frameOfReference;
   std::array<std::string, kSplitNames.size()> split;
   std::vector<DisplayWindow> windows;
+};
+
+/// A segment of a DICOM segmentation.
+struct DicomSegment {
+  int number = 0;
+  std::string label;
 };
 
 /// The files of one series as they were found.
@@ -75,6 +83,9 @@ struct DicomSeries {
   std::vector<DicomFile> files;
   std::vector<DicomFrame> frames;  ///< in the order of the files' names
   std::vector<Finding> findings;   ///< of the files
+  // Of a segmentation alone:
+  std::vector<DicomSegment> segments;
+  int mostFraction = 0;  ///< the stored value that stands for all of a voxel; 0: bits
 };
 
 /// Images of one series that belong to one volume, sorted along the normal of their planes.

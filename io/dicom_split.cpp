@@ -336,6 +336,16 @@ DicomStack stackOf(const DicomSeries& series, Group group) {
 }  // namespace
 
 std::vector<DicomStack> splitSeries(DicomSeries series) {
+  if (!series.segments.empty()) {
+    series.findings.push_back({FindingKind::Segmentation,
+                               true,
+                               "a DICOM segmentation (SEG) of " +
+                                   std::to_string(series.segments.size()) +
+                                   " segments: give the file itself",
+                               {},
+                               {}});
+    return {stackOf(series, {series.frames, {}})};
+  }
   dropCopies(series);
   if (series.frames.empty()) return {stackOf(series, {})};
   forgetStrayReferences(series);

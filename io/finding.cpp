@@ -31,6 +31,8 @@ std::string findingWord(FindingKind kind) {
       return "several-volumes";
     case FindingKind::ColourImage:
       return "colour-image";
+    case FindingKind::Segmentation:
+      return "segmentation";
     case FindingKind::MosaicImage:
       return "mosaic-image";
     case FindingKind::SingleSlice:

@@ -23,6 +23,7 @@ enum class FindingKind {
   SeveralVolumes,
   ColourImage,
   MosaicImage,
+  Segmentation,
   SingleSlice,
   DamagedFile,
   RepeatedFile,

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "io/dicom.h"
+#include "io/dicom_seg.h"
 #include "io/geometry_check.h"
 #include "io/header_text.h"
 #include "io/image_header.h"
@@ -213,6 +214,17 @@ MaskImage maskOfWholeNumbers(const OpenImage& image) {
   return read;
 }
 
+Volume<float> floatsOf(const AnyVolume& from) {
+  return std::visit(
+      [](const auto& volume) {
+        Volume<float> image;
+        image.geometry = volume.geometry;
+        image.voxels.assign(volume.voxels.begin(), volume.voxels.end());
+        return image;
+      },
+      from);
+}
+
 /// A volume that the memory cannot hold after all.
 template <class Function>
 auto inMemory(const fs::path& path, const Function& function) {
@@ -255,7 +267,11 @@ LoadedImage readImage(const fs::path& path, const ReadOptions& options, const Pr
   progress.check();
   return inMemory(path, [&] {
     LoadedImage loaded;
-    if (isDicom(path)) {
+    if (const auto segmentation = openSegmentation(path)) {
+      loaded.info = segmentation->info;
+      loaded.image = floatsOf(readSegments(*segmentation, path, progress));
+      checkUsable(loaded.image, path.string());
+    } else if (isDicom(path)) {
       loaded = readDicom(path, options, progress);
       if (options.replaceNotFinite)
         checkReplaced(loaded, path);
@@ -311,6 +327,14 @@ NativeImage readNative(const fs::path& path, const ReadOptions& options,
                        std::optional<int> component, const Progress& progress) {
   progress.check();
   return inMemory(path, [&]() -> NativeImage {
+    if (const auto segmentation = openSegmentation(path)) {
+      if (!component) return {readSegments(*segmentation, path, progress), segmentation->info};
+      const auto n = static_cast<std::size_t>(std::max(*component, 0));
+      if (*component < 0 || n >= segmentation->segments.size())
+        throw InputError("there is no segment " + std::to_string(*component), path.string(),
+                         "count from 0 to " + std::to_string(segmentation->segments.size() - 1));
+      return {readSegment(*segmentation, n, progress), segmentation->info};
+    }
     if (isDicom(path)) {
       if (component)
         throw InputError("a component is chosen, but this is DICOM", path.string(),
@@ -334,6 +358,8 @@ NativeImage readNative(const fs::path& path, const ReadOptions& options,
 
 std::vector<ImageSummary> describeImages(const fs::path& path, const Progress& progress,
                                          ScanDepth depth) {
+  if (const auto segmentation = openSegmentation(path))
+    return {{segmentation->geometry, segmentation->info, {}}};
   if (isDicom(path)) return describeDicom(path, progress, depth);
   const ImageFormat format = imageFormat(path);
   // The layers of a segmentation share their geometry.

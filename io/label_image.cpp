@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 #include <type_traits>
 
 #include "core/base/error.h"
+#include "io/dicom_seg.h"
 #include "io/image_header.h"
 #include "io/label_choice.h"
 #include "io/mask_values.h"
@@ -25,6 +27,7 @@ constexpr int kMostLayers = 256;
 struct Segments {
   std::vector<Label> named;  ///< without their voxels
   int layers = 1;
+  std::shared_ptr<const DicomSegmentation> dicom;  ///< where it is one
 };
 
 int numberIn(const std::map<std::string, std::string>& fields, const std::string& key, int other) {
@@ -42,6 +45,14 @@ Segments segmentsOf(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return segments;
   const ImageFormat format = imageFormat(path);
+  if (format == ImageFormat::Dicom) {
+    if (auto dicom = openSegmentation(path)) {
+      segments.named = dicom->segments;
+      segments.layers = static_cast<int>(dicom->segments.size());
+      segments.dicom = std::make_shared<const DicomSegmentation>(std::move(*dicom));
+    }
+    return segments;
+  }
   if (format != ImageFormat::Nrrd) return segments;
   const ImageHeader header = readHeader(path, format);
   const auto& fields = header.fields;
@@ -63,6 +74,9 @@ Segments segmentsOf(const fs::path& path) {
 
 NativeImage nativeLayer(const fs::path& path, const Segments& segments, int layer,
                         const Progress& progress) {
+  if (segments.dicom)
+    return {readSegment(*segments.dicom, static_cast<std::size_t>(layer), progress),
+            segments.dicom->info};
   const std::optional<int> component =
       segments.layers > 1 ? std::optional<int>(layer) : std::nullopt;
   return readNative(path, {}, component, progress);
@@ -124,12 +138,28 @@ double alikeness(const Volume<float>& image) {
   return pairs > 0 ? static_cast<double>(alike) / static_cast<double>(pairs) : 1.0;
 }
 
+/// `value` where a mask is not 0.
+Volume<std::uint16_t> numbered(const AnyVolume& mask, std::int64_t value) {
+  return std::visit(
+      [&](const auto& volume) {
+        Volume<std::uint16_t> labels(volume.geometry);
+        std::transform(
+            volume.voxels.begin(), volume.voxels.end(), labels.voxels.begin(),
+            [&](auto voxel) { return static_cast<std::uint16_t>(voxel != 0 ? value : 0); });
+        return labels;
+      },
+      mask);
+}
+
 /// A layer, its values made labels.
 NativeImage labelledLayer(const fs::path& path, const Segments& segments, int layer,
                           const MaskChoice& choice, const Progress& progress) {
   NativeImage native = nativeLayer(path, segments, layer, progress);
+  if (segments.dicom && !segments.dicom->fractional) return native;
   for (std::string& warning : makeLabels(native.volume, choice.threshold))
     native.info.warnings.push_back(std::move(warning));
+  if (segments.dicom)
+    native.volume = numbered(native.volume, segments.named[static_cast<std::size_t>(layer)].value);
   return native;
 }
 
@@ -194,7 +224,7 @@ int segmentationLayers(const fs::path& path) { return segmentsOf(path).layers; }
 LoadedImage readLayer(const fs::path& path, int layer, const Progress& progress) {
   const Segments segments = segmentsOf(path);
   if (segments.layers == 1) return readImage(path, {}, progress);
-  NativeImage native = nativeLayer(path, segments, layer, progress);
+  NativeImage native = labelledLayer(path, segments, layer, {}, progress);
   LoadedImage loaded;
   loaded.info = std::move(native.info);
   std::visit(
@@ -207,10 +237,10 @@ LoadedImage readLayer(const fs::path& path, int layer, const Progress& progress)
 }
 
 LabelMask readLabel(const fs::path& path, const MaskChoice& choice, const Progress& progress) {
-  if (choice.threshold && !choice.label.empty())
+  const Segments segments = segmentsOf(path);
+  if (choice.threshold && !choice.label.empty() && !segments.dicom)
     throw InputError("a label and a threshold are both given", path.string(),
                      "give --label or --threshold");
-  const Segments segments = segmentsOf(path);
   const std::vector<Label> labels = labelsOf(path, segments, choice, progress);
   if (labels.empty() && choice.threshold)
     throw InputError("no voxel reaches the threshold", path.string(), "choose a smaller one");

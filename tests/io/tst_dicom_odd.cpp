@@ -4,6 +4,7 @@
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
 
+#include "io/label_image.h"
 #include "tests/io/jpeg2000_writer.h"
 
 using namespace angiomesh;
@@ -82,6 +83,86 @@ void cutFragments(const fs::path& path, bool withTable) {
   pixels->putOriginalRepresentation(syntax, nullptr, cut);
   data.insert(pixels, true);
   QVERIFY(format.saveFile(path.c_str(), syntax).good());
+}
+
+/// Of one frame: which segment and which of ten slices.
+struct SegFrame {
+  int segment = 1, slice = 0;
+};
+
+/// Whether a voxel of 9 x 7 x 10 belongs to a segment: blocks that do not touch; of `overlap`, the
+/// second one lies over the first.
+bool isInside(int segment, int i, int j, int k, bool overlap) {
+  if (segment == 1) return i < 4 && j < 5 && k >= 2 && k < 6;
+  return i >= (overlap ? 2 : 5) && j > 1 && (k == 5 || k == 7);
+}
+
+/// A DICOM segmentation of two segments without the frames in which they have no voxels.
+void saveSegmentation(const fs::path& path, bool fractional, bool overlap = false,
+                      double missing = 0.0) {
+  DcmFileFormat format;
+  DcmDataset& data = *format.getDataset();
+  putCommon(data, sliceAt(0), UID_SegmentationStorage);
+  putText(data, DCM_Modality, "SEG");
+  putText(data, DCM_SegmentationType, fractional ? "FRACTIONAL" : "BINARY");
+  const Uint16 bits = fractional ? 8 : 1;
+  data.putAndInsertUint16(DCM_BitsAllocated, bits);
+  data.putAndInsertUint16(DCM_BitsStored, bits);
+  data.putAndInsertUint16(DCM_HighBit, static_cast<Uint16>(bits - 1));
+  if (fractional) data.putAndInsertUint16(DCM_MaximumFractionalValue, 200);
+  DcmItem* item = nullptr;
+  for (const char* name : {"artery", "vein"}) {
+    data.findOrCreateSequenceItem(DCM_SegmentSequence, item, -2);
+    item->putAndInsertUint16(DCM_SegmentNumber, name == std::string("artery") ? 1 : 2);
+    putText(*item, DCM_SegmentLabel, name);
+  }
+  DcmItem* shared = nullptr;
+  data.findOrCreateSequenceItem(DCM_SharedFunctionalGroupsSequence, shared, -2);
+  shared->findOrCreateSequenceItem(DCM_PlaneOrientationSequence, item, -2);
+  putText(*item, DCM_ImageOrientationPatient,
+          numbers(oblique().col(0)) + "\\" + numbers(oblique().col(1)));
+  shared->findOrCreateSequenceItem(DCM_PixelMeasuresSequence, item, -2);
+  putText(*item, DCM_PixelSpacing, std::to_string(kSpacingY) + "\\" + std::to_string(kSpacingX));
+  putText(*item, DCM_SpacingBetweenSlices, std::to_string(kSpacingZ));
+  const std::vector<SegFrame> frames{{2, 7}, {1, 2}, {1, 4}, {1, 3}, {2, 5}, {1, 5}};
+  std::vector<Uint8> bytes(fractional ? frames.size() * 63 : (frames.size() * 63 + 15) / 16 * 2, 0);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    DcmItem* frame = nullptr;
+    data.findOrCreateSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, -2);
+    frame->findOrCreateSequenceItem(DCM_PlanePositionSequence, item, -2);
+    const double slice = frames[f].slice == 4 ? 4 + missing : frames[f].slice;
+    putText(*item, DCM_ImagePositionPatient,
+            numbers(kOrigin + oblique().col(2) * (kSpacingZ * slice)));
+    frame->findOrCreateSequenceItem(DCM_SegmentIdentificationSequence, item, -2);
+    item->putAndInsertUint16(DCM_ReferencedSegmentNumber, static_cast<Uint16>(frames[f].segment));
+    for (std::size_t p = 0; p < 63; ++p) {
+      const int i = static_cast<int>(p % 9), j = static_cast<int>(p / 9);
+      const bool inside = isInside(frames[f].segment, i, j, frames[f].slice, overlap);
+      const std::size_t n = f * 63 + p;
+      if (fractional)
+        bytes[n] = inside ? 160 : 60;
+      else if (inside)
+        bytes[n / 8] = static_cast<Uint8>(bytes[n / 8] | 1U << (n % 8));
+    }
+  }
+  putText(data, DCM_NumberOfFrames, std::to_string(frames.size()));
+  if (fractional && bytes.size() % 2 != 0) bytes.push_back(0);
+  data.putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size());
+  QVERIFY(format.saveFile(path.c_str(), EXS_LittleEndianExplicit).good());
+}
+
+/// Voxels of a mask on the grid of slices 2 to 7 that are not as they should be.
+int wrongVoxels(const LabelMask& read, int segment, bool overlap) {
+  const Geometry& g = read.mask.geometry;
+  if (g.size != Index3{9, 7, 6}) return -1;
+  if ((g.origin - (kOrigin + oblique().col(2) * (2 * kSpacingZ))).norm() > 1e-6) return -2;
+  if ((g.spacing - Eigen::Vector3d(kSpacingX, kSpacingY, kSpacingZ)).norm() > 1e-6) return -3;
+  int wrong = 0;
+  for (int k = 0; k < 6; ++k)
+    for (int j = 0; j < 7; ++j)
+      for (int i = 0; i < 9; ++i)
+        wrong += (read.mask.at(i, j, k) != 0) == isInside(segment, i, j, k + 2, overlap) ? 0 : 1;
+  return wrong;
 }
 
 }  // namespace
@@ -194,6 +275,64 @@ class TestDicomOdd : public QObject {
     verifyVoxels(readImage(single.path()).image, plain);
     verifyVoxels(readImage(several.path()).image,
                  [](int stored, int) { return static_cast<float>(0.5 * stored - 7.0); });
+  }
+
+  void segmentationsAreLabels_data() {
+    QTest::addColumn<bool>("fractional");
+    QTest::addColumn<bool>("overlap");
+    QTest::newRow("binary") << false << false;
+    QTest::newRow("binary, overlapping") << false << true;
+    QTest::newRow("fractional") << true << false;
+  }
+  void segmentationsAreLabels() {
+    QFETCH(bool, fractional);
+    QFETCH(bool, overlap);
+    const Folder folder;
+    const fs::path path = folder / "seg.dcm";
+    saveSegmentation(path, fractional, overlap);
+    const std::vector<Label> labels = readLabels(path);
+    QCOMPARE(labels.size(), std::size_t{2});
+    QCOMPARE(labels[1].name, std::string("vein"));
+    QCOMPARE(labels[1].value, std::int64_t{2});
+    QCOMPARE(labels[0].voxels, std::size_t{80});
+    QCOMPARE(wrongVoxels(readLabel(path, {"artery", {}}), 1, overlap), 0);
+    QCOMPARE(wrongVoxels(readLabel(path, {"2", {}}), 2, overlap), 0);
+    QCOMPARE(wrongVoxels(readLabel(path, {"name:vein", 0.5}), 2, overlap), 0);
+    if (fractional)  // 0.3 outside
+      QVERIFY(readLabel(path, {"artery", 0.25}).labels[0].voxels > 80);
+    QCOMPARE(describeImages(path).at(0).geometry.size, (Index3{9, 7, 6}));
+    const QString all = messageOf([&] {
+      const NativeImage image = readNative(path);
+      QCOMPARE(std::get<Volume<std::uint16_t>>(image.volume).at(8, 6, 5), std::uint16_t{2});
+    });
+    QVERIFY2(all.contains(fractional ? "fractional" : overlap ? "overlap" : ""), qPrintable(all));
+    QCOMPARE(all.isEmpty(), !fractional && !overlap);
+    QCOMPARE(geometryOf(readNative(path, {}, 1).volume).size, (Index3{9, 7, 6}));
+    QVERIFY_EXCEPTION_THROWN(readNative(path, {}, 2), InputError);
+  }
+
+  void segmentationsThatFormNoGridAreRefused() {
+    const Folder folder;
+    saveSegmentation(folder / "seg.dcm", false, false, 0.3);
+    QVERIFY(messageOf([&] { readLabels(folder / "seg.dcm"); }).contains("uneven distances"));
+    const std::string whole = bytesOf(folder / "seg.dcm");
+    save(folder / "seg.dcm", whole.substr(0, whole.size() - 20));
+    QVERIFY(!messageOf([&] { readLabels(folder / "seg.dcm"); }).isEmpty());
+  }
+
+  void aSegmentationStandsInNobodysWay() {
+    const Folder folder;
+    saveSeries(folder.path());
+    fs::create_directory(folder / "seg");
+    saveSegmentation(folder / "seg/s.dcm", false);
+    // The writer gives it the same series, as no scanner does.
+    DcmFileFormat format;
+    QVERIFY(format.loadFile((folder / "seg/s.dcm").c_str()).good());
+    QVERIFY(format.loadAllDataIntoMemory().good());
+    putText(*format.getDataset(), DCM_SeriesInstanceUID, "1.2.3.4.9");
+    QVERIFY(format.saveFile((folder / "seg/s.dcm").c_str(), EXS_LittleEndianExplicit).good());
+    verifyVoxels(readImage(folder.path()).image, plain);
+    QVERIFY(refusal(folder / "seg").contains("a DICOM segmentation (SEG) of 2 segments"));
   }
 
   void objectsWithoutImagesSayWhatTheyAre() {
