@@ -77,8 +77,9 @@ class TestCliFailures : public QObject, CliFolder {
     writeBytes(at("constant.mha"), metaImage("3", "16 16 16", QByteArray(16 * 16 * 16, 'x')));
     writeBytes(at("short.mha"), metaImage("3", "16 16 16", QByteArray(100, 'x')));
     writeBytes(at("huge.mha"), metaImage("3", "99999999 99999999 99999999", QByteArray(100, 'x')));
+    // Single voxels of this kind are replaced.
     Volume<float> holed = phantom.image;
-    holed.at(5, 6, 7) = std::numeric_limits<float>::quiet_NaN();
+    for (float& value : holed.voxels) value = std::numeric_limits<float>::quiet_NaN();
     writeVolume(holed, at("nan.nrrd").toStdString());
     QVERIFY(QDir(dir.path()).mkdir("folder"));
     writeBytes(at("bad.json"), "{\"levelset\": {\"gamma\": }");
