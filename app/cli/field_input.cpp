@@ -92,9 +92,19 @@ MeshInput readMeshInput(const std::string& path, const MaskChoice& choice,
       std::count(chosen.mask.voxels.begin(), chosen.mask.voxels.end(), std::uint8_t{1}));
   MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 0.7));
   input.phi = smoothMask(std::move(made.phi), wall, progress.sub(0.7, 1.0));
+  input.mask = std::move(chosen.mask);
   input.largestShiftVoxels = made.largestShiftVoxels;
   input.maskVolumeMm3 = made.maskVolumeMm3;
   return input;
+}
+
+MaskContacts settleInput(MeshInput& input, MaskConnectivity connectivity,
+                         const Progress& progress) {
+  if (input.labels.empty()) return {};
+  const MaskContacts contacts = settleContacts(input.phi, input.mask, connectivity, progress);
+  input.mask = {};
+  if (const std::string words = contactText(contacts); !words.empty()) printWarning(words);
+  return contacts;
 }
 
 }  // namespace angiomesh::cli

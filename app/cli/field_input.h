@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/levelset/mask_contacts.h"
 #include "core/lumen/smooth_wall.h"
 #include "io/label_image.h"
 
@@ -27,6 +28,7 @@ void addMaskChoice(CLI::App& command, MaskChoice& choice);
 struct MeshInput {
   Volume<float> phi;
   // Of a mask or label image:
+  Volume<std::uint8_t> mask;
   std::vector<Label> labels;
   bool otherLabels = false;  ///< the image has more of them
   bool atBorder = false;     ///< the mask reaches the border of the volume
@@ -40,5 +42,8 @@ struct MeshInput {
 /// @throws IoError, InputError, Cancelled
 MeshInput readMeshInput(const std::string& path, const MaskChoice& choice,
                         const SmoothWallParams& wall, const Progress& progress);
+
+/// settleContacts() where the input is a mask, said in a warning.
+MaskContacts settleInput(MeshInput& input, MaskConnectivity connectivity, const Progress& progress);
 
 }  // namespace angiomesh::cli

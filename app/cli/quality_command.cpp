@@ -168,11 +168,13 @@ int quality(const QualityOptions& options, const Progress& progress) {
   const Gate* gate = options.gate.empty() ? nullptr : &findGate(options.gate);
   const SurfaceParams surface = options.surface();
   std::optional<SplineField> phi;
-  if (!options.phi.empty())
-    phi = wallField(readMeshInput(options.phi, options.choice, options.settings.parameters().wall,
-                                  progress.sub(0.0, 0.2))
-                        .phi,
-                    surface.spline);
+  if (!options.phi.empty()) {
+    const Parameters params = options.settings.parameters();
+    MeshInput input =
+        readMeshInput(options.phi, options.choice, params.wall, progress.sub(0.0, 0.15));
+    settleInput(input, params.segmentation.connectivity, progress.sub(0.15, 0.2));
+    phi = wallField(input.phi, surface.spline);
+  }
   const SplineField* field = phi ? &*phi : nullptr;
   const TriMesh mesh = measuredMesh(options);
   const MeshQuality mine = measureQuality(mesh, field, progress.sub(0.0, 0.4));

@@ -64,10 +64,12 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
   const LoadedMesh loaded = loadMesh(options.input, options.meshReading.options());
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   std::optional<SplineField> phi;
-  if (!options.phi.empty())
-    phi = wallField(
-        readMeshInput(options.phi, options.choice, params.wall, progress.sub(0.0, 0.3)).phi,
-        params.surface.spline);
+  if (!options.phi.empty()) {
+    MeshInput input =
+        readMeshInput(options.phi, options.choice, params.wall, progress.sub(0.0, 0.25));
+    settleInput(input, params.segmentation.connectivity, progress.sub(0.25, 0.3));
+    phi = wallField(input.phi, params.surface.spline);
+  }
   std::size_t left = 0;
   const TriMesh smooth = smoothSurface(loaded.mesh, params.smooth, phi ? &*phi : nullptr,
                                        progress.sub(0.3, 0.9), {}, &left);

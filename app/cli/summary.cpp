@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numeric>
 
 namespace angiomesh::cli {
 namespace {
@@ -171,8 +172,11 @@ void printSurface(std::size_t triangles, const SurfaceOrigin& origin) {
   if (origin.fromFrontPercent)
     std::printf(", %.2f %% from the advancing front", *origin.fromFrontPercent);
   if (const std::size_t count = origin.components.size(); count > 0)
-    std::printf(", %zu component%s, %zu verified", count, count == 1 ? "" : "s",
-                count - origin.unverified());
+    std::printf(
+        ", %zu component%s, %zu verified, genus %d", count, count == 1 ? "" : "s",
+        count - origin.unverified(),
+        std::accumulate(origin.components.begin(), origin.components.end(), 0,
+                        [](int sum, const SurfaceComponent& part) { return sum + part.genus(); }));
   std::printf("\n");
 }
 

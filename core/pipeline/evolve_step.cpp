@@ -168,10 +168,16 @@ EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
                      "choose another label, or another segmentation.method for a scan");
   MaskDistance made = distanceOfMask(mask, progress.sub(0.0, 0.6));
   EvolveResult result;
-  result.label = {voxels, made.largestShiftVoxels, made.maskVolumeMm3};
+  result.label = {voxels, made.largestShiftVoxels, made.maskVolumeMm3, {}};
   result.converged = true;
   result.stopReason = StopReason::Converged;
-  placeWall(std::move(made.phi), nullptr, params.wall, result, warnings, progress.sub(0.6, 1.0));
+  placeWall(std::move(made.phi), nullptr, params.wall, result, warnings, progress.sub(0.6, 0.9));
+  Volume<float> phi = *result.phi;
+  result.label->contacts =
+      settleContacts(phi, mask, params.segmentation.connectivity, progress.sub(0.9, 1.0));
+  result.phi = std::make_shared<const Volume<float>>(std::move(phi));
+  if (const std::string words = contactText(result.label->contacts); !words.empty())
+    warnings.push_back(words);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "core/image/preprocess.h"
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/evolution.h"
+#include "core/levelset/mask_contacts.h"
 #include "core/levelset/seeds.h"
 #include "core/lumen/lumen.h"
 #include "core/lumen/smooth_wall.h"
@@ -28,6 +29,7 @@ enum class KeepComponents { All, Largest, Seeded };
 struct SegmentationParams {
   SegmentationMethod method = SegmentationMethod::LevelSet;  ///< of the step evolve
   int label = 1;  ///< of SegmentationMethod::Label: the value of the voxels that are vessel
+  MaskConnectivity connectivity = MaskConnectivity::Corners;  ///< of its voxels
   KeepComponents keep = KeepComponents::All;
   double minVolumeMm3 = 0.0;
   std::vector<double>

@@ -28,7 +28,7 @@ constexpr std::array<const char*, kStepCount> kStepIds{
     "load", "preprocess", "vesselness", "seeds", "evolve", "surface", "smooth", "quality"};
 
 /// Raised whenever a step computes something else from the same inputs.
-constexpr std::array<int, kStepCount> kStepVersions{1, 2, 2, 2, 8, 6, 4, 3};
+constexpr std::array<int, kStepCount> kStepVersions{1, 2, 2, 2, 9, 6, 4, 3};
 
 /// Prefixes of the parameters that each step reads.
 const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
@@ -47,7 +47,7 @@ const std::array<std::vector<std::string_view>, kStepCount> kLabelParams{
      {"segmentation.method", "preprocess.roi"},
      {},
      {"seeds.points"},  // for segmentation.keep
-     {"segmentation.label", "wall."},
+     {"segmentation.label", "segmentation.connectivity", "wall."},
      kStepParams[static_cast<std::size_t>(Step::Surface)],
      kStepParams[static_cast<std::size_t>(Step::Smooth)],
      {}}};

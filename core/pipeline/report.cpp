@@ -153,7 +153,11 @@ Json segmentationBlock(const RunResult& result) {
     block["label"] = {{"value", result.params.segmentation.label},
                       {"voxels", evolve.label->voxels},
                       {"largest_shift_voxels", evolve.label->largestShiftVoxels},
-                      {"mask_volume_mm3", evolve.label->maskVolumeMm3}};
+                      {"mask_volume_mm3", evolve.label->maskVolumeMm3},
+                      {"contacts",
+                       {{"joined", evolve.label->contacts.joined},
+                        {"parted", evolve.label->contacts.parted},
+                        {"left", evolve.label->contacts.left}}}};
   if (evolve.lower) block["intensity"]["lower"] = *evolve.lower;
   if (evolve.upper) block["intensity"]["upper"] = *evolve.upper;
   if (result.seeds) block["seeds"] = result.seeds->pointsLps.size();

@@ -54,7 +54,9 @@ std::vector<std::size_t> deepestVoxels(const Volume<float>& phi, const Component
 Segments selectSegments(const Volume<float>& phi, const SegmentationParams& params,
                         const std::vector<double>& seedsByHand, const Progress& progress) {
   const Geometry& g = phi.geometry;
-  Components found = connectedComponents(insideMask(phi));
+  const bool byFaces =
+      params.method == SegmentationMethod::Label && params.connectivity == MaskConnectivity::Faces;
+  Components found = connectedComponents(insideMask(phi), !byFaces);
   const std::vector<std::size_t> deepest = deepestVoxels(phi, found);
   const std::size_t count = found.sizes.size();
   const std::vector<bool> dropped = labelsAt(found.labels, count, params.drop);
