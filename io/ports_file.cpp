@@ -73,9 +73,26 @@ void expect(const Json& value, const Json& wanted, const Place& place) {
   if (value != wanted) place.refuse("is not " + wanted.dump());
 }
 
+BorderSlant slantIn(const Json& json, const Place& place) {
+  const std::vector<Json> values = valuesOf(
+      json, {"angle_deg", "area_ratio", "section_area_mm2", "section_centre_mm", "axis"}, place);
+  BorderSlant slant;
+  slant.angleDeg = numberIn(values[0], place.in("angle_deg"));
+  slant.areaRatio = numberIn(values[1], place.in("area_ratio"));
+  slant.sectionAreaMm2 = numberIn(values[2], place.in("section_area_mm2"));
+  slant.centreLps = vectorIn(values[3], place.in("section_centre_mm"));
+  slant.axisLps = vectorIn(values[4], place.in("axis"));
+  if (std::fabs(slant.axisLps.norm() - 1.0) > kTolerance)
+    place.in("axis").refuse("is not of length 1");
+  return slant;
+}
+
 Port portIn(const Json& json, const Place& place) {
-  const std::vector<Json> values =
-      valuesOf(json, {"name", "centre_mm", "normal", "area_mm2", "equivalent_diameter_mm"}, place);
+  std::vector<std::string> keys{"name", "centre_mm", "normal", "area_mm2",
+                                "equivalent_diameter_mm"};
+  const bool slanted = json.is_object() && json.contains("vessel");
+  if (slanted) keys.emplace_back("vessel");
+  const std::vector<Json> values = valuesOf(json, keys, place);
   Port port;
   if (!values[0].is_string()) place.in("name").refuse("is no text");
   port.name = values[0].get<std::string>();
@@ -88,6 +105,7 @@ Port portIn(const Json& json, const Place& place) {
   if (port.areaMm2 < 0.0) place.in("area_mm2").refuse("is negative");
   if (std::fabs(diameter - port.equivalentDiameterMm()) > kTolerance * diameter)
     place.in("equivalent_diameter_mm").refuse("is not that of a circle of this area");
+  if (slanted) port.slant = slantIn(values[5], place.in("vessel"));
   return port;
 }
 
@@ -122,6 +140,12 @@ void writePorts(const std::vector<Port>& ports, const fs::path& path) {
                     {"normal", toJson(port.normalLps)},
                     {"area_mm2", port.areaMm2},
                     {"equivalent_diameter_mm", port.equivalentDiameterMm()}});
+    if (port.slant)
+      list.back()["vessel"] = {{"angle_deg", port.slant->angleDeg},
+                               {"area_ratio", port.slant->areaRatio},
+                               {"section_area_mm2", port.slant->sectionAreaMm2},
+                               {"section_centre_mm", toJson(port.slant->centreLps)},
+                               {"axis", toJson(port.slant->axisLps)}};
   }
   const Json json = {{"schema", kSchema}, {"frame", "LPS"}, {"unit", "mm"}, {"ports", list}};
   writeText(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -12,7 +12,8 @@ namespace angiomesh {
 /// MeshWriteOptions::patchNames of a mesh with these ports.
 std::vector<std::string> patchNamesOf(const std::vector<Port>& ports);
 
-/// Writes the ports in their order as JSON (schema 1, LPS, mm), to a temporary name, then renames.
+/// Writes the ports in their order, with the slant of those that have one (`vessel`), as JSON
+/// (schema 1, LPS, mm), to a temporary name, then renames.
 /// @throws InputError: a port without a name, with another's or the wall's, or with a measure that
 /// is no number   @throws IoError; nothing is left behind
 void writePorts(const std::vector<Port>& ports, const std::filesystem::path& path);

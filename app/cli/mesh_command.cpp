@@ -15,6 +15,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/surface_step.h"
+#include "core/quality/border_slant.h"
 #include "core/quality/mesh_faults.h"
 #include "core/surface/mesh_edges.h"
 #include "core/surface/smoothing.h"
@@ -172,6 +173,8 @@ int mesh(const MeshOptions& options, const Progress& progress) {
                             "smooth the image or the mask there, or choose longer edges "
                             "(surface.edgeMinMm) or surface.method=marching-cubes");
   }
+  measureSlants(field, input.phi, away.sections.size() - made.lostCuts.size(), made.ports);
+  for (const std::string& warning : namePorts(all.ports, made.ports)) printWarning(warning);
   MeshWriteOptions write;
   // Of what it was made of; it also says that the names are ours.
   write.key = contentHash(input.phi);
@@ -182,12 +185,14 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   if (away.empty() && meshExtension(options.output) == ".stl") made.mesh.patch.clear();
   writeChecked(made.mesh, options.output, options.output, write);
   for (const std::string& warning : made.origin.warnings()) printWarning(warning);
+  for (const std::string& warning : slantWarnings(made.ports)) printWarning(warning);
   const Json source = sourceBlock(input, &made.mesh);
   if (input.atBorder) sayBorder(input, made.mesh, !away.empty());
   if (options.json) {
     printJson(made.origin, source);
   } else {
     printSurface(made.mesh.triangles.size(), made.origin);
+    printPorts(made.ports);
     printSource(source);
   }
   return Done;

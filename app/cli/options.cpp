@@ -63,6 +63,8 @@ Parameters ParameterOptions::parameters() const {
   }
   params.ports.cuts.insert(params.ports.cuts.end(), cuts.begin(), cuts.end());
   if (!cutEnds.empty()) setFieldFromText(params, "ports.cutEndsRadii", cutEnds);
+  if (cutBorders) params.ports.cutBorders = true;
+  params.ports.names.insert(params.ports.names.end(), portNames.begin(), portNames.end());
   validate(params);
   return params;
 }
@@ -94,6 +96,12 @@ void addCuts(CLI::App& command, ParameterOptions& options) {
   command.add_option(
       "--cut-ends", options.cutEnds,
       "Cut every vessel that ends in the volume so many of its radii before its tip");
+  command.add_flag("--cut-borders", options.cutBorders,
+                   "Cut vessels that the volume's border slices across just inside");
+  command
+      .add_option("--name-port", options.portNames,
+                  "border_1=NAME: call a port so; may be repeated")
+      ->allow_extra_args(false);
 }
 
 std::vector<std::string> joinNumbers(int argc, char** argv) {

@@ -17,7 +17,7 @@ namespace angiomesh::cli {
 std::vector<double> parseNumbers(const std::string& text, std::size_t count,
                                  const std::string& option);
 
-/// --preset, --params, --set, --seed, --roi, --cut and --cut-ends.
+/// --preset, --params, --set, --seed, --roi, --cut, --cut-ends, --cut-borders and --name-port.
 struct ParameterOptions {
   std::string presetName = "angiomesh";
   std::string paramsFile;
@@ -26,6 +26,8 @@ struct ParameterOptions {
   std::string roi;
   std::vector<std::string> cuts;
   std::string cutEnds;
+  std::vector<std::string> portNames;
+  bool cutBorders = false;
 
   /// Preset, then file, then --set, --seed, --roi and the cuts, checked. @throws InputError,
   /// IoError
@@ -35,7 +37,7 @@ struct ParameterOptions {
 /// Adds --preset, --params and --set to a command.
 void addSettings(CLI::App& command, ParameterOptions& options);
 
-/// Adds --cut and --cut-ends to a command that makes a surface.
+/// Adds --cut, --cut-ends, --cut-borders and --name-port to a command that makes a surface.
 void addCuts(CLI::App& command, ParameterOptions& options);
 
 /// Adds --seed and --roi to a command that starts from an image.

@@ -180,6 +180,16 @@ void printSurface(std::size_t triangles, const SurfaceOrigin& origin) {
   std::printf("\n");
 }
 
+void printPorts(const std::vector<Port>& ports) {
+  for (const Port& port : ports) {
+    std::printf("%-13s %s: %.4g mm2", "port", port.name.c_str(), port.areaMm2);
+    if (port.slant)
+      std::printf(", %.0f degrees off the vessel's axis, %.2f times the section just inside",
+                  port.slant->angleDeg, port.slant->areaRatio);
+    std::printf("\n");
+  }
+}
+
 void printOverlap(const OverlapMeasures& m) {
   std::printf("%-13s overlap %.2f %%, sensitivity %.4f, precision %.4f", "truth", m.overlap,
               m.sensitivity, m.precision);
@@ -197,6 +207,7 @@ void printSummary(const RunResult& result, const std::optional<OverlapMeasures>&
   if (result.surface) {
     std::printf("%-13s ", "surface");
     printSurface(result.surface->mesh->triangles.size(), result.surface->origin);
+    printPorts(result.ports);
   }
   for (const StageReport& stage : result.stages)
     for (const std::string& warning : stage.warnings)

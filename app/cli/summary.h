@@ -18,6 +18,9 @@ struct NamedQuality {
 /// Mesh qualities side by side, one column each, on stdout.
 void printQualities(const std::vector<NamedQuality>& columns);
 
+/// A line for each port, on stdout.
+void printPorts(const std::vector<Port>& ports);
+
 /// One line on how a surface came to be, on stdout.
 void printSurface(std::size_t triangles, const SurfaceOrigin& origin);
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/pipeline/border_cuts.h"
 #include "core/quality/end_cuts.h"
 #include "core/quality/port_advice.h"
 #include "core/quality/vessel_at.h"
@@ -126,6 +127,48 @@ void checkPorts(const PortParams& params) {
       throw InputError("two cuts are called '" + cut.name + "'", "ports.cuts",
                        "give each a name of its own");
   }
+  std::set<std::string> ports;
+  for (const std::string& text : params.names) {
+    const auto [port, name] = parsePortName(text);
+    if (!ports.insert(port).second)
+      throw InputError("the port '" + port + "' gets two names", "ports.names",
+                       "give it one of them");
+    if (!names.insert(name).second)
+      throw InputError("two ports are called '" + name + "'", "ports.names",
+                       "give each a name of its own");
+  }
+}
+
+std::array<std::string, 2> parsePortName(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos)
+    throw InputError("'" + text + "' names no port", "ports.names", "write border_1=NAME");
+  const std::string name = text.substr(equals + 1);
+  checkPortName(name);
+  return {text.substr(0, equals), name};
+}
+
+std::vector<std::string> namePorts(const PortParams& params, std::vector<Port>& ports) {
+  std::vector<std::string> warnings;
+  std::string known;
+  for (const Port& port : ports) known += (known.empty() ? "" : ", ") + port.name;
+  const auto portOf = [&](const std::string& name) {
+    return std::find_if(ports.begin(), ports.end(),
+                        [&](const Port& port) { return port.name == name; });
+  };
+  for (const std::string& text : params.names) {
+    const auto [from, to] = parsePortName(text);
+    const auto port = portOf(from);
+    if (port == ports.end())
+      warnings.push_back("no port is called '" + from + "', so that none became '" + to +
+                         "': " + (known.empty() ? "there are none" : "there are " + known));
+    else if (portOf(to) != ports.end())
+      warnings.push_back("the port '" + from + "' keeps its name: another one is called '" + to +
+                         "'");
+    else
+      port->name = to;
+  }
+  return warnings;
 }
 
 CutPlane placeCut(const SplineField& field, const Volume<float>& phi, const GivenCut& cut,
@@ -192,7 +235,7 @@ EndPlan planEndCuts(const SplineField& field, const Volume<float>& phi, const Sk
 
 CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortParams& params,
                  std::vector<std::string>& remarks, const Progress& progress) {
-  if (params.cuts.empty() && !(params.cutEndsRadii > 0.0)) return {};
+  if (params.cuts.empty() && !(params.cutEndsRadii > 0.0) && !params.cutBorders) return {};
   std::vector<CutPlane> planes;
   std::vector<std::string> names;
   for (const std::string& text : params.cuts) {
@@ -207,6 +250,9 @@ CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortP
     remarks.insert(remarks.end(), ends.remarks.begin(), ends.remarks.end());
     if (!ends.planes.empty()) away = std::move(ends.away);
   }
+  if (params.cutBorders)
+    for (std::string& remark : addBorderCuts(field, phi, away, progress))
+      remarks.push_back(std::move(remark));
   for (const PortAdvice& advice : portAdvice(skeleton, away))
     remarks.push_back(away.nameOf(advice.cut) + " " + advice.words);
   return away;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/image/volume.h"
 #include "core/quality/skeleton.h"
 #include "core/surface/cut_away.h"
+#include "core/surface/port.h"
 #include "core/surface/spline_field.h"
 
 namespace angiomesh {
@@ -35,9 +37,19 @@ void checkPortName(const std::string& name);
 struct PortParams {
   std::vector<std::string> cuts;  ///< as parseCut() takes them
   double cutEndsRadii = 0.0;      ///< ends are cut so far from their tips; 0: not
+  bool cutBorders = false;        ///< see addBorderCuts()
+  std::vector<std::string> names =
+      {};  ///< "border_1=inlet": ports and what they are called instead
 };
 
-/// @throws InputError: two cuts of one name, or as parseCut()
+/// "border_1=inlet" as both names. @throws InputError, as checkPortName() for the second
+std::array<std::string, 2> parsePortName(const std::string& text);
+
+/// Gives ports the names that `params` has for them. @returns a warning for each name that cannot
+/// be given: no such port, or another one has the name
+std::vector<std::string> namePorts(const PortParams& params, std::vector<Port>& ports);
+
+/// @throws InputError: two cuts or new names of one name, or as parseCut() and parsePortName()
 void checkPorts(const PortParams& params);
 
 /// Where a cut lies: at its point, or, of one that is not inside phi < 0, where the axis of the

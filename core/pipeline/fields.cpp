@@ -121,7 +121,8 @@ void addLevelSet(FieldTable& t) {
   t.choice("segmentation.connectivity", ANGIOMESH_MEMBER(segmentation.connectivity),
            {"faces", "edges", "corners"},
            "which voxels of a mask or label are joined: those that share a face (6 neighbours), an "
-           "edge too (18) or a corner too (26)");
+           "edge too (18) or a corner too (26)")
+      .idle = [](const Parameters& p) { return idleUnless(p, SegmentationMethod::Label); };
   t.choice(
       "levelset.start", ANGIOMESH_MEMBER(levelset.start), {"flood", "seeds"},
       "flood: all that is connected to a seed at v >= b, at once; seeds: the front goes all the "

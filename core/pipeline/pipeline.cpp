@@ -17,6 +17,7 @@
 #include "core/pipeline/evolve_step.h"
 #include "core/pipeline/expected_surface.h"
 #include "core/pipeline/segments.h"
+#include "core/quality/border_slant.h"
 #include "core/quality/mesh_faults.h"
 #include "core/surface/wall_field.h"
 #include "core/vesselness/thickest.h"
@@ -136,6 +137,10 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   result.mesh = std::make_shared<const TriMesh>(std::move(made.mesh));
   result.origin = std::move(made.origin);
   result.ports = std::move(made.ports);
+  measureSlants(field, *result.uncutPhi, away.sections.size() - made.lostCuts.size(), result.ports);
+  for (std::string& warning : namePorts(params.ports, result.ports))
+    warnings.push_back(std::move(warning));
+  for (std::string& warning : slantWarnings(result.ports)) warnings.push_back(std::move(warning));
   for (std::size_t n = 0; n < away.sections.size(); ++n) {
     if (std::count(made.lostCuts.begin(), made.lostCuts.end(), n) == 0)
       result.sectionAreasMm2.push_back(away.sections[n].areaMm2);

@@ -232,6 +232,12 @@ Json portList(const std::vector<Port>& ports, const std::vector<double>& section
                     {"normal", numbers(port.normalLps)},
                     {"area_mm2", port.areaMm2},
                     {"equivalent_diameter_mm", port.equivalentDiameterMm()}});
+    if (port.slant)
+      list.back()["vessel"] = {{"angle_deg", port.slant->angleDeg},
+                               {"area_ratio", port.slant->areaRatio},
+                               {"section_area_mm2", port.slant->sectionAreaMm2},
+                               {"section_centre_mm", numbers(port.slant->centreLps)},
+                               {"axis", numbers(port.slant->axisLps)}};
     if (n < sectionAreasMm2.size()) list.back()["section_area_mm2"] = sectionAreasMm2[n];
   }
   return list;

@@ -115,6 +115,13 @@ void addPorts(FieldTable& t) {
           "the side of the normal, goes; without a normal the vessel's axis, towards the smaller "
           "part",
           [](const std::string& text) { parseCut(text); });
+  t.boolean(
+      "ports.cutBorders", ANGIOMESH_MEMBER(ports.cutBorders),
+      "vessels that the volume's border slices (by more than 30 degrees, or 1.3 times the area "
+      "of their section) are cut across just inside, as across_1 and on");
+  t.texts("ports.names", ANGIOMESH_MEMBER(ports.names), "border_1=NAME",
+          "ports, as reports call them, and the names that they get instead",
+          [](const std::string& text) { parsePortName(text); });
   Field& ends =
       t.real("ports.cutEndsRadii", ANGIOMESH_MEMBER(ports.cutEndsRadii), 0.0, 50.0, "radii",
              "every vessel that ends in the volume is cut so far before its tip, as end_1 "

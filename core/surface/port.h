@@ -3,12 +3,29 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/surface/tri_mesh.h"
 
 namespace angiomesh {
+
+/// How an opening at the volume's border lies to its vessel, see borderSlant().
+struct BorderSlant {
+  double angleDeg = 0.0;        ///< between the port's normal and the vessel's axis
+  double areaRatio = 1.0;       ///< of the port to the section across the vessel just inside
+  double sectionAreaMm2 = 0.0;  ///< of that section
+  Eigen::Vector3d centreLps{0.0, 0.0, 0.0};  ///< of that section, mm
+  Eigen::Vector3d axisLps{0.0, 0.0, 1.0};    ///< outward, unit
+
+  /// Beyond 30 degrees, or 1.3 times larger or smaller: a solver's inflow would be wrong by as
+  /// much.
+  [[nodiscard]] bool flagged() const {
+    constexpr double kMostDeg = 30.0, kMostRatio = 1.3;
+    return angleDeg > kMostDeg || areaRatio > kMostRatio || areaRatio * kMostRatio < 1.0;
+  }
+};
 
 /// An opening of a surface: a cut through a vessel, or where a vessel leaves the volume. Port n of
 /// a list is patch 1 + n of its mesh.
@@ -17,6 +34,7 @@ struct Port {
   Eigen::Vector3d centreLps{0.0, 0.0, 0.0};  ///< of its area, mm
   Eigen::Vector3d normalLps{0.0, 0.0, 1.0};  ///< outward, unit
   double areaMm2 = 0.0;
+  std::optional<BorderSlant> slant = {};  ///< of a port at the border, where it is known
 
   /// Of the circle of the same area.
   [[nodiscard]] double equivalentDiameterMm() const;

@@ -56,6 +56,7 @@ void copyPlaces(const Parameters& from, Parameters& to) {
   to.seeds.points = from.seeds.points;
   to.segmentation.drop = from.segmentation.drop;
   to.ports.cuts = from.ports.cuts;
+  to.ports.names = from.ports.names;
   if (isSegmented(from)) {
     to.segmentation.method = from.segmentation.method;
     to.segmentation.label = from.segmentation.label;

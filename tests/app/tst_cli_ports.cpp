@@ -56,6 +56,23 @@ class TestCliPorts : public QObject, CliFolder {
     for (std::size_t n = 0; n < 3; ++n) QCOMPARE(ports_[n].name, kNames[n + 1]);
   }
 
+  /// The image ends 40 degrees off the trunk's axis: that is said, and cut on demand.
+  void openingsAtTheBorderSayHowTheySliceTheirVessel() {
+    QVERIFY(cli({"phantom", "tube", "-o", "t", "--size", "48", "--radius", "4", "--axis",
+                 "0.64,0,0.77"})
+                .code == 0);
+    const QStringList command{"mesh", "t/truth.mha", "-o", "t.vtp"};
+    const CliResult plain = cli(command + QStringList{"--name-port", "border_1=inlet"});
+    QVERIFY2(plain.code == 0, plain.errors.constData());
+    QVERIFY(plain.output.contains("degrees off the vessel's axis"));
+    QVERIFY(plain.errors.contains("the port 'inlet' slices its vessel"));
+    QCOMPARE(loadMesh(place("t.vtp")).patchNames[1], std::string("inlet"));
+    const CliResult across = cli(command + QStringList{"--cut-borders"});
+    QVERIFY2(across.code == 0 && !across.errors.contains("slices"), across.errors.constData());
+    QCOMPARE(loadMesh(place("t.vtp")).patchNames[1], std::string("across_1"));
+    QCOMPARE(cli(command + QStringList{"--name-port", "border_1"}).code, 2);
+  }
+
   void aRunNamesItsOpenings() {
     holdsThePorts("out/vessels.ply");
     holdsThePorts("out/vessels.stl");

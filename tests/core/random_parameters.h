@@ -23,6 +23,9 @@ inline FieldValue randomValue(const Field& field, std::uint64_t seed) {
     case FieldKind::Choice:
       return field.choices[static_cast<std::size_t>(u * static_cast<double>(field.choices.size()))];
     case FieldKind::Texts: {
+      if (field.key == "ports.names")
+        return std::vector<std::string>{"border_" + std::to_string(1 + seed % 3) + "=left",
+                                        "border_9=right-" + std::to_string(seed % 7)};
       std::vector<std::string> cuts;
       for (int n = 0; n < 2; ++n) {
         GivenCut cut;

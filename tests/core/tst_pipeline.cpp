@@ -109,7 +109,8 @@ class TestPipeline : public QObject {
     Pipeline pipeline(makeSource(twoTubes(), "tubes"));
     for (const Field& field : parameterFields()) {
       Parameters base;
-      if (field.key == "segmentation.label") base.segmentation.method = SegmentationMethod::Label;
+      if (field.key == "segmentation.label" || field.key == "segmentation.connectivity")
+        base.segmentation.method = SegmentationMethod::Label;
       Parameters changed = base;
       FieldValue value = field.get(base);
       if (field.kind == FieldKind::Boolean)

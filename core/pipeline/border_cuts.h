@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/pipeline/cuts.h"
+#include "core/surface/port.h"
+
+namespace angiomesh {
+
+/// Where phi < 0 meets the outermost planes of voxel centres: each part of a plane is one opening,
+/// without a name, as the surface has them; areas to a share of a voxel.
+std::vector<Port> borderOpenings(const Volume<float>& phi);
+
+/// Adds to `away` a cut across the vessel just inside each opening whose slant is flagged, as
+/// across_1 and on, where no cut of `away` has taken that end already. @returns remarks: openings
+/// that could not be cut, and why   @throws Cancelled
+std::vector<std::string> addBorderCuts(const SplineField& field, const Volume<float>& phi,
+                                       CutAway& away, const Progress& progress = {});
+
+}  // namespace angiomesh

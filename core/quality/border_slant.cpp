@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/quality/border_slant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/quality/vessel_at.h"
+#include "core/surface/cut_away.h"
+#include "core/surface/section.h"
+
+namespace angiomesh {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kMostRadii = 12.0;
+/// How far from the port's centre the section may lie, in radii of the port: farther away it tells
+/// of another place.
+constexpr double kNearRadii = 4.0;
+/// Of the way in radii: a section just inside is wanted.
+constexpr double kStepRadii = 0.25;
+/// An axis so far across the port's normal may lead inwards either way.
+constexpr double kEitherWay = 0.5;
+/// A section's farthest point from its centre, in radii of the circle of its area: more is slanted
+/// itself, or lies in a branching.
+constexpr double kMostLong = 1.6;
+constexpr int kMostTries = 12;
+
+std::optional<Section> wholeSection(const SplineField& field, const Vector3d& centre,
+                                    const Vector3d& outward) {
+  try {
+    return sectionOf(field, {centre, outward});
+  } catch (const InputError&) {
+    return std::nullopt;  // it reaches the border
+  }
+}
+
+BorderSlant slantOf(const Port& port, const Section& section) {
+  BorderSlant slant;
+  slant.axisLps = section.plane.normalLps;
+  slant.centreLps = section.centreLps;
+  slant.sectionAreaMm2 = section.areaMm2;
+  slant.areaRatio = port.areaMm2 / section.areaMm2;
+  const double cosine = std::clamp(slant.axisLps.dot(port.normalLps), -1.0, 1.0);
+  slant.angleDeg = std::acos(cosine) * 180.0 / M_PI;
+  return slant;
+}
+
+/// Looks for the section across a port's vessel.
+class Finder {
+ public:
+  Finder(const SplineField& field, const Volume<float>& phi, const Port& port)
+      : field_(field), phi_(phi), port_(port), voxel_(field.geometry().voxelMm()) {}
+
+  /// On the ways that lead inwards: along the vessel's axis as it seems at the port, either way
+  /// where it runs along the border, else straight in.
+  std::optional<BorderSlant> find() {
+    for (const double depth : {1.0, 2.0, 3.0, 0.0}) {
+      const auto start = vesselAt(field_, port_.centreLps - depth * voxel_ * port_.normalLps);
+      if (!start) continue;
+      const double inwards = -start->axisLps.dot(port_.normalLps);
+      const Vector3d axis = inwards < 0.0 ? Vector3d(-start->axisLps) : start->axisLps;
+      walk(start->centreLps, axis, start->radiusMm);
+      if (!found_ || std::fabs(inwards) < kEitherWay)
+        walk(start->centreLps, -axis, start->radiusMm);
+      if (found_) break;
+    }
+    if (!found_)
+      walk(port_.centreLps - 0.5 * voxel_ * port_.normalLps, -port_.normalLps,
+           0.5 * port_.equivalentDiameterMm());
+    return found_;
+  }
+
+ private:
+  void walk(const Vector3d& start, const Vector3d& inward, double radiusMm) {
+    const double step = std::max(kStepRadii * radiusMm, 0.5 * voxel_);
+    const double most = kMostRadii * std::max(radiusMm, voxel_);
+    Vector3d place = start, ahead = inward;
+    for (double way = 0.0; way < std::min(most, way_) && field_.geometry().holds(place);
+         way += step) {
+      // Where the border cuts the vessel off, its centre is not known: the way goes straight on.
+      if (const std::optional<LocalVessel> vessel = vesselAt(field_, place)) {
+        const Vector3d axis =
+            vessel->axisLps.dot(ahead) < 0.0 ? Vector3d(-vessel->axisLps) : vessel->axisLps;
+        const auto section = wholeSection(field_, vessel->centreLps, -axis);
+        if (section && takes(*section)) {
+          way_ = way;
+          return;
+        }
+        if (axis.dot(ahead) > kEitherWay) ahead = axis;
+      }
+      place += step * ahead;
+    }
+  }
+
+  // Takes a section that is across the vessel of the port. Of one that would not be said anything
+  // about that is believed; else a cut there has to end what the port opens.
+  bool takes(const Section& section) {
+    const double reach = kNearRadii * 0.5 * port_.equivalentDiameterMm() + 2.0 * voxel_;
+    if (!(section.areaMm2 > 0.0) || (section.centreLps - port_.centreLps).norm() > reach ||
+        section.radiusMm > kMostLong * std::sqrt(section.areaMm2 / M_PI))
+      return false;
+    const BorderSlant slant = slantOf(port_, section);
+    if (slant.flagged()) {
+      if (++tries_ > kMostTries) return false;
+      try {
+        const CutAway away = cutAway(field_, phi_, {section.plane});
+        if (!away.takenAt(port_.centreLps)) return false;
+      } catch (const InputError&) {
+        return false;
+      }
+    }
+    found_ = slant;
+    return true;
+  }
+
+  const SplineField& field_;
+  const Volume<float>& phi_;
+  const Port& port_;
+  double voxel_;
+  std::optional<BorderSlant> found_;
+  double way_ = std::numeric_limits<double>::infinity();
+  int tries_ = 0;
+};
+
+}  // namespace
+
+std::optional<BorderSlant> borderSlant(const SplineField& field, const Volume<float>& phi,
+                                       const Port& port) {
+  return Finder(field, phi, port).find();
+}
+
+void measureSlants(const SplineField& field, const Volume<float>& phi, std::size_t cuts,
+                   std::vector<Port>& ports) {
+  for (std::size_t n = cuts; n < ports.size(); ++n)
+    if (ports[n].areaMm2 > 0.0) ports[n].slant = borderSlant(field, phi, ports[n]);
+}
+
+std::vector<std::string> slantWarnings(const std::vector<Port>& ports) {
+  std::vector<std::string> sentences;
+  for (const Port& port : ports) {
+    if (!port.slant || !port.slant->flagged()) continue;
+    const BorderSlant& slant = *port.slant;
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "the port '%s' slices its vessel: its normal is %.0f degrees off the vessel's "
+                  "axis and its area of %.3g mm2 is %.2f times that of the section across just "
+                  "inside; end the vessel there with --cut %.2f,%.2f,%.2f,%.4f,%.4f,%.4f,NAME",
+                  port.name.c_str(), slant.angleDeg, port.areaMm2, slant.areaRatio,
+                  slant.centreLps.x(), slant.centreLps.y(), slant.centreLps.z(), slant.axisLps.x(),
+                  slant.axisLps.y(), slant.axisLps.z());
+    sentences.emplace_back(text);
+  }
+  return sentences;
+}
+
+}  // namespace angiomesh

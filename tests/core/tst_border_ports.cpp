@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/pipeline/border_cuts.h"
+#include "core/pipeline/parameters.h"
+#include "core/pipeline/surface_step.h"
+#include "core/quality/border_slant.h"
+#include "core/surface/wall_field.h"
+#include "tests/core/mesh_shapes.h"
+
+using namespace angiomesh;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kRadius = 4.0;
+
+Geometry grid() {
+  Geometry g;
+  g.size = {48, 48, 48};
+  g.origin = {-20.0, 7.0, 110.0};
+  return g;
+}
+
+/// A vessel through the middle of the volume, in index coordinates, `degrees` off the z axis; it
+/// leaves the volume at z = 0 and ends inside.
+Volume<float> leaning(double degrees) {
+  const double angle = degrees * M_PI / 180.0;
+  const Vector3d axis(std::sin(angle), 0.0, std::cos(angle));
+  const Vector3d foot(18.0, 23.4, 0.0);
+  const Geometry g = grid();
+  return shapes::sampled(g, [=](const Vector3d& x) {
+    const Vector3d d = g.toIndex(x) - foot;
+    const double along = std::min(d.dot(axis), 24.0);
+    return std::clamp((d - along * axis).norm() - kRadius, -5.0, 5.0);
+  });
+}
+
+/// A quarter of a ring whose beginning runs along the border z = 0, the axis one voxel below it,
+/// and which ends inside.
+Volume<float> grazing() {
+  const Geometry g = grid();
+  return shapes::sampled(g, [=](const Vector3d& x) {
+    const Vector3d p = g.toIndex(x) - Vector3d(8.0, 23.5, 27.0);
+    const double around = std::clamp(std::atan2(p.x(), -p.z()), 0.0, 1.4);
+    const Vector3d axis = 28.0 * Vector3d(std::sin(around), 0.0, -std::cos(around));
+    return std::clamp((p - axis).norm() - kRadius, -5.0, 5.0);
+  });
+}
+
+std::vector<Port> openPorts(const Volume<float>& phi) {
+  std::vector<Port> ports = borderOpenings(phi);
+  for (std::size_t n = 0; n < ports.size(); ++n) ports[n].name = "border_" + std::to_string(n + 1);
+  return ports;
+}
+
+}  // namespace
+
+class TestBorderPorts : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void anglesAndRatiosAreThoseOfATiltedTube_data() {
+    QTest::addColumn<double>("degrees");
+    for (const double degrees : {0.0, 15.0, 28.0, 40.0, 55.0})
+      QTest::addRow("%g", degrees) << degrees;
+  }
+  void anglesAndRatiosAreThoseOfATiltedTube() {
+    QFETCH(double, degrees);
+    const Volume<float> phi = leaning(degrees);
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    std::vector<Port> ports = openPorts(phi);
+    QCOMPARE(ports.size(), std::size_t{1});
+    QVERIFY((ports[0].normalLps + Vector3d::UnitZ()).norm() < 1e-12);
+    const double ratio = 1.0 / std::cos(degrees * M_PI / 180.0);
+    QVERIFY(std::fabs(ports[0].areaMm2 / (M_PI * kRadius * kRadius * ratio) - 1.0) < 0.03);
+    measureSlants(field, phi, 0, ports);
+    QVERIFY(ports[0].slant.has_value());
+    const BorderSlant& slant = *ports[0].slant;
+    QVERIFY2(std::fabs(slant.angleDeg - degrees) < 2.0,
+             qPrintable(QString::number(slant.angleDeg)));
+    QVERIFY2(std::fabs(slant.areaRatio / ratio - 1.0) < 0.05,
+             qPrintable(QString::number(slant.areaRatio)));
+    QCOMPARE(slant.flagged(), degrees > 30.0);
+    QCOMPARE(slantWarnings(ports).size(), std::size_t{degrees > 30.0 ? 1U : 0U});
+    if (degrees < 30.0) return;
+    const QString warning = QString::fromStdString(slantWarnings(ports)[0]);
+    QVERIFY(warning.contains("'border_1'") && warning.contains("--cut "));
+    // What is proposed is a cut.
+    const CutAway away = cutAway(field, phi, {{slant.centreLps, slant.axisLps}}, {"x"});
+    QVERIFY(std::fabs(away.sections[0].areaMm2 / (M_PI * kRadius * kRadius) - 1.0) < 0.03);
+  }
+
+  void aVesselAlongTheBorderIsCutAcross() {
+    const Volume<float> phi = grazing();
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    std::vector<Port> ports = openPorts(phi);
+    measureSlants(field, phi, 0, ports);
+    QVERIFY(std::any_of(ports.begin(), ports.end(),
+                        [](const Port& p) { return p.slant && p.slant->flagged(); }));
+    CutAway away;
+    const std::vector<std::string> remarks = addBorderCuts(field, phi, away);
+    QVERIFY2(remarks.empty(), remarks.empty() ? "" : remarks[0].c_str());
+    QCOMPARE(away.names, std::vector<std::string>{"across_1"});
+    QVERIFY(std::fabs(away.sections[0].areaMm2 / (M_PI * kRadius * kRadius) - 1.0) < 0.05);
+    // All openings of the border are gone with what was cut away.
+    MadeSurface made = makeSurface(phi, field, {}, {}, away);
+    QCOMPARE(made.ports.size(), std::size_t{1});
+    QCOMPARE(made.ports[0].name, std::string("across_1"));
+    measureSlants(field, phi, 1, made.ports);
+    QVERIFY(!made.ports[0].slant);
+  }
+
+  /// Through an edge of the volume: an opening in each of two planes, as the surface has them, and
+  /// one cut for both.
+  void anOpeningMayLieInTwoPlanes() {
+    const Geometry g = grid();
+    const Vector3d axis = Vector3d(1.0, 0.0, 1.0).normalized();
+    const Volume<float> phi = shapes::sampled(g, [&](const Vector3d& x) {
+      const Vector3d d = g.toIndex(x) - Vector3d(-1.0, 23.4, 0.0);
+      return std::clamp((d - std::min(d.dot(axis), 30.0) * axis).norm() - kRadius, -5.0, 5.0);
+    });
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    std::vector<Port> ports = openPorts(phi);
+    std::sort(ports.begin(), ports.end(),
+              [](const Port& a, const Port& b) { return a.areaMm2 > b.areaMm2; });
+    const MadeSurface made = makeSurface(phi, field, {}, {});
+    QCOMPARE(ports.size(), made.ports.size());
+    for (std::size_t n = 0; n < ports.size(); ++n) {
+      QVERIFY(std::fabs(ports[n].areaMm2 / made.ports[n].areaMm2 - 1.0) < 0.05);
+      QVERIFY((ports[n].centreLps - made.ports[n].centreLps).norm() < 0.3);
+      QVERIFY(ports[n].normalLps.dot(made.ports[n].normalLps) > 0.999);
+    }
+    CutAway away;
+    QVERIFY(addBorderCuts(field, phi, away).empty());
+    QCOMPARE(away.sections.size(), std::size_t{1});
+  }
+
+  void whatIsStraightIsNotCut() {
+    const Volume<float> phi = leaning(10.0);
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    PortParams params;
+    params.cutBorders = true;
+    std::vector<std::string> remarks;
+    QVERIFY(makeCuts(field, phi, params, remarks).empty());
+    QVERIFY(remarks.empty());
+    const Volume<float> steep = leaning(50.0);
+    const SplineField other = wallField(steep, SplineKind::InterpolatingBspline);
+    QCOMPARE(makeCuts(other, steep, params, remarks).sections.size(), std::size_t{1});
+    // A cut of the user's own stands in for it.
+    params.cuts = {cutText({grid().toPhysical({30.0, 23.4, 10.0}), Vector3d(-1, 0, -1), "mine"})};
+    QCOMPARE(makeCuts(other, steep, params, remarks).names, std::vector<std::string>{"mine"});
+  }
+
+  void portsGetTheirNames() {
+    std::vector<Port> ports(3);
+    ports[0].name = "border_1";
+    ports[1].name = "border_2";
+    ports[2].name = "out";
+    PortParams params;
+    params.names = {"border_1=inlet", "border_2=out", "border_7=far"};
+    const std::vector<std::string> warnings = namePorts(params, ports);
+    QCOMPARE(ports[0].name, std::string("inlet"));
+    QCOMPARE(ports[1].name, std::string("border_2"));
+    QCOMPARE(warnings.size(), std::size_t{2});
+    QVERIFY(warnings[0].find("another one is called 'out'") != std::string::npos);
+    QVERIFY(warnings[1].find("no port is called 'border_7'") == 0);
+    Parameters all;
+    setFieldFromText(all, "ports.names", "border_1=a;border_2=b");
+    validate(all);
+    for (const char* text :
+         {"border_1", "=a", "border_1=", "border_1=wall", "border_1=border_2", "border_1=a b"})
+      QVERIFY_EXCEPTION_THROWN(setField(all, "ports.names", std::vector<std::string>{text}),
+                               InputError);
+    for (const char* text : {"border_1=a;border_2=a", "border_1=a;border_1=b"}) {
+      setFieldFromText(all, "ports.names", text);
+      QVERIFY_EXCEPTION_THROWN(validate(all), InputError);
+    }
+    setFieldFromText(all, "ports.names", "border_1=a");
+    setFieldFromText(all, "ports.cuts", "1,2,3,a");
+    QVERIFY_EXCEPTION_THROWN(validate(all), InputError);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestBorderPorts)
+#include "tst_border_ports.moc"
