@@ -114,7 +114,7 @@ std::optional<Counts> countValues(const Volume<T>& volume) {
 void addLabels(const Counts& counts, int layer, const Segments& segments,
                std::vector<Label>& labels) {
   for (const auto& [value, voxels] : counts) {
-    Label label{value, {}, {}, layer, voxels};
+    Label label{value, {}, layer, voxels, {}};
     for (const Label& segment : segments.named)
       if (segment.layer == layer && segment.value == value) {
         label.name = segment.name;

@@ -18,9 +18,9 @@ namespace angiomesh {
 struct Label {
   std::int64_t value = 0;
   std::string name;  ///< of 3D Slicer's segmentations, else ""
-  std::string id;    ///< the same: unlike the name, of one segment only
   int layer = 0;     ///< of 3D Slicer's segmentations whose segments overlap
   std::size_t voxels = 0;
+  std::string id = {};  ///< of 3D Slicer's segmentations: unlike the name, of one segment only
 };
 
 /// The labels of an image: its values other than 0, ascending, by layers; empty where it is no
