@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <mutex>
+#include <new>
 #include <string>
 #include <string_view>
 
@@ -73,9 +75,28 @@ bool inflateTo(const MemoryFile& copy, std::string_view packed) {
   return good;
 }
 
+/// Loads DCMTK's dictionary, without which all attributes would be read as of unknown kind. Once,
+/// by one thread: what fails within it, as for want of memory, leaves its lock held.
+void requireDictionary() {
+  enum class State { Unknown, Loaded, Missing, NoMemory };
+  static std::mutex mutex;
+  static State state = State::Unknown;
+  const std::lock_guard lock(mutex);
+  if (state == State::Unknown) {
+    state = State::NoMemory;
+    state = dcmDataDict.isDictionaryLoaded() ? State::Loaded : State::Missing;
+  }
+  if (state == State::NoMemory) throw std::bad_alloc();
+  if (state == State::Missing)
+    throw IoError("the dictionary of DICOM's attributes cannot be read", "DCMTK",
+                  "raise the limit on open files (ulimit -n), unset DCMDICTPATH, or install DCMTK "
+                  "anew");
+}
+
 }  // namespace
 
 DicomSource::DicomSource(const fs::path& file) : path_(file) {
+  requireDictionary();
   std::ifstream in(file, std::ios::binary);
   if (!in) throwNotOpened(file.filename().string(), errno);
   std::string bytes(kHead, '\0');

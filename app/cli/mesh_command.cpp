@@ -99,9 +99,9 @@ void sayBorder(const MeshInput& input, const TriMesh& mesh, bool cut) {
       "voxels";
   const Geometry& g = input.phi.geometry;
   const double whole = static_cast<double>(input.voxels) * g.spacing.prod();
-  if (!cut && isClosed(mesh))
-    text += ": it holds " + std::to_string(std::lround(100.0 * enclosedVolumeMm3(mesh) / whole)) +
-            " % of the label's voxels";
+  const double held = cut || !isClosed(mesh) ? 1.0 : enclosedVolumeMm3(mesh) / whole;
+  if (held < 1.0)
+    text += ": it holds " + std::to_string(std::lround(100.0 * held)) + " % of the label's voxels";
   printWarning(text + "; to keep all of them, add a slice of zeros there");
 }
 

@@ -140,9 +140,16 @@ void measureSlants(const SplineField& field, const Volume<float>& phi, std::size
 }
 
 std::vector<std::string> slantWarnings(const std::vector<Port>& ports) {
+  // More of them would hide what else there is to say; the list of ports has all.
+  constexpr std::size_t named = 6;
+  std::vector<const Port*> flagged;
+  for (const Port& port : ports)
+    if (port.slant && port.slant->flagged()) flagged.push_back(&port);
+  std::stable_sort(flagged.begin(), flagged.end(),
+                   [](const Port* a, const Port* b) { return a->areaMm2 > b->areaMm2; });
   std::vector<std::string> sentences;
-  for (const Port& port : ports) {
-    if (!port.slant || !port.slant->flagged()) continue;
+  for (std::size_t n = 0; n < std::min(named, flagged.size()); ++n) {
+    const Port& port = *flagged[n];
     const BorderSlant& slant = *port.slant;
     char text[400];
     std::snprintf(text, sizeof text,
@@ -154,6 +161,10 @@ std::vector<std::string> slantWarnings(const std::vector<Port>& ports) {
                   slant.axisLps.y(), slant.axisLps.z());
     sentences.emplace_back(text);
   }
+  if (flagged.size() > named)
+    sentences.push_back(std::to_string(flagged.size() - named) +
+                        " smaller ports slice their vessels, too: --cut-borders ends all of them "
+                        "across");
   return sentences;
 }
 

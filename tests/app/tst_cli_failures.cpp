@@ -343,6 +343,21 @@ class TestCliFailures : public QObject, CliFolder {
     QVERIFY(result.code == 0 || result.code == 2);
   }
 
+  // Without it every attribute would be of unknown kind, and every file damaged.
+  void aDictionaryThatIsMissingIsSaid() {
+    const QString data = qEnvironmentVariable("ANGIOMESH_DATA");
+    if (data.isEmpty()) QSKIP("ANGIOMESH_DATA is not set");
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("DCMDICTPATH", at("none.dic"));
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(dir.path());
+    process.start(ANGIOMESH_CLI, {"info", data + "/head-mr-dicom"});
+    const CliResult result = finish(process);
+    QCOMPARE(result.code, 2);
+    QVERIFY2(result.errors.contains("dictionary"), result.errors.constData());
+  }
+
   void theInputIsNotReplacedUnasked() {
     const QByteArray image = readBytes(at("good.nrrd"));
     QVERIFY(QFile::link(at("good.nrrd"), at("other.nrrd")));
