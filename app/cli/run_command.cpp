@@ -14,6 +14,7 @@
 #include "core/image/projection.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/segmentation_mask.h"
+#include "core/pipeline/segments.h"
 #include "core/quality/mesh_faults.h"
 #include "core/quality/overlap.h"
 #include "io/files.h"
@@ -85,10 +86,9 @@ void addLoadStage(RunResult& result, const StageReport& stage) {
   result.cpuSeconds += stage.cpuSeconds;
 }
 
-/// The phi that was meshed, or the evolution's where no surface was asked for.
-const Volume<float>* finalPhi(const RunResult& result) {
-  if (result.surface) return result.surface->phi.get();
-  return result.evolve ? result.evolve->phi.get() : nullptr;
+/// The phi that was meshed, or of what the evolution found; of a surface that failed, all of it.
+std::shared_ptr<const Volume<float>> finalPhi(const RunResult& result) {
+  return result.failure && result.evolve && !result.surface ? result.evolve->phi : keptPhi(result);
 }
 
 template <class T>
@@ -100,14 +100,15 @@ void addText(const StagedFolder& folder, const char* name, const std::string& te
   folder.add(name, [&](const std::filesystem::path& place) { writeText(place, text); });
 }
 
-void writeVolumes(const RunResult& result, Step until, const StagedFolder& folder) {
+void writeVolumes(const RunResult& result, Step until, const Volume<float>* phi,
+                  const StagedFolder& folder) {
   if (until == Step::Preprocess) addVolume(folder, "preprocessed.nrrd", *result.preprocessed);
   if (until == Step::Vesselness || until == Step::Seeds)
     addVolume(folder, "vesselness.nrrd", *result.vesselness->multiScale);
-  if (const Volume<float>* phi = finalPhi(result)) {
+  if (phi != nullptr) {
     const Geometry& grid = result.source.image->geometry;
     addVolume(folder, "phi.nrrd", *phi);
-    addVolume(folder, "mask.nrrd", segmentationMask(result, grid));
+    addVolume(folder, "mask.nrrd", segmentationMask(result, *phi, grid));
   }
 }
 
@@ -180,12 +181,11 @@ int run(const RunCommandOptions& options, const Progress& progress) {
 
   const Progress writing = progress.sub(kComputed, 1.0);
   writing.phase("write");
+  const std::shared_ptr<const Volume<float>> phi = finalPhi(result);
   std::optional<OverlapMeasures> measures;
-  if (truth) {
-    measures = compareMasks(segmentationMask(result, truth->geometry), *truth);
-  }
+  if (truth) measures = compareMasks(segmentationMask(result, *phi, truth->geometry), *truth);
   writing.report(0.2);
-  writeVolumes(result, runOptions.until, folder);
+  writeVolumes(result, runOptions.until, phi.get(), folder);
   writing.report(0.4);
   Soundness soundness = options.soundness;
   if (!result.failure) soundness.fault = faultOf(result, writing);
@@ -196,7 +196,7 @@ int run(const RunCommandOptions& options, const Progress& progress) {
     writeMarchingCubes(result, folder);
   }
   writing.report(0.7);
-  if (const Volume<float>* phi = finalPhi(result))
+  if (phi)
     folder.add("preview.png", [&](const std::filesystem::path& place) {
       writePng(previewPicture(*loaded.source.image, *phi), place);
     });

@@ -101,6 +101,15 @@ std::shared_ptr<const Volume<float>> withoutDropped(std::shared_ptr<const Volume
   return std::make_shared<const Volume<float>>(redistance(kept, 5.0, progress));
 }
 
+std::shared_ptr<const Volume<float>> keptPhi(const RunResult& result, const Progress& progress) {
+  if (result.surface) return result.surface->phi;
+  if (!result.evolve) return nullptr;
+  const Parameters& params = result.params;
+  const Segments segments = selectSegments(*result.evolve->phi, params.segmentation,
+                                           params.seeds.points, progress.sub(0.0, 0.5));
+  return withoutDropped(result.evolve->phi, segments, progress.sub(0.5, 1.0));
+}
+
 Volume<float> resampleField(const SplineField& field, double cellMm, const Progress& progress) {
   const Geometry& from = field.geometry();
   Geometry g = from;

@@ -24,6 +24,12 @@ std::shared_ptr<const Volume<float>> withoutDropped(std::shared_ptr<const Volume
                                                     const Segments& segments,
                                                     const Progress& progress);
 
+/// phi of what a run keeps of its segmentation: that of its surface, or where it went no further
+/// than the evolution, that of the evolution's components to keep. Null before the evolution.
+/// @throws as selectSegments()
+std::shared_ptr<const Volume<float>> keptPhi(const RunResult& result,
+                                             const Progress& progress = {});
+
 /// The field sampled on a grid over the same extent whose spacing is about `cellMm`.
 Volume<float> resampleField(const SplineField& field, double cellMm, const Progress& progress);
 

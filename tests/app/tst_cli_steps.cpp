@@ -197,6 +197,27 @@ class TestCliSteps : public QObject, CliRun {
     QCOMPARE(listed.at(1).toObject().value("value").toInt(), 9);
   }
 
+  void whatIsKeptIsKeptBeforeTheSurfaceToo() {
+    Geometry grid;
+    grid.size = {24, 12, 12};
+    Volume<std::uint8_t> boxes(grid);
+    for (int k = 3; k < 9; ++k)
+      for (int j = 3; j < 9; ++j)
+        for (int i = 3; i < 20; ++i)
+          if (i < 13 || i > 15) boxes.at(i, j, k) = 1;
+    writeVolume(boxes, nativePath(at("boxes.mha")));
+    const QStringList call{"run",   "boxes.mha",
+                           "--set", "segmentation.method=label",
+                           "--set", "segmentation.keep=largest"};
+    for (const QStringList& until : {QStringList{}, {"--until", "evolve"}}) {
+      QCOMPARE(cli(call + until + QStringList{"-o", "kept", "--force"}).code, 0);
+      const Volume<std::uint8_t> mask = readMask(nativePath(at("kept/mask.nrrd"))).mask;
+      QVERIFY(mask.at(8, 6, 6) == 1 && mask.at(18, 6, 6) == 0);
+      const Volume<float> phi = readImage(nativePath(at("kept/phi.nrrd"))).image;
+      QVERIFY(phi.at(8, 6, 6) < 0.0F && phi.at(18, 6, 6) > 0.0F);
+    }
+  }
+
   void convertKeepsValuesAndPlaces() {
     QCOMPARE(cli({"convert", "p/image.mha", "-o", "image.nii.gz"}).code, 0);
     const Volume<float> before = readImage(nativePath(at("p/image.mha"))).image;
