@@ -27,8 +27,8 @@ constexpr double kBytesPerTriangle = 500.0;
 /// walls go twice as fast.
 constexpr double kTrianglesPerSecond = 20000.0;
 
-/// Shapes, phantom trees at any noise and scans come out at 0.9 to 1.1, with thick slices at 1.4; of
-/// walls that were not made smooth and triangles that follow each bend, up to 3.
+/// Shapes, phantom trees at any noise and scans come out at 0.9 to 1.1, with thick slices at 1.4;
+/// of walls that were not made smooth and triangles that follow each bend, up to 3.
 constexpr double kRough = 2.0;
 /// A small surface costs little, whatever it looks like.
 constexpr double kWorthAWord = 200000.0;

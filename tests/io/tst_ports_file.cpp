@@ -54,16 +54,16 @@ class TestPortsFile : public QObject {
     const std::vector<Port> back = readPorts(folder / "ports.json");
     QVERIFY(!back[0].slant && back[1].slant);
     const BorderSlant& slant = *back[1].slant;
-    QVERIFY(slant.angleDeg == 41.3 && slant.areaRatio == 1.0 / 3.0 &&
-            slant.sectionAreaMm2 == 13.0);
+    QVERIFY(slant.angleDeg == 41.3 && slant.areaRatio == 1.0 / 3.0 && slant.sectionAreaMm2 == 13.0);
     QVERIFY(slant.flagged());
     QCOMPARE(slant.centreLps, Eigen::Vector3d(1, 2, 3.3));
     QCOMPARE(slant.axisLps, Eigen::Vector3d(0, 0.6, -0.8));
     std::string text = bytesOf(folder / "ports.json");
     text.replace(text.find("\"area_ratio\""), 12, "\"area_rate\"");
     save(folder / "ports.json", text);
-    QVERIFY(messageOf([&] { readPorts(folder / "ports.json"); })
-                .contains("ports[1].vessel.area_ratio is missing"));
+    QVERIFY(messageOf([&] {
+              readPorts(folder / "ports.json");
+            }).contains("ports[1].vessel.area_ratio is missing"));
   }
 
   void theFileSaysWhatItIs() {
