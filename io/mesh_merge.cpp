@@ -55,6 +55,11 @@ std::size_t mergeEqualPoints(TriMesh& mesh) {
 
 OpenMerge mergeOpenPoints(TriMesh& mesh, double distanceMm) {
   OpenMerge merge;
+  // The grid has no cells of other sizes, and could not number them farther out.
+  constexpr double mostDistances = 1e9, leastMm = 1e-12, mostMm = 1e12;
+  if (!(distanceMm > leastMm && distanceMm < mostMm)) return merge;
+  for (const Eigen::Vector3d& point : mesh.points)
+    if (!(point.cwiseAbs().maxCoeff() < mostDistances * distanceMm)) return merge;
   const std::vector<bool> open = pointsAtOpenEdges(mesh);
   std::vector<std::uint32_t> renumbered(mesh.points.size());
   std::iota(renumbered.begin(), renumbered.end(), 0U);
