@@ -230,14 +230,19 @@ void readJpeg2000(DcmDataset& data, const DicomFile& file, const std::vector<int
     sink.values(n, all.data() + static_cast<std::size_t>(frames[n]) * file.pixels());
 }
 
+/// The whole file. @throws IoError (not to be opened, damaged)
+DcmDataset& loadWhole(const DicomFile& file, const DicomSource& source, DcmFileFormat& format) {
+  const OFCondition status = format.loadFile(source.path().c_str());
+  checkOpened(file.path, status);
+  if (status.bad()) damaged(file.path, status.text());
+  return *format.getDataset();
+}
+
 /// Float and Double Float Pixel Data, which are never compressed.
 void readReal(const DicomFile& file, const std::vector<int>& frames, const FrameSink& sink) {
   const DicomSource source(file.path);
   DcmFileFormat format;
-  const OFCondition status = format.loadFile(source.path().c_str());
-  checkOpened(file.path, status);
-  if (status.bad()) damaged(file.path, status.text());
-  DcmDataset& data = *format.getDataset();
+  DcmDataset& data = loadWhole(file, source, format);
   const bool single = file.layout.allocated == 32;
   DcmElement* element = nullptr;
   const DcmTagKey tag = single ? DCM_FloatPixelData : DCM_DoubleFloatPixelData;
@@ -273,10 +278,7 @@ void readFile(const DicomFile& file, const std::vector<int>& frames, const Frame
   registerCodecs();
   const DicomSource source(file.path);
   DcmFileFormat format;
-  const OFCondition status = format.loadFile(source.path().c_str());
-  checkOpened(file.path, status);
-  if (status.bad()) damaged(file.path, status.text());
-  DcmDataset& data = *format.getDataset();
+  DcmDataset& data = loadWhole(file, source, format);
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(source.path(), error);
   if (const std::string damage = fragmentDamage(data, file, error ? 0 : bytes); !damage.empty())

@@ -13,6 +13,7 @@
 #include "io/dicom_series.h"
 #include "io/image_format.h"
 #include "io/open_file.h"
+#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

@@ -104,12 +104,6 @@ ImageFormat imageFormat(const fs::path& path) {
   throw InputError("not an image file", path.string(), kFormats);
 }
 
-std::string inSmall(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 bool looksLikeDicom(const fs::path& path) {
   const OpenFile file(path);
   if (!file.isOpen()) throwNotOpened(path.filename().string(), file.error());

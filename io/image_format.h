@@ -16,7 +16,4 @@ ImageFormat imageFormat(const std::filesystem::path& path);
 /// or read, which says nothing of what it is)
 bool looksLikeDicom(const std::filesystem::path& path);
 
-/// The letters A to Z as small ones: names of files and fields may be in capitals.
-std::string inSmall(std::string text);
-
 }  // namespace angiomesh

@@ -19,6 +19,7 @@
 #include "io/files.h"
 #include "io/image_format.h"
 #include "io/image_io.h"
+#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/length_unit.h"
 
-#include "io/image_format.h"
+#include "io/text_scanner.h"
 
 namespace angiomesh {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/mesh_place.h"
 
-#include <algorithm>
-#include <cctype>
+#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {
@@ -15,10 +14,7 @@ void scale(std::vector<Eigen::Vector3d>& points, Frame frame, double factor) {
 }  // namespace
 
 std::string meshExtension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return inSmall(path.extension().string());
 }
 
 void toFilePlace(std::vector<Eigen::Vector3d>& points, Frame frame, LengthUnit unit) {

@@ -9,6 +9,7 @@
 
 #include "io/header_text.h"
 #include "io/length_unit.h"
+#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {
@@ -51,9 +52,8 @@ Eigen::Vector3d perAxis(const NrrdFields& fields, const char* name, const char* 
 Eigen::Vector3d signsOfSpace(const NrrdFields& fields, const fs::path& path,
                              std::vector<std::string>& warnings) {
   const std::string space = fieldOf(fields, "space");
-  std::string name;
-  for (const char c : space)
-    if (c != '-' && c != ' ' && c != '_') name += static_cast<char>(std::tolower(c));
+  std::string name = inSmall(space);
+  std::erase_if(name, [](char c) { return c == '-' || c == ' ' || c == '_'; });
   if (name.ends_with("time")) name.resize(name.size() - 4);
   const auto is = [&](const char* whole, const char* letters) {
     return name == whole || name == letters || name == std::string(letters) + "t";

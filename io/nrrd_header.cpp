@@ -10,6 +10,7 @@
 #include "io/header_text.h"
 #include "io/image_header.h"
 #include "io/nrrd_geometry.h"
+#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

@@ -12,16 +12,10 @@
 #include "core/surface/outward.h"
 #include "io/mesh_patch.h"
 #include "io/staged_folder.h"
+#include "io/text_scanner.h"
 
 namespace angiomesh {
-namespace {
-
-std::string inSmallLetters(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TriMesh patchSurface(const TriMesh& mesh, std::size_t patch) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -53,7 +47,7 @@ std::vector<std::string> fileWords(const std::vector<std::string>& names) {
       word += fits && !(c == '.' && word.empty()) ? c : '_';
     }
     const std::string first = word;
-    for (int number = 2; !taken.insert(inSmallLetters(word)).second; ++number)
+    for (int number = 2; !taken.insert(inSmall(word)).second; ++number)
       word = first + "-" + std::to_string(number);
     words.push_back(word);
   }

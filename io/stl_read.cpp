@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstring>
 
 #include "core/base/error.h"
@@ -33,12 +32,6 @@ PolygonMesh readBinary(const std::string& bytes, std::uint32_t count) {
   return mesh;
 }
 
-std::string inSmallLetters(std::string_view word) {
-  std::string small(word);
-  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return small;
-}
-
 PolygonMesh readAscii(std::string_view bytes, const std::filesystem::path& path) {
   const auto broken = [&]() -> IoError {
     return {"the STL text is truncated or damaged", path.string(), kCopyAgain};
@@ -51,7 +44,7 @@ PolygonMesh readAscii(std::string_view bytes, const std::filesystem::path& path)
   bool ended = false;
   std::vector<std::uint32_t> face;
   while (!scan.done()) {
-    const std::string word = inSmallLetters(scan.word());
+    const std::string word = inSmall(std::string(scan.word()));
     if (word == "vertex") {
       double x = 0.0;
       double y = 0.0;
@@ -94,9 +87,9 @@ PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path)
   // Some binary files begin with "solid" as well: the size decides.
   if (bytes.size() >= kHeader && bytes.size() == expected) return readBinary(bytes, count);
   std::string_view text = bytes;
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  const std::string head = inSmallLetters(text.substr(0, 2000));
+  const std::string head = inSmall(std::string(text.substr(0, 2000)));
   if (head.starts_with("solid") && head.find('\0') == std::string::npos)
     return readAscii(text, path);
   if (bytes.size() < kHeader)

@@ -3,10 +3,22 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string>
 #include <string_view>
 #include <system_error>
 
 namespace angiomesh {
+
+/// What some editors put before text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+/// The letters A to Z as small ones, whatever the locale: names of files and fields may be in
+/// capitals.
+inline std::string inSmall(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
 
 /// Words and lines of a text in memory; numbers do not depend on the locale.
 class TextScanner {

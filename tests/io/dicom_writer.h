@@ -158,6 +158,19 @@ inline void saveSecondSeries(const fs::path& folder,
       EXS_LittleEndianExplicit, "b");
 }
 
+/// Orientation and pixel spacing of all frames; the item of the latter.
+inline DcmItem* putSharedGroups(DcmItem& data) {
+  DcmItem* shared = nullptr;
+  DcmItem* item = nullptr;
+  data.findOrCreateSequenceItem(DCM_SharedFunctionalGroupsSequence, shared, -2);
+  shared->findOrCreateSequenceItem(DCM_PlaneOrientationSequence, item, -2);
+  putText(*item, DCM_ImageOrientationPatient,
+          numbers(oblique().col(0)) + "\\" + numbers(oblique().col(1)));
+  shared->findOrCreateSequenceItem(DCM_PixelMeasuresSequence, item, -2);
+  putText(*item, DCM_PixelSpacing, std::to_string(kSpacingY) + "\\" + std::to_string(kSpacingX));
+  return item;
+}
+
 /// An enhanced multi-frame object with `order[f]` the slice that frame f shows.
 inline void saveEnhanced(const fs::path& path, const std::vector<int>& order,
                          bool withGroups = true,
@@ -168,14 +181,7 @@ inline void saveEnhanced(const fs::path& path, const std::vector<int>& order,
   putCommon(data, common, UID_EnhancedMRImageStorage);
   putText(data, DCM_NumberOfFrames, std::to_string(order.size()));
   if (withGroups) {
-    DcmItem* shared = nullptr;
-    DcmItem* item = nullptr;
-    data.findOrCreateSequenceItem(DCM_SharedFunctionalGroupsSequence, shared, -2);
-    shared->findOrCreateSequenceItem(DCM_PlaneOrientationSequence, item, -2);
-    putText(*item, DCM_ImageOrientationPatient,
-            numbers(oblique().col(0)) + "\\" + numbers(oblique().col(1)));
-    shared->findOrCreateSequenceItem(DCM_PixelMeasuresSequence, item, -2);
-    putText(*item, DCM_PixelSpacing, std::to_string(kSpacingY) + "\\" + std::to_string(kSpacingX));
+    DcmItem* item = putSharedGroups(data);
     for (const int k : order) {
       DcmItem* frame = nullptr;
       data.findOrCreateSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, -2);

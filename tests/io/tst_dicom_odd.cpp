@@ -116,14 +116,7 @@ void saveSegmentation(const fs::path& path, bool fractional, bool overlap = fals
     item->putAndInsertUint16(DCM_SegmentNumber, name == std::string("artery") ? 1 : 2);
     putText(*item, DCM_SegmentLabel, name);
   }
-  DcmItem* shared = nullptr;
-  data.findOrCreateSequenceItem(DCM_SharedFunctionalGroupsSequence, shared, -2);
-  shared->findOrCreateSequenceItem(DCM_PlaneOrientationSequence, item, -2);
-  putText(*item, DCM_ImageOrientationPatient,
-          numbers(oblique().col(0)) + "\\" + numbers(oblique().col(1)));
-  shared->findOrCreateSequenceItem(DCM_PixelMeasuresSequence, item, -2);
-  putText(*item, DCM_PixelSpacing, std::to_string(kSpacingY) + "\\" + std::to_string(kSpacingX));
-  putText(*item, DCM_SpacingBetweenSlices, std::to_string(kSpacingZ));
+  putText(*putSharedGroups(data), DCM_SpacingBetweenSlices, std::to_string(kSpacingZ));
   const std::vector<SegFrame> frames{{2, 7}, {1, 2}, {1, 4}, {1, 3}, {2, 5}, {1, 5}};
   std::vector<Uint8> bytes(fractional ? frames.size() * 63 : (frames.size() * 63 + 15) / 16 * 2, 0);
   for (std::size_t f = 0; f < frames.size(); ++f) {
