@@ -130,28 +130,6 @@ class BorderFinder {
   std::array<std::vector<char>, 6> taken_;
 };
 
-/// Whether the last section comes so near to the border or to another one that no triangles find
-/// room between them.
-bool touches(const CutAway& away, const Geometry& grid) {
-  constexpr double fromBorder = 0.15, fromOthers = 0.5;  // voxels
-  const double least = fromOthers * grid.voxelMm();
-  const auto isNear = [&](const Vector3d& p) {
-    const Vector3d index = grid.physicalToIndexMatrix() * (p - grid.origin);
-    for (int a = 0; a < 3; ++a)
-      if (index[a] < fromBorder ||
-          index[a] > grid.size[static_cast<std::size_t>(a)] - 1.0 - fromBorder)
-        return true;
-    for (std::size_t n = 0; n + 1 < away.sections.size(); ++n)
-      for (const std::vector<Vector3d>& loop : away.sections[n].loops)
-        for (const Vector3d& q : loop)
-          if ((p - q).norm() < least) return true;
-    return false;
-  };
-  for (const std::vector<Vector3d>& loop : away.sections.back().loops)
-    if (std::any_of(loop.begin(), loop.end(), isNear)) return true;
-  return false;
-}
-
 }  // namespace
 
 std::vector<Port> borderOpenings(const Volume<float>& phi) { return BorderFinder(phi).run(); }
@@ -172,11 +150,7 @@ std::vector<std::string> addBorderCuts(const SplineField& field, const Volume<fl
     planes.push_back({slant->centreLps, slant->axisLps});
     names.push_back("across_" + std::to_string(number));
     try {
-      CutAway more = cutAway(field, phi, planes, names, progress);
-      if (touches(more, phi.geometry))
-        throw InputError("it touches the border or another cut", names.back(),
-                         "cut farther inside");
-      away = std::move(more);
+      away = cutAway(field, phi, planes, names, progress);
       ++number;
     } catch (const InputError& error) {
       planes.pop_back();

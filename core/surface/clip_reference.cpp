@@ -37,14 +37,14 @@ class Clipper {
     number_ = number;
     section_ = &away_.sections[number];
     const std::vector<std::uint32_t> group = groupOf(passingTriangles());
-    if (group.empty()) throw noSection(away_.nameOf(number));
+    checkGroup(group, away_.nameOf(number));
     divide(group);
   }
 
-  // Whether the mesh has the section, as cut() needs it.
-  bool finds(const Section& section) {
+  // That cut() could cut the mesh at the section.
+  void check(const Section& section, const std::string& name) {
     section_ = &section;
-    return !groupOf(passingTriangles()).empty();
+    checkGroup(groupOf(passingTriangles()), name);
   }
 
   // Drops the parts beyond the sections.
@@ -191,16 +191,26 @@ class Clipper {
     return std::sqrt(least);
   }
 
+  // Points of the border and of other cuts cannot be moved into the section's plane.
+  void checkGroup(const std::vector<std::uint32_t>& group, const std::string& name) const {
+    if (group.empty())
+      throw InputError(name +
+                           " lies where the vessel is thinner than a voxel, or all but touches "
+                           "another",
+                       "surface cuts", "move the cut along the vessel");
+    for (const std::uint32_t t : group)
+      for (const std::uint32_t v : mesh_.mesh.triangles[t])
+        if (sideOf(v) == 0 && mesh_.place[v].planes() > 0)
+          throw InputError(name + " touches the border or another cut", "surface cuts",
+                           "move it by a voxel or more");
+  }
+
   void divide(const std::vector<std::uint32_t>& group) {
     const auto cut = static_cast<std::uint16_t>(number_ + 1);
     for (const std::uint32_t t : group)
       for (const std::uint32_t v : mesh_.mesh.triangles[t]) {
         if (sideOf(v) != 0) continue;
-        Place& place = mesh_.place[v];
-        if (place.planes() > 0 && place.cut != cut)
-          throw InputError(away_.nameOf(number_) + " touches the border or another cut",
-                           "surface cuts", "move it by a voxel or more");
-        place.cut = cut;
+        mesh_.place[v].cut = cut;
         Vector3d& p = mesh_.mesh.points[v];
         p -= section_->height(p) * section_->plane.normalLps;
       }
@@ -322,18 +332,13 @@ std::vector<std::vector<std::vector<std::uint32_t>>> rimsOfCuts(const PatchMesh&
 
 }  // namespace
 
-InputError noSection(const std::string& cut) {
-  return {cut + " lies where the vessel is thinner than a voxel, or all but touches another",
-          "surface cuts", "move the cut along the vessel"};
-}
-
-bool hasSection(const SplineField& field, const Section& section) {
+void checkSection(const SplineField& field, const Section& section, const std::string& name) {
   const Geometry& g = field.geometry();
   const auto [first, last] = section.voxelsAround(g, 5.0 * g.voxelMm());
   const GridPart part{first, last, 1};
   PatchMesh local = referenceSurface(sampleField(field, part), EndPlanes(g), SurfaceBorder::Open);
   const CutAway none;
-  return Clipper(local, none, g.voxelMm()).finds(section);
+  Clipper(local, none, g.voxelMm()).check(section, name);
 }
 
 void clipReference(PatchMesh& reference, const CutAway& away, const SplineField& field,

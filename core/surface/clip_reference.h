@@ -17,17 +17,16 @@ namespace angiomesh {
 /// divided where they pass a section's outline, within the section's vessel alone, and the parts
 /// beyond go, with all that lies on voxels that are taken. With `Cap` the sections become flat caps
 /// of triangles of the wanted size.
-/// @throws InputError naming the cut where the reference has no such section (see hasSection()), or
-/// both of its sides are one piece
+/// @throws InputError naming the cut where the reference has no such section (see checkSection()),
+/// or both of its sides are one piece
 void clipReference(PatchMesh& reference, const CutAway& away, const SplineField& field,
                    const GuidanceField& size, const EndPlanes& ends, SurfaceBorder border,
                    const Progress& progress = {});
 
-/// What cutAway() and clipReference() say where hasSection() does not hold.
-InputError noSection(const std::string& cut);
-
-/// Whether a reference surface of the field would have this section: not where the vessel is
-/// thinner than a voxel, or so near another in the section's plane that marching cubes joins them.
-bool hasSection(const SplineField& field, const Section& section);
+/// That a reference surface of the field could be cut at this section.
+/// @throws InputError naming the cut where the vessel is thinner than a voxel, or so near another
+/// in the section's plane that marching cubes joins them, or where a point of the surface's rim at
+/// the volume's border lies in that plane
+void checkSection(const SplineField& field, const Section& section, const std::string& name);
 
 }  // namespace angiomesh

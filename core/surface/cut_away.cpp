@@ -62,7 +62,7 @@ class Cutter {
     for (const CutPlane& cut : cuts) {
       const std::string name = away_.nameOf(away_.sections.size());
       away_.sections.push_back(sectionOf(field_, cut, name));
-      if (!hasSection(field_, away_.sections.back())) throw noSection(name);
+      checkSection(field_, away_.sections.back(), name);
     }
     if (away_.sections.empty()) return std::move(away_);
     checkApart();

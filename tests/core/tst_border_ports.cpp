@@ -114,6 +114,21 @@ class TestBorderPorts : public QObject {
     QVERIFY(!made.ports[0].slant);
   }
 
+  /// The first place that comes into question lies on points of the surface's rim at the border.
+  void aCutKeepsOffThePointsOfTheRim() {
+    const Geometry g = grid();
+    const Vector3d axis = Vector3d(1.0, 0.0, 1.0).normalized();
+    const Volume<float> phi = shapes::sampled(g, [&](const Vector3d& x) {
+      const Vector3d d = g.toIndex(x) - Vector3d(4.0, 23.4, 0.0);
+      return std::clamp((d - std::min(d.dot(axis), 24.0) * axis).norm() - 3.0, -5.0, 5.0);
+    });
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    CutAway away;
+    QVERIFY(addBorderCuts(field, phi, away).empty());
+    QCOMPARE(away.names, std::vector<std::string>{"across_1"});
+    QCOMPARE(makeSurface(phi, field, {}, {}, away).ports.size(), std::size_t{1});
+  }
+
   /// Through an edge of the volume: an opening in each of two planes, as the surface has them, and
   /// one cut for both.
   void anOpeningMayLieInTwoPlanes() {
