@@ -17,6 +17,7 @@
 #include "io/mesh_place.h"
 #include "io/point_merger.h"
 #include "io/polygon_mesh.h"
+#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {
@@ -89,14 +90,13 @@ void writeFile(const WritableMesh& mesh, const std::string& extension, const fs:
   }
 }
 
-/// Of the mark that some editors put before text in UTF-8.
-std::size_t markLength(std::string_view bytes) { return bytes.starts_with("\xef\xbb\xbf") ? 3 : 0; }
-
 PolygonMesh readPolygons(const fs::path& path) {
   std::string bytes = readText(path);
   if (bytes.empty()) throw IoError("the file is empty", path.string(), kCopyAgain);
   const std::string extension = meshExtension(path);
-  if (extension != ".stl") bytes.erase(0, markLength(bytes));
+  // What begins an STL file may be binary.
+  if (extension != ".stl" && bytes.starts_with(kByteOrderMark))
+    bytes.erase(0, kByteOrderMark.size());
   if (extension == ".ply") return readPly(bytes, path);
   if (extension == ".stl") return readStl(bytes, path);
   if (extension == ".obj") return readObj(bytes, path);
@@ -217,15 +217,13 @@ void mergePoints(const MeshReadOptions& options, const fs::path& path, LoadedMes
     const double share = kRounding * box.diagonal().norm();
     // A round number, to be read and typed.
     const double distance = share > 0.0 ? std::pow(10.0, std::floor(std::log10(share))) : 0.0;
-    TriMesh closer = distance > 0.0 ? loaded.mesh : TriMesh{};
-    const OpenMerge merge = mergeOpenPoints(closer, distance);
+    const std::size_t near = openPointsNear(loaded.mesh, distance);
     char text[40];
     std::snprintf(text, sizeof text, "%.1g", distance);
-    if (merge.points > 0)
-      loaded.warnings.push_back(
-          "the surface has cracks: " + counted(merge.points, "point", "points") +
-          " at open edges within " + text + " mm of another one, " + path.string() +
-          ": --merge-distance " + text + " joins them");
+    if (near > 0)
+      loaded.warnings.push_back("the surface has cracks: " + counted(near, "point", "points") +
+                                " at open edges within " + text + " mm of another one, " +
+                                path.string() + ": --merge-distance " + text + " joins them");
   }
 }
 

@@ -37,6 +37,42 @@ void renumber(TriMesh& mesh, const std::vector<std::uint32_t>& renumbered) {
   mesh.points = std::move(points);
 }
 
+struct OpenPairs {
+  std::vector<std::uint32_t> renumbered;  ///< per point, itself or the one that it becomes
+  std::size_t count = 0;                  ///< of those that become another one
+};
+
+/// See mergeOpenPoints(); none where the distance is out of all proportion.
+OpenPairs findOpenPairs(const TriMesh& mesh, double distanceMm) {
+  // The grid has no cells of other sizes, and could not number them farther out.
+  constexpr double mostDistances = 1e9, leastMm = 1e-12, mostMm = 1e12;
+  OpenPairs pairs;
+  if (!(distanceMm > leastMm && distanceMm < mostMm)) return pairs;
+  for (const Eigen::Vector3d& point : mesh.points)
+    if (!(point.cwiseAbs().maxCoeff() < mostDistances * distanceMm)) return pairs;
+  const std::vector<bool> open = pointsAtOpenEdges(mesh);
+  std::vector<std::uint32_t>& renumbered = pairs.renumbered;
+  renumbered.resize(mesh.points.size());
+  std::iota(renumbered.begin(), renumbered.end(), 0U);
+  PointGrid kept;
+  for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
+    if (!open[p]) continue;
+    const Eigen::Vector3d& point = mesh.points[p];
+    double nearest = std::numeric_limits<double>::infinity();
+    kept.forEachNear(point, distanceMm, 0.0, [&](std::uint32_t other) {
+      const double away = (mesh.points[other] - point).norm();
+      if (away > nearest || (away == nearest && other > renumbered[p])) return;
+      nearest = away;
+      renumbered[p] = other;
+    });
+    if (renumbered[p] == p)
+      kept.insert(p, point, distanceMm);
+    else
+      ++pairs.count;
+  }
+  return pairs;
+}
+
 }  // namespace
 
 std::size_t mergeEqualPoints(TriMesh& mesh) {
@@ -54,31 +90,10 @@ std::size_t mergeEqualPoints(TriMesh& mesh) {
 }
 
 OpenMerge mergeOpenPoints(TriMesh& mesh, double distanceMm) {
+  const OpenPairs pairs = findOpenPairs(mesh, distanceMm);
+  const std::vector<std::uint32_t>& renumbered = pairs.renumbered;
   OpenMerge merge;
-  // The grid has no cells of other sizes, and could not number them farther out.
-  constexpr double mostDistances = 1e9, leastMm = 1e-12, mostMm = 1e12;
-  if (!(distanceMm > leastMm && distanceMm < mostMm)) return merge;
-  for (const Eigen::Vector3d& point : mesh.points)
-    if (!(point.cwiseAbs().maxCoeff() < mostDistances * distanceMm)) return merge;
-  const std::vector<bool> open = pointsAtOpenEdges(mesh);
-  std::vector<std::uint32_t> renumbered(mesh.points.size());
-  std::iota(renumbered.begin(), renumbered.end(), 0U);
-  PointGrid kept;
-  for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
-    if (!open[p]) continue;
-    const Eigen::Vector3d& point = mesh.points[p];
-    double nearest = std::numeric_limits<double>::infinity();
-    kept.forEachNear(point, distanceMm, 0.0, [&](std::uint32_t other) {
-      const double away = (mesh.points[other] - point).norm();
-      if (away > nearest || (away == nearest && other > renumbered[p])) return;
-      nearest = away;
-      renumbered[p] = other;
-    });
-    if (renumbered[p] == p)
-      kept.insert(p, point, distanceMm);
-    else
-      ++merge.points;
-  }
+  merge.points = pairs.count;
   if (merge.points == 0) return merge;
   TriMesh whole;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -96,6 +111,10 @@ OpenMerge mergeOpenPoints(TriMesh& mesh, double distanceMm) {
   mesh.patch = std::move(whole.patch);
   renumber(mesh, renumbered);
   return merge;
+}
+
+std::size_t openPointsNear(const TriMesh& mesh, double distanceMm) {
+  return findOpenPairs(mesh, distanceMm).count;
 }
 
 }  // namespace angiomesh

@@ -20,4 +20,7 @@ struct OpenMerge {
 /// > 0 of another becomes the one of the lower number. All other points stay.
 OpenMerge mergeOpenPoints(TriMesh& mesh, double distanceMm);
 
+/// How many points mergeOpenPoints() would make one with another.
+std::size_t openPointsNear(const TriMesh& mesh, double distanceMm);
+
 }  // namespace angiomesh

@@ -479,6 +479,18 @@ class TestMeshForeign : public QObject {
     writeMesh(large, folder / "m.ply");
     QVERIFY(joined(loadMesh(folder / "m.ply").warnings).contains("longer than any vessel"));
   }
+
+  /// Where the grid that finds near points has no cells of the size.
+  void farPointsAreNotLookedFor() {
+    for (const double size : {1e-30, 1e30, 1e300}) {
+      TriMesh mesh;
+      mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+      for (int n = 0; n < 6; ++n)
+        mesh.points.emplace_back(size * (n % 3), size * (n / 3), -size * n);
+      QCOMPARE(openPointsNear(mesh, 1e-6 * size), std::size_t{0});
+      QCOMPARE(mergeOpenPoints(mesh, 2.0 * size).points, std::size_t{0});
+    }
+  }
 };
 
 QTEST_APPLESS_MAIN(TestMeshForeign)
