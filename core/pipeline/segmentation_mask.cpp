@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/pipeline/segments.h"
 #include "core/quality/overlap.h"
 
 namespace angiomesh {
@@ -48,8 +49,7 @@ Volume<std::uint8_t> segmentationMask(const RunResult& result, const Volume<floa
 
 Volume<std::uint8_t> segmentationMask(const RunResult& result, const Geometry& grid) {
   requireSegmentation(result);
-  return segmentationMask(result, result.surface ? *result.surface->phi : *result.evolve->phi,
-                          grid);
+  return segmentationMask(result, *keptPhi(result), grid);
 }
 
 }  // namespace angiomesh

@@ -15,7 +15,7 @@ namespace angiomesh {
 Volume<std::uint8_t> segmentationMask(const RunResult& result, const Volume<float>& phi,
                                       const Geometry& grid);
 
-/// The same of phi as the run left it.
+/// The same of what the run keeps, see keptPhi().
 Volume<std::uint8_t> segmentationMask(const RunResult& result, const Geometry& grid);
 
 }  // namespace angiomesh

@@ -105,8 +105,11 @@ std::shared_ptr<const Volume<float>> keptPhi(const RunResult& result, const Prog
   if (result.surface) return result.surface->phi;
   if (!result.evolve) return nullptr;
   const Parameters& params = result.params;
-  const Segments segments = selectSegments(*result.evolve->phi, params.segmentation,
-                                           params.seeds.points, progress.sub(0.0, 0.5));
+  const SegmentationParams& s = params.segmentation;
+  if (s.keep == KeepComponents::All && s.minVolumeMm3 == 0.0 && s.drop.empty())
+    return result.evolve->phi;
+  const Segments segments =
+      selectSegments(*result.evolve->phi, s, params.seeds.points, progress.sub(0.0, 0.5));
   return withoutDropped(result.evolve->phi, segments, progress.sub(0.5, 1.0));
 }
 
