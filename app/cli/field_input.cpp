@@ -76,7 +76,8 @@ Volume<float> readPhiOrMask(const std::string& path, std::optional<double> thres
 }
 
 MeshInput readMeshInput(const std::string& path, const MaskChoice& choice,
-                        const SmoothWallParams& wall, const Progress& progress) {
+                        const SmoothWallParams& wall, std::optional<MaskConnectivity> connectivity,
+                        const Progress& progress) {
   MeshInput input;
   if (choice.label.empty() && !choice.threshold)
     if (auto field = fieldOf(path, progress.sub(0.0, 0.2))) {
@@ -91,20 +92,15 @@ MeshInput readMeshInput(const std::string& path, const MaskChoice& choice,
   input.voxels = static_cast<std::size_t>(
       std::count(chosen.mask.voxels.begin(), chosen.mask.voxels.end(), std::uint8_t{1}));
   MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 0.7));
-  input.phi = smoothMask(std::move(made.phi), wall, progress.sub(0.7, 1.0));
-  input.mask = std::move(chosen.mask);
+  input.phi = smoothMask(std::move(made.phi), wall, progress.sub(0.7, 0.9));
+  if (connectivity) {
+    const MaskContacts contacts =
+        settleContacts(input.phi, chosen.mask, *connectivity, progress.sub(0.9, 1.0));
+    if (const std::string words = contactText(contacts); !words.empty()) printWarning(words);
+  }
   input.largestShiftVoxels = made.largestShiftVoxels;
   input.maskVolumeMm3 = made.maskVolumeMm3;
   return input;
-}
-
-MaskContacts settleInput(MeshInput& input, MaskConnectivity connectivity,
-                         const Progress& progress) {
-  if (input.labels.empty()) return {};
-  const MaskContacts contacts = settleContacts(input.phi, input.mask, connectivity, progress);
-  input.mask = {};
-  if (const std::string words = contactText(contacts); !words.empty()) printWarning(words);
-  return contacts;
 }
 
 }  // namespace angiomesh::cli

@@ -28,7 +28,6 @@ void addMaskChoice(CLI::App& command, MaskChoice& choice);
 struct MeshInput {
   Volume<float> phi;
   // Of a mask or label image:
-  Volume<std::uint8_t> mask;
   std::vector<Label> labels;
   bool otherLabels = false;  ///< the image has more of them
   bool atBorder = false;     ///< the mask reaches the border of the volume
@@ -37,13 +36,12 @@ struct MeshInput {
 };
 
 /// A level set function (float, with negative values) as it is; of anything else the labels that
-/// are chosen (see readLabel()) as the distance to a wall that `wall` makes smooth. Prints what the
-/// file is warned of.
+/// are chosen (see readLabel()) as the distance to a wall that `wall` makes smooth. Where voxels
+/// touch by an edge or a corner alone, settleContacts() joins or parts them as `connectivity` says,
+/// if it says so. Prints what there is to be warned of.
 /// @throws IoError, InputError, Cancelled
 MeshInput readMeshInput(const std::string& path, const MaskChoice& choice,
-                        const SmoothWallParams& wall, const Progress& progress);
-
-/// settleContacts() where the input is a mask, said in a warning.
-MaskContacts settleInput(MeshInput& input, MaskConnectivity connectivity, const Progress& progress);
+                        const SmoothWallParams& wall, std::optional<MaskConnectivity> connectivity,
+                        const Progress& progress);
 
 }  // namespace angiomesh::cli

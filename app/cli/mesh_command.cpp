@@ -137,8 +137,8 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   }
   const Parameters all = options.settings.parameters();
   const SurfaceParams& params = all.surface;
-  MeshInput input = readMeshInput(options.input, options.choice, all.wall, progress.sub(0.0, 0.25));
-  settleInput(input, all.segmentation.connectivity, progress.sub(0.25, 0.3));
+  const MeshInput input = readMeshInput(options.input, options.choice, all.wall,
+                                        all.segmentation.connectivity, progress.sub(0.0, 0.3));
   const SplineField field = wallField(input.phi, params.spline);
   const Progress rest = progress.sub(0.3, 1.0);
   std::vector<std::string> remarks;

@@ -170,9 +170,8 @@ int quality(const QualityOptions& options, const Progress& progress) {
   std::optional<SplineField> phi;
   if (!options.phi.empty()) {
     const Parameters params = options.settings.parameters();
-    MeshInput input =
-        readMeshInput(options.phi, options.choice, params.wall, progress.sub(0.0, 0.15));
-    settleInput(input, params.segmentation.connectivity, progress.sub(0.15, 0.2));
+    const MeshInput input = readMeshInput(options.phi, options.choice, params.wall,
+                                          params.segmentation.connectivity, progress.sub(0.0, 0.2));
     phi = wallField(input.phi, surface.spline);
   }
   const SplineField* field = phi ? &*phi : nullptr;

@@ -79,7 +79,8 @@ int skeleton(const SkeletonOptions& options, const Progress& progress) {
     checkSkeletonFile(output);
     checkOutputFile(output);
   }
-  const MeshInput input = readMeshInput(options.input, options.choice, {}, progress.sub(0.0, 0.5));
+  const MeshInput input =
+      readMeshInput(options.input, options.choice, {}, {}, progress.sub(0.0, 0.5));
   progress.phase("centre lines");
   const Skeleton found = skeletonOf(input.phi, progress.sub(0.5, 1.0));
   if (found.branches.empty())
