@@ -317,6 +317,4 @@ std::string overlapJson(const OverlapMeasures& measures) {
   return Json{{"schema", kSchema}, {"truth", overlapBlock(measures)}}.dump(kIndent) + "\n";
 }
 
-const char* versionText() { return ANGIOMESH_VERSION; }
-
 }  // namespace angiomesh
