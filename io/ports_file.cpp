@@ -19,6 +19,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
 constexpr double kTolerance = 1e-3;
+constexpr const char* kCut = "cut";
+constexpr const char* kBorder = "border";
 
 /// What a reader says about a value and where it stands.
 class Place {
@@ -87,11 +89,18 @@ BorderSlant slantIn(const Json& json, const Place& place) {
   return slant;
 }
 
+bool isBorder(const Json& kind, const Place& place) {
+  if (kind != kBorder && kind != kCut) place.refuse("is neither \"cut\" nor \"border\"");
+  return kind == kBorder;
+}
+
 Port portIn(const Json& json, const Place& place) {
   std::vector<std::string> keys{"name", "centre_mm", "normal", "area_mm2",
                                 "equivalent_diameter_mm"};
-  const bool slanted = json.is_object() && json.contains("vessel");
+  const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
+  const bool slanted = has("vessel");
   if (slanted) keys.emplace_back("vessel");
+  if (has("kind")) keys.emplace_back("kind");
   const std::vector<Json> values = valuesOf(json, keys, place);
   Port port;
   if (!values[0].is_string()) place.in("name").refuse("is no text");
@@ -106,6 +115,8 @@ Port portIn(const Json& json, const Place& place) {
   if (std::fabs(diameter - port.equivalentDiameterMm()) > kTolerance * diameter)
     place.in("equivalent_diameter_mm").refuse("is not that of a circle of this area");
   if (slanted) port.slant = slantIn(values[5], place.in("vessel"));
+  port.atBorder = slanted || port.name.starts_with("border_");
+  if (has("kind")) port.atBorder = isBorder(values.back(), place.in("kind"));
   return port;
 }
 
@@ -136,6 +147,7 @@ void writePorts(const std::vector<Port>& ports, const fs::path& path) {
       throw InputError("the port '" + port.name + "' has a measure that is no number",
                        path.string(), "cut the surface again");
     list.push_back({{"name", port.name},
+                    {"kind", port.atBorder ? kBorder : kCut},
                     {"centre_mm", toJson(port.centreLps)},
                     {"normal", toJson(port.normalLps)},
                     {"area_mm2", port.areaMm2},

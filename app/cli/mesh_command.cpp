@@ -179,10 +179,13 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   // Of what it was made of; it also says that the names are ours.
   write.key = contentHash(input.phi);
   write.patchNames = patchNamesOf(made.ports);
-  // A text STL file alone has names.
-  if (!away.empty() && meshExtension(options.output) == ".stl")
-    write.encoding = MeshEncoding::Ascii;
-  if (away.empty() && meshExtension(options.output) == ".stl") made.mesh.patch.clear();
+  if (meshExtension(options.output) == ".stl") {
+    // A text STL file alone has names, which who cuts or names openings wants.
+    if (!away.empty() || !all.ports.names.empty())
+      write.encoding = MeshEncoding::Ascii;
+    else
+      made.mesh.patch.clear();
+  }
   writeChecked(made.mesh, options.output, options.output, write);
   for (const std::string& warning : made.origin.warnings()) printWarning(warning);
   for (const std::string& warning : slantWarnings(made.ports)) printWarning(warning);

@@ -13,12 +13,13 @@
 #include "app/cli/session.h"
 #include "core/base/error.h"
 #include "io/files.h"
+#include "io/ports_file.h"
 
 namespace angiomesh::cli {
 namespace {
 
-constexpr std::array<std::string_view, 7> kNumberOptions{"--seed",    "--roi",  "--size",  "--cut",
-                                                         "--spacing", "--axis", "--offset"};
+constexpr std::array<std::string_view, 8> kNumberOptions{
+    "--seed", "--roi", "--size", "--cut", "--spacing", "--axis", "--offset", "--name-port"};
 
 }  // namespace
 
@@ -61,6 +62,7 @@ Parameters ParameterOptions::parameters() const {
     params.preprocess.roi.emplace();
     std::copy(corners.begin(), corners.end(), params.preprocess.roi->begin());
   }
+  if (!portsFile.empty()) addPorts(readPorts(portsFile), params.ports);
   params.ports.cuts.insert(params.ports.cuts.end(), cuts.begin(), cuts.end());
   if (!cutEnds.empty()) setFieldFromText(params, "ports.cutEndsRadii", cutEnds);
   if (cutBorders) params.ports.cutBorders = true;
@@ -88,6 +90,9 @@ void addPlaces(CLI::App& command, ParameterOptions& options) {
 }
 
 void addCuts(CLI::App& command, ParameterOptions& options) {
+  command.add_option("--ports", options.portsFile,
+                     "The ports.json of a run: its cuts once more, and the names that it gave to "
+                     "openings at the border, by their places");
   command
       .add_option("--cut", options.cuts,
                   "A plane that ends a vessel, and the name of the opening: x,y,z,NAME or "
@@ -100,7 +105,8 @@ void addCuts(CLI::App& command, ParameterOptions& options) {
                    "Cut vessels that the volume's border slices across just inside");
   command
       .add_option("--name-port", options.portNames,
-                  "border_1=NAME: call a port so; may be repeated")
+                  "border_1=NAME, or x,y,z=NAME with the port's centre in mm LPS: call a port so; "
+                  "may be repeated")
       ->allow_extra_args(false);
 }
 

@@ -17,13 +17,15 @@ namespace angiomesh::cli {
 std::vector<double> parseNumbers(const std::string& text, std::size_t count,
                                  const std::string& option);
 
-/// --preset, --params, --set, --seed, --roi, --cut, --cut-ends, --cut-borders and --name-port.
+/// --preset, --params, --set, --seed, --roi, --ports, --cut, --cut-ends, --cut-borders and
+/// --name-port.
 struct ParameterOptions {
   std::string presetName = "angiomesh";
   std::string paramsFile;
   std::vector<std::string> settings;
   std::vector<std::string> seeds;
   std::string roi;
+  std::string portsFile;
   std::vector<std::string> cuts;
   std::string cutEnds;
   std::vector<std::string> portNames;
@@ -37,7 +39,8 @@ struct ParameterOptions {
 /// Adds --preset, --params and --set to a command.
 void addSettings(CLI::App& command, ParameterOptions& options);
 
-/// Adds --cut, --cut-ends, --cut-borders and --name-port to a command that makes a surface.
+/// Adds --ports, --cut, --cut-ends, --cut-borders and --name-port to a command that makes a
+/// surface.
 void addCuts(CLI::App& command, ParameterOptions& options);
 
 /// Adds --seed and --roi to a command that starts from an image.

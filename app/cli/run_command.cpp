@@ -148,8 +148,8 @@ void writeSurface(const RunResult& result, const StagedFolder& folder) {
   add("vessels.ply", *mesh);
   folder.add("ports.json",
              [&](const std::filesystem::path& place) { writePorts(result.ports, place); });
-  // Who cuts wants the names of the openings, which only the text form has.
-  if (!result.surface->sectionAreasMm2.empty()) {
+  // Who cuts or names openings wants their names, which only the text form has.
+  if (!result.surface->sectionAreasMm2.empty() || !result.params.ports.names.empty()) {
     write.encoding = MeshEncoding::Ascii;
     add("vessels.stl", *mesh);
   } else {

@@ -101,6 +101,7 @@ class BorderFinder {
     port.centreLps = moment / area;
     port.normalLps = normal.normalized();
     port.areaMm2 = area;
+    port.atBorder = true;
     return port;
   }
 

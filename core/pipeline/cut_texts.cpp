@@ -17,6 +17,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr const char* kForm = "write x,y,z,NAME or x,y,z,nx,ny,nz,NAME, in mm LPS";
+constexpr const char* kNameForm = "write border_1=NAME, or x,y,z=NAME with a place in mm LPS";
+constexpr const char* kNames = "ports.names";
+constexpr const char* kCuts = "ports.cuts";
 constexpr const char* kBorderPrefix = "border_";
 
 std::vector<std::string> piecesOf(const std::string& text) {
@@ -33,17 +36,27 @@ std::vector<std::string> piecesOf(const std::string& text) {
   return pieces;
 }
 
-double numberOf(const std::string& piece, const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(piece.data(), piece.data() + piece.size(), value);
-  if (error != std::errc() || end != piece.data() + piece.size() || !std::isfinite(value))
-    throw InputError("'" + piece + "' is no number in the cut '" + text + "'", "ports.cuts", kForm);
-  return value;
+/// Three numbers from `first` on. @throws InputError that names `field` and says the form it has
+Vector3d placeOf(const std::vector<std::string>& pieces, std::size_t first, const std::string& text,
+                 const char* field, const char* form) {
+  Vector3d place;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::string& piece = pieces[first + a];
+    double& value = place[static_cast<Eigen::Index>(a)];
+    const auto [end, error] = std::from_chars(piece.data(), piece.data() + piece.size(), value);
+    if (error != std::errc() || end != piece.data() + piece.size() || !std::isfinite(value))
+      throw InputError("'" + piece + "' is no number in '" + text + "'", field, form);
+  }
+  return place;
 }
 
 std::string shortest(double value) {
   std::array<char, 40> buffer{};
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::string placeText(const Vector3d& place) {
+  return shortest(place.x()) + "," + shortest(place.y()) + "," + shortest(place.z());
 }
 
 }  // namespace
@@ -53,24 +66,23 @@ void checkPortName(const std::string& name) {
     return (c < 128 && std::isalnum(c) != 0) || c == '_' || c == '-' || c == '.';
   });
   if (!word)
-    throw InputError("'" + name + "' is no name for a port", "ports.cuts",
+    throw InputError("'" + name + "' is no name for a port", kCuts,
                      "use letters, digits, '_', '-' and '.'");
   if (name == kWallName || name.starts_with(kBorderPrefix))
-    throw InputError("'" + name + "' is a name that the program gives itself", "ports.cuts",
+    throw InputError("'" + name + "' is a name that the program gives itself", kCuts,
                      "choose another name");
 }
 
 GivenCut parseCut(const std::string& text) {
   const std::vector<std::string> pieces = piecesOf(text);
   if (pieces.size() != 4 && pieces.size() != 7)
-    throw InputError("'" + text + "' is no cut", "ports.cuts", kForm);
+    throw InputError("'" + text + "' is no cut", kCuts, kForm);
   GivenCut cut;
-  for (int a = 0; a < 3; ++a) cut.pointLps[a] = numberOf(pieces[static_cast<std::size_t>(a)], text);
+  cut.pointLps = placeOf(pieces, 0, text, kCuts, kForm);
   if (pieces.size() == 7) {
-    Vector3d normal;
-    for (int a = 0; a < 3; ++a) normal[a] = numberOf(pieces[static_cast<std::size_t>(a) + 3], text);
+    const Vector3d normal = placeOf(pieces, 3, text, kCuts, kForm);
     if (!(normal.norm() > 1e-9))
-      throw InputError("the normal of the cut '" + text + "' has no length", "ports.cuts", kForm);
+      throw InputError("the normal of the cut '" + text + "' has no length", kCuts, kForm);
     cut.normalLps = normal;
   }
   cut.name = pieces.back();
@@ -79,10 +91,8 @@ GivenCut parseCut(const std::string& text) {
 }
 
 std::string cutText(const GivenCut& cut) {
-  std::string text;
-  for (int a = 0; a < 3; ++a) text += shortest(cut.pointLps[a]) + ",";
-  if (cut.normalLps)
-    for (int a = 0; a < 3; ++a) text += shortest((*cut.normalLps)[a]) + ",";
+  std::string text = placeText(cut.pointLps) + ",";
+  if (cut.normalLps) text += placeText(*cut.normalLps) + ",";
   return text + cut.name;
 }
 
@@ -91,28 +101,48 @@ void checkPorts(const PortParams& params) {
   for (const std::string& text : params.cuts) {
     const GivenCut cut = parseCut(text);
     if (!names.insert(cut.name).second)
-      throw InputError("two cuts are called '" + cut.name + "'", "ports.cuts",
+      throw InputError("two cuts are called '" + cut.name + "'", kCuts,
                        "give each a name of its own");
   }
   std::set<std::string> ports;
   for (const std::string& text : params.names) {
-    const auto [port, name] = parsePortName(text);
-    if (!ports.insert(port).second)
-      throw InputError("the port '" + port + "' gets two names", "ports.names",
+    const PortNaming naming = parsePortNaming(text);
+    if (!ports.insert(naming.port).second)
+      throw InputError("the port '" + naming.port + "' gets two names", kNames,
                        "give it one of them");
-    if (!names.insert(name).second)
-      throw InputError("two ports are called '" + name + "'", "ports.names",
+    if (!names.insert(naming.name).second)
+      throw InputError("two ports are called '" + naming.name + "'", kNames,
                        "give each a name of its own");
   }
 }
 
-std::array<std::string, 2> parsePortName(const std::string& text) {
+PortNaming parsePortNaming(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos)
-    throw InputError("'" + text + "' names no port", "ports.names", "write border_1=NAME");
-  const std::string name = text.substr(equals + 1);
-  checkPortName(name);
-  return {text.substr(0, equals), name};
+    throw InputError("'" + text + "' names no port", kNames, kNameForm);
+  PortNaming naming;
+  naming.name = text.substr(equals + 1);
+  checkPortName(naming.name);
+  naming.port = text.substr(0, equals);
+  if (naming.port.find(',') == std::string::npos) return naming;
+  const std::vector<std::string> pieces = piecesOf(naming.port);
+  if (pieces.size() != 3)
+    throw InputError("'" + naming.port + "' is no place of a port", kNames, kNameForm);
+  naming.placeLps = placeOf(pieces, 0, text, kNames, kNameForm);
+  return naming;
+}
+
+std::string portNamingText(const PortNaming& naming) {
+  return (naming.placeLps ? placeText(*naming.placeLps) : naming.port) + "=" + naming.name;
+}
+
+void addPorts(const std::vector<Port>& ports, PortParams& params) {
+  for (const Port& port : ports) {
+    if (!port.atBorder)
+      params.cuts.push_back(cutText({port.centreLps, port.normalLps, port.name}));
+    else if (!port.name.starts_with(kBorderPrefix))
+      params.names.push_back(portNamingText({"", port.centreLps, port.name}));
+  }
 }
 
 }  // namespace angiomesh

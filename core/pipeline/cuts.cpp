@@ -5,19 +5,59 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/pipeline/border_cuts.h"
+#include "core/quality/border_slant.h"
 #include "core/quality/end_cuts.h"
 #include "core/quality/port_advice.h"
 #include "core/quality/vessel_at.h"
+#include "core/surface/clip_reference.h"
 #include "core/surface/port.h"
 
 namespace angiomesh {
 namespace {
 
 using Eigen::Vector3d;
+
+/// How far a named place may be from its port's centre, in radii of the port: its opening is about
+/// the same one on a surface of other parameters.
+constexpr double kNearRadii = 1.5;
+
+/// How far along a vessel a place for a cut is looked for, in its radii.
+constexpr double kMostRadii = 4.0;
+/// A section's farthest point from its centre, in radii of the circle of its area: more is slanted,
+/// or lies in a branching.
+constexpr double kMostLong = 1.6;
+/// An axis so far off the way so far is another vessel's, cosine.
+constexpr double kSameWay = 0.5;
+/// A cut that was moved by more along its vessel is spoken of.
+constexpr double kTellVoxels = 1.5;
+
+std::optional<std::size_t> portCalled(const std::string& name, const std::vector<Port>& ports) {
+  const auto found =
+      std::find_if(ports.begin(), ports.end(), [&](const Port& port) { return port.name == name; });
+  if (found == ports.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - ports.begin());
+}
+
+/// The port nearest to a place, but for those with the names of `cuts`.
+std::optional<std::size_t> portAt(const Vector3d& place, const std::vector<Port>& ports,
+                                  const std::set<std::string>& cuts) {
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t n = 0; n < ports.size(); ++n) {
+    const double away = (ports[n].centreLps - place).norm();
+    if (away >= least || away > kNearRadii * 0.5 * ports[n].equivalentDiameterMm() ||
+        cuts.count(ports[n].name) != 0)
+      continue;
+    nearest = n;
+    least = away;
+  }
+  return nearest;
+}
 
 std::size_t takenBy(const SplineField& field, const Volume<float>& phi, const CutPlane& plane,
                     const std::string& name, const Progress& progress) {
@@ -30,6 +70,95 @@ Vector3d onAxis(const LocalVessel& vessel, const CutPlane& plane) {
   if (std::fabs(slope) < 0.2) return vessel.centreLps;
   const double along = (plane.pointLps - vessel.centreLps).dot(plane.normalLps) / slope;
   return vessel.centreLps + along * vessel.axisLps;
+}
+
+/// Whether a plane across a vessel can be a cut, whatever it takes.
+bool canCut(const SplineField& field, const CutPlane& plane) {
+  try {
+    const Section section = sectionOf(field, plane);
+    checkSection(field, section, "the cut");
+    return section.radiusMm < kMostLong * std::sqrt(section.areaMm2 / M_PI);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// On the way from a vessel's centre along its axis the first place where it can be cut across.
+class Walk {
+ public:
+  Walk(const LocalVessel& start, double turn, double stepMm)
+      : place_(start.centreLps), ahead_(turn * start.axisLps), step_(stepMm) {}
+
+  std::optional<CutPlane> next(const SplineField& field) {
+    place_ += step_ * ahead_;
+    if (!field.geometry().holds(place_)) return std::nullopt;
+    const std::optional<LocalVessel> vessel = vesselAt(field, place_);
+    if (!vessel) return std::nullopt;
+    const double turn = vessel->axisLps.dot(ahead_) < 0.0 ? -1.0 : 1.0;
+    if (turn * vessel->axisLps.dot(ahead_) > kSameWay) ahead_ = turn * vessel->axisLps;
+    const CutPlane plane{vessel->centreLps, turn * vessel->axisLps};
+    if (!canCut(field, plane)) return std::nullopt;
+    return plane;
+  }
+
+ private:
+  Vector3d place_, ahead_;
+  double step_;
+};
+
+/// Across the opening of the volume's border that is nearest to a point, just inside.
+std::optional<CutPlane> acrossNearestOpening(const SplineField& field, const Volume<float>& phi,
+                                             const Vector3d& point) {
+  const std::vector<Port> openings = borderOpenings(phi);
+  const auto nearest =
+      std::min_element(openings.begin(), openings.end(), [&](const Port& a, const Port& b) {
+        return (a.centreLps - point).norm() < (b.centreLps - point).norm();
+      });
+  if (nearest == openings.end() ||
+      (nearest->centreLps - point).norm() > kMostRadii * nearest->equivalentDiameterMm())
+    return std::nullopt;
+  const std::optional<BorderSlant> slant = borderSlant(field, phi, *nearest);
+  if (!slant) return std::nullopt;
+  const CutPlane plane{slant->centreLps, slant->axisLps};
+  return canCut(field, plane) ? std::optional(plane) : std::nullopt;
+}
+
+/// Across the vessel at a point where it can be cut, or else at the nearest place where it can:
+/// along the vessel, or just inside the border of the volume.
+std::optional<CutPlane> nearestAcross(const SplineField& field, const Volume<float>& phi,
+                                      const Vector3d& point,
+                                      const std::optional<LocalVessel>& vessel) {
+  if (vessel) {
+    const CutPlane here{vessel->centreLps, vessel->axisLps};
+    if (canCut(field, here)) return here;
+    const double step = std::max(0.25 * vessel->radiusMm, 0.5 * field.geometry().voxelMm());
+    Walk forward(*vessel, 1.0, step), backward(*vessel, -1.0, step);
+    for (double gone = 0.0; gone < kMostRadii * vessel->radiusMm; gone += step)
+      for (Walk* walk : {&forward, &backward})
+        if (const std::optional<CutPlane> plane = walk->next(field)) return plane;
+  }
+  return acrossNearestOpening(field, phi, point);
+}
+
+[[noreturn]] void refusePlace(const GivenCut& cut) {
+  const Vector3d& p = cut.pointLps;
+  char place[100];
+  std::snprintf(place, sizeof place, "'%s' at L %.1f P %.1f S %.1f mm", cut.name.c_str(), p.x(),
+                p.y(), p.z());
+  throw InputError("there is no vessel where the cut " + std::string(place) + " lies", "ports.cuts",
+                   "give a point inside the segmentation, in mm LPS");
+}
+
+/// What to say of a cut that does not lie where it was asked for.
+std::optional<std::string> moveText(const GivenCut& cut, const CutPlane& plane, double voxelMm) {
+  const double moved = std::fabs((plane.pointLps - cut.pointLps).dot(plane.normalLps));
+  if (cut.normalLps || moved < kTellVoxels * voxelMm) return std::nullopt;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "was moved by %.1f mm along its vessel: there is the nearest place where it can be "
+                "cut across",
+                moved);
+  return text;
 }
 
 /// Whether two cuts come so near to each other that one of them has to go.
@@ -49,24 +178,29 @@ std::string uncutText(const Vector3d& tip, const std::string& why) {
 }  // namespace
 
 std::vector<std::string> namePorts(const PortParams& params, std::vector<Port>& ports) {
-  std::vector<std::string> warnings;
+  std::set<std::string> cuts;
+  for (const std::string& text : params.cuts) cuts.insert(parseCut(text).name);
   std::string known;
   for (const Port& port : ports) known += (known.empty() ? "" : ", ") + port.name;
-  const auto portOf = [&](const std::string& name) {
-    return std::find_if(ports.begin(), ports.end(),
-                        [&](const Port& port) { return port.name == name; });
-  };
+  const std::vector<Port> before = ports;
+  std::vector<std::string> warnings;
   for (const std::string& text : params.names) {
-    const auto [from, to] = parsePortName(text);
-    const auto port = portOf(from);
-    if (port == ports.end())
-      warnings.push_back("no port is called '" + from + "', so that none became '" + to +
+    const PortNaming naming = parsePortNaming(text);
+    const std::optional<std::size_t> port =
+        naming.placeLps ? portAt(*naming.placeLps, before, cuts) : portCalled(naming.port, before);
+    if (!port)
+      warnings.push_back((naming.placeLps ? "there is no port at " + naming.port + " mm LPS"
+                                          : "no port is called '" + naming.port + "'") +
+                         ", so that none became '" + naming.name +
                          "': " + (known.empty() ? "there are none" : "there are " + known));
-    else if (portOf(to) != ports.end())
-      warnings.push_back("the port '" + from + "' keeps its name: another one is called '" + to +
-                         "'");
+    else if (portCalled(naming.name, ports))
+      warnings.push_back("the port '" + ports[*port].name +
+                         "' keeps its name: another one is called '" + naming.name + "'");
+    else if (ports[*port].name != before[*port].name)
+      warnings.push_back("the port '" + ports[*port].name + "' keeps its name: it was to become '" +
+                         naming.name + "', too");
     else
-      port->name = to;
+      ports[*port].name = naming.name;
   }
   return warnings;
 }
@@ -75,22 +209,19 @@ CutPlane placeCut(const SplineField& field, const Volume<float>& phi, const Give
                   const Progress& progress) {
   const Vector3d& p = cut.pointLps;
   const bool inGrid = field.geometry().holds(p);
-  if (cut.normalLps && inGrid && field.valueAt(p) < 0.0) return {p, cut.normalLps->normalized()};
+  const bool inside = inGrid && field.valueAt(p) < 0.0;
+  if (cut.normalLps && inside) return {p, cut.normalLps->normalized()};
   const std::optional<LocalVessel> vessel = inGrid ? vesselAt(field, p) : std::nullopt;
-  if (!vessel) {
-    char place[100];
-    std::snprintf(place, sizeof place, "'%s' at L %.1f P %.1f S %.1f mm", cut.name.c_str(), p.x(),
-                  p.y(), p.z());
-    throw InputError("there is no vessel where the cut " + std::string(place) + " lies",
-                     "ports.cuts", "give a point inside the segmentation, in mm LPS");
-  }
+  if (!vessel && (cut.normalLps || !inside)) refusePlace(cut);
   if (cut.normalLps) {
     CutPlane plane{p, cut.normalLps->normalized()};
     plane.pointLps = onAxis(*vessel, plane);
     return plane;
   }
-  const CutPlane forward{vessel->centreLps, vessel->axisLps};
-  const CutPlane backward{vessel->centreLps, -vessel->axisLps};
+  const std::optional<CutPlane> nearest = nearestAcross(field, phi, p, vessel);
+  if (!nearest && !vessel) refusePlace(cut);
+  const CutPlane forward = nearest ? *nearest : CutPlane{vessel->centreLps, vessel->axisLps};
+  const CutPlane backward{forward.pointLps, -forward.normalLps};
   try {
     return takenBy(field, phi, forward, cut.name, progress) <=
                    takenBy(field, phi, backward, cut.name, progress)
@@ -141,6 +272,8 @@ CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortP
   for (const std::string& text : params.cuts) {
     const GivenCut cut = parseCut(text);
     planes.push_back(placeCut(field, phi, cut, progress));
+    if (const auto moved = moveText(cut, planes.back(), phi.geometry.voxelMm()))
+      remarks.push_back("the cut '" + cut.name + "' " + *moved);
     names.push_back(cut.name);
   }
   const Skeleton skeleton = skeletonOf(phi, progress);

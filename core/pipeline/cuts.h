@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,22 +37,38 @@ struct PortParams {
   std::vector<std::string> cuts;  ///< as parseCut() takes them
   double cutEndsRadii = 0.0;      ///< ends are cut so far from their tips; 0: not
   bool cutBorders = false;        ///< see addBorderCuts()
-  std::vector<std::string> names =
-      {};  ///< "border_1=inlet": ports and what they are called instead
+  /// As parsePortNaming() takes them: ports and what they are called instead.
+  std::vector<std::string> names = {};
 };
 
-/// "border_1=inlet" as both names. @throws InputError, as checkPortName() for the second
-std::array<std::string, 2> parsePortName(const std::string& text);
+/// What a port is to be called that has not got its name from a cut.
+struct PortNaming {
+  std::string port;                         ///< the name that it has without it
+  std::optional<Eigen::Vector3d> placeLps;  ///< or where it lies, mm
+  std::string name;
+};
 
-/// Gives ports the names that `params` has for them. @returns a warning for each name that cannot
-/// be given: no such port, or another one has the name
+/// "border_1=inlet", or "x,y,z=inlet" with the centre of the port. @throws InputError, as
+/// checkPortName() for the new name
+PortNaming parsePortNaming(const std::string& text);
+std::string portNamingText(const PortNaming& naming);
+
+/// Gives ports the names that `params` has for them. A place stands for the port whose centre is
+/// nearest to it, at most one and a half of its radii off; a port with a name of a given cut has
+/// its name already. @returns a warning for each name that cannot be given: no such port, or
+/// another one has the name
 std::vector<std::string> namePorts(const PortParams& params, std::vector<Port>& ports);
+
+/// Adds to `params` what makes the same ports on another surface: cuts in place of those that come
+/// from cuts, and names by their places for those at the volume's border that have been named.
+void addPorts(const std::vector<Port>& ports, PortParams& params);
 
 /// @throws InputError: two cuts or new names of one name, or as parseCut() and parsePortName()
 void checkPorts(const PortParams& params);
 
 /// Where a cut lies: at its point, or, of one that is not inside phi < 0, where the axis of the
-/// vessel beside it meets its plane; without a normal across the vessel at its centre.
+/// vessel beside it meets its plane; without a normal across the vessel at its centre, or at the
+/// nearest place where it can be cut across: along the vessel or just inside the volume's border.
 /// @throws InputError: no vessel there; without a normal as cutAway()   @throws Cancelled
 CutPlane placeCut(const SplineField& field, const Volume<float>& phi, const GivenCut& cut,
                   const Progress& progress = {});

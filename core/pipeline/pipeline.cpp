@@ -38,7 +38,8 @@ const std::array<std::vector<std::string_view>, kStepCount> kStepParams{
      {"vesselness."},
      {"seeds."},
      {"segmentation.method", "levelset.", "wall.", "comparison."},
-     {"segmentation.keep", "segmentation.minVolumeMm3", "segmentation.drop", "ports.", "surface."},
+     {"segmentation.keep", "segmentation.minVolumeMm3", "segmentation.drop", "ports.cut",
+      "surface."},
      {"smooth."},
      {}}};
 
@@ -138,9 +139,6 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   result.origin = std::move(made.origin);
   result.ports = std::move(made.ports);
   measureSlants(field, *result.uncutPhi, away.sections.size() - made.lostCuts.size(), result.ports);
-  for (std::string& warning : namePorts(params.ports, result.ports))
-    warnings.push_back(std::move(warning));
-  for (std::string& warning : slantWarnings(result.ports)) warnings.push_back(std::move(warning));
   for (std::size_t n = 0; n < away.sections.size(); ++n) {
     if (std::count(made.lostCuts.begin(), made.lostCuts.end(), n) == 0)
       result.sectionAreasMm2.push_back(away.sections[n].areaMm2);
@@ -150,6 +148,15 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
                        " parts that are not connected: a flow solver takes one (see "
                        "segmentation.keep)");
   return result;
+}
+
+/// Names are no part of the remembered surface: to change one makes nothing anew.
+void namePortsOf(RunResult& run) {
+  run.ports = run.surface->ports;
+  std::vector<std::string>& warnings = run.stages.back().warnings;
+  for (std::string& warning : namePorts(run.params.ports, run.ports))
+    warnings.push_back(std::move(warning));
+  for (std::string& warning : slantWarnings(run.ports)) warnings.push_back(std::move(warning));
 }
 
 QualityResult measure(const RunResult& run, const SplineField& field, const Progress& progress) {
@@ -376,7 +383,7 @@ void Pipeline::makeSurfaces(RunResult& run, const RunOptions& options,
           if (options.warned) options.warned(Step::Surface, text);
         }));
   });
-  run.ports = run.surface->ports;
+  namePortsOf(run);
   if (!wanted(Step::Smooth)) return;
   const SplineField field = wallField(*run.surface->uncutPhi, params.surface.spline);
   run.smoothed = state_->obtain<TriMesh>(Step::Smooth, run.key, run, [&](Warnings& warnings) {
@@ -390,7 +397,7 @@ void Pipeline::makeSurfaces(RunResult& run, const RunOptions& options,
       warnings.push_back(std::move(fault));
     return smoothed;
   });
-  run.ports = measuredPorts(run.surface->ports, *run.smoothed);
+  run.ports = measuredPorts(run.ports, *run.smoothed);
   if (!wanted(Step::Quality)) return;
   run.quality = state_->obtain<QualityResult>(Step::Quality, run.key, run, [&](Warnings& warnings) {
     auto quality =

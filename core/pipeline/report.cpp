@@ -228,6 +228,7 @@ Json portList(const std::vector<Port>& ports, const std::vector<double>& section
   for (std::size_t n = 0; n < ports.size(); ++n) {
     const Port& port = ports[n];
     list.push_back({{"name", port.name},
+                    {"kind", port.atBorder ? "border" : "cut"},
                     {"centre_mm", numbers(port.centreLps)},
                     {"normal", numbers(port.normalLps)},
                     {"area_mm2", port.areaMm2},

@@ -119,9 +119,11 @@ void addPorts(FieldTable& t) {
       "ports.cutBorders", ANGIOMESH_MEMBER(ports.cutBorders),
       "vessels that the volume's border slices (by more than 30 degrees, or 1.3 times the area "
       "of their section) are cut across just inside, as across_1 and on");
-  t.texts("ports.names", ANGIOMESH_MEMBER(ports.names), "border_1=NAME",
-          "ports, as reports call them, and the names that they get instead",
-          [](const std::string& text) { parsePortName(text); });
+  t.texts(
+      "ports.names", ANGIOMESH_MEMBER(ports.names), "border_1=NAME or x,y,z=NAME",
+      "ports, as reports call them or by where they lie, in mm LPS, and the names that they get "
+      "instead",
+      [](const std::string& text) { parsePortNaming(text); });
   Field& ends =
       t.real("ports.cutEndsRadii", ANGIOMESH_MEMBER(ports.cutEndsRadii), 0.0, 50.0, "radii",
              "every vessel that ends in the volume is cut so far before its tip, as end_1 "

@@ -79,6 +79,7 @@ std::vector<Port> measuredPorts(const std::vector<Port>& ports, const TriMesh& m
       measured[n] = openPort(ports[n], *rims, mesh);
     }
     measured[n].name = ports[n].name;
+    measured[n].atBorder = ports[n].atBorder;
     measured[n].slant = ports[n].slant;
   }
   return measured;

@@ -34,6 +34,7 @@ struct Port {
   Eigen::Vector3d centreLps{0.0, 0.0, 0.0};  ///< of its area, mm
   Eigen::Vector3d normalLps{0.0, 0.0, 1.0};  ///< outward, unit
   double areaMm2 = 0.0;
+  bool atBorder = false;                  ///< where a vessel leaves the volume; else a cut
   std::optional<BorderSlant> slant = {};  ///< of a port at the border, where it is known
 
   /// Of the circle of the same area.

@@ -30,6 +30,7 @@ std::vector<Port> inOrder(std::vector<Port> ports, std::vector<std::size_t>& ord
   for (const std::size_t i : order) {
     sorted.push_back(ports[i]);
     sorted.back().name = borderName(sorted.size());
+    sorted.back().atBorder = true;
   }
   return sorted;
 }

@@ -172,7 +172,15 @@ std::vector<Port> CaseController::ports(MeshKind kind) const {
   if (!shown || shown->patch.empty()) {
     return {};
   }
-  return kind == MeshKind::Exported ? meshRun_->ports : meshRun_->surface->ports;
+  std::vector<Port> ports = meshRun_->surface->ports;
+  if (kind == MeshKind::Exported) {
+    ports = meshRun_->ports;
+    for (std::size_t n = 0; n < ports.size(); ++n) {
+      ports[n].name = meshRun_->surface->ports[n].name;
+    }
+  }
+  (void)namePorts(params_.ports, ports);  // names are given at once, without a run
+  return ports;
 }
 
 std::shared_ptr<const TriMesh> CaseController::mesh(MeshKind kind) const {

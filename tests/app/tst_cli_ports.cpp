@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QJsonArray>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "core/surface/port.h"
@@ -111,6 +112,44 @@ class TestCliPorts : public QObject, CliFolder {
       QCOMPARE(again[n].name, ports_[n].name);
       QCOMPARE(again[n].areaMm2, ports_[n].areaMm2);
     }
+  }
+
+  /// With other parameters than those of the surface that ports.json was written for.
+  void portsAreReadBackAsCuts() {
+    const CliResult run = cli({"run", "p/image.mha", "-o", "more", "--ports", "out/ports.json",
+                               "--set", "wall.smooth=false"});
+    QVERIFY2(run.code == 0, run.errors.constData());
+    const std::vector<Port> more = readPorts(place("more/ports.json"));
+    QCOMPARE(more.size(), ports_.size());
+    for (std::size_t n = 0; n < more.size(); ++n) {
+      QCOMPARE(more[n].name, ports_[n].name);
+      QVERIFY((more[n].centreLps - ports_[n].centreLps).norm() < 0.3);
+      QVERIFY(more[n].normalLps.dot(ports_[n].normalLps) > 0.9999);
+      QVERIFY(std::abs(more[n].areaMm2 / ports_[n].areaMm2 - 1.0) < 0.1);
+    }
+    QCOMPARE(cli({"run", "p/image.mha", "-o", "none", "--ports", "out/params.json"}).code, 2);
+  }
+
+  /// The name goes with the opening, whatever number that gets.
+  void anOpeningKeepsItsNameByItsPlace() {
+    const QStringList whole{"run", "p/image.mha", "-o", "whole", "--name-port", "border_3=trunk"};
+    const CliResult run = cli(whole);
+    QVERIFY2(run.code == 0, run.errors.constData());
+    const std::vector<Port> named = readPorts(place("whole/ports.json"));
+    QCOMPARE(named.size(), std::size_t{3});
+    QCOMPARE(named[2].name, std::string("trunk"));
+    QVERIFY(solidsOf(at("whole/vessels.stl")).contains("trunk"));
+    // A cut takes one of the others away.
+    const QStringList cut = named[2].centreLps.z() < 20.0 ? kCuts.mid(2, 2) : kCuts.mid(0, 2);
+    QVERIFY(
+        cli(QStringList{"run", "p/image.mha", "-o", "less", "--ports", "whole/ports.json"} + cut)
+            .code == 0);
+    const std::vector<Port> less = readPorts(place("less/ports.json"));
+    const auto trunk = std::find_if(less.begin(), less.end(),
+                                    [](const Port& port) { return port.name == "trunk"; });
+    QVERIFY(trunk != less.end());
+    QVERIFY((trunk->centreLps - named[2].centreLps).norm() < 0.1);
+    QVERIFY(trunk->atBorder);
   }
 
   void everyMethodEndsAtTheCuts_data() {

@@ -66,6 +66,27 @@ class TestPortsFile : public QObject {
             }).contains("ports[1].vessel.area_ratio is missing"));
   }
 
+  void theKindOfAPortComesBack() {
+    const Folder folder;
+    std::vector<Port> ports = somePorts();
+    ports[1].atBorder = true;
+    writePorts(ports, folder / "ports.json");
+    std::vector<Port> back = readPorts(folder / "ports.json");
+    QVERIFY(!back[0].atBorder && back[1].atBorder);
+    std::string text = bytesOf(folder / "ports.json");
+    text.replace(text.find("\"border\""), 8, "\"inflow\"");
+    save(folder / "ports.json", text);
+    QVERIFY(messageOf([&] {
+              readPorts(folder / "ports.json");
+            }).contains("ports[1].kind is neither \"cut\" nor \"border\""));
+    // Of files without it the names tell.
+    text = kText;
+    text.replace(text.find("\"b\""), 3, "\"border_2\"");
+    save(folder / "ports.json", text);
+    back = readPorts(folder / "ports.json");
+    QVERIFY(!back[0].atBorder && back[1].atBorder);
+  }
+
   void theFileSaysWhatItIs() {
     const Folder folder;
     save(folder / "ports.json", kText);
