@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <unordered_set>
 
 #include "core/base/error.h"
 #include "core/quality/vessel_at.h"
@@ -28,6 +29,10 @@ constexpr double kEitherWay = 0.5;
 /// itself, or lies in a branching.
 constexpr double kMostLong = 1.6;
 constexpr int kMostTries = 12;
+constexpr int kMostSections = 60;
+/// Of the largest port: smaller ones of which nothing is known are no inlets.
+constexpr double kLeastShare = 0.05;
+constexpr double kLeastVoxels = 0.5;
 
 std::optional<Section> wholeSection(const SplineField& field, const Vector3d& centre,
                                     const Vector3d& outward) {
@@ -59,7 +64,7 @@ class Finder {
   /// where it runs along the border, else straight in.
   std::optional<BorderSlant> find() {
     for (const double depth : {1.0, 2.0, 3.0, 0.0}) {
-      const auto start = vesselAt(field_, port_.centreLps - depth * voxel_ * port_.normalLps);
+      const auto start = knownVessel(port_.centreLps - depth * voxel_ * port_.normalLps);
       if (!start) continue;
       const double inwards = -start->axisLps.dot(port_.normalLps);
       const Vector3d axis = inwards < 0.0 ? Vector3d(-start->axisLps) : start->axisLps;
@@ -71,10 +76,18 @@ class Finder {
     if (!found_)
       walk(port_.centreLps - 0.5 * voxel_ * port_.normalLps, -port_.normalLps,
            0.5 * port_.equivalentDiameterMm());
+    if (!found_) searchInside();
     return found_;
   }
 
  private:
+  /// Where the border leaves next to nothing of a section, that tells no axis.
+  [[nodiscard]] std::optional<LocalVessel> knownVessel(const Vector3d& place) const {
+    std::optional<LocalVessel> vessel = vesselAt(field_, place);
+    if (vessel && vessel->radiusMm < kLeastVoxels * voxel_) vessel.reset();
+    return vessel;
+  }
+
   void walk(const Vector3d& start, const Vector3d& inward, double radiusMm) {
     const double step = std::max(kStepRadii * radiusMm, 0.5 * voxel_);
     const double most = kMostRadii * std::max(radiusMm, voxel_);
@@ -82,7 +95,7 @@ class Finder {
     for (double way = 0.0; way < std::min(most, way_) && field_.geometry().holds(place);
          way += step) {
       // Where the border cuts the vessel off, its centre is not known: the way goes straight on.
-      if (const std::optional<LocalVessel> vessel = vesselAt(field_, place)) {
+      if (const std::optional<LocalVessel> vessel = knownVessel(place)) {
         const Vector3d axis =
             vessel->axisLps.dot(ahead) < 0.0 ? Vector3d(-vessel->axisLps) : vessel->axisLps;
         const auto section = wholeSection(field_, vessel->centreLps, -axis);
@@ -96,11 +109,85 @@ class Finder {
     }
   }
 
+  // A wide opening tells nothing of its vessel near the border: the nearest place deep inside the
+  // vessel, seen from the opening, whose section does.
+  void searchInside() {
+    tries_ = 0;
+    std::vector<std::size_t> found = startVoxel();
+    std::unordered_set<std::size_t> seen(found.begin(), found.end());
+    int looked = 0;
+    for (std::size_t n = 0; n < found.size() && !found_ && looked < kMostSections; ++n) {
+      const Index3 p = phi_.geometry.indexOf(found[n]);
+      bool ridge = true;
+      forNeighbours(p, [&](std::size_t next) {
+        ridge = ridge && phi_.voxels[next] >= phi_.voxels[found[n]];
+        if (phi_.voxels[next] < 0.0F && reaches(next) && seen.insert(next).second)
+          found.push_back(next);
+      });
+      if (ridge && ++looked <= kMostSections) takeAcross(found[n]);
+    }
+  }
+
+  template <class Visit>
+  void forNeighbours(const Index3& p, Visit visit) const {
+    for (std::size_t a = 0; a < 3; ++a)
+      for (const int step : {-1, 1}) {
+        Index3 q = p;
+        q[a] += step;
+        if (phi_.geometry.contains(q[0], q[1], q[2])) visit(phi_.geometry.offset(q[0], q[1], q[2]));
+      }
+  }
+
+  [[nodiscard]] Vector3d placeOf(std::size_t voxel) const {
+    const Index3 p = phi_.geometry.indexOf(voxel);
+    return phi_.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+  }
+  [[nodiscard]] double reachMm() const {
+    return kNearRadii * 0.5 * port_.equivalentDiameterMm() + 2.0 * voxel_;
+  }
+  [[nodiscard]] bool reaches(std::size_t voxel) const {
+    return (placeOf(voxel) - port_.centreLps).norm() <= reachMm();
+  }
+
+  // The voxel of the vessel nearest to the port's centre, in its plane; at most one.
+  [[nodiscard]] std::vector<std::size_t> startVoxel() const {
+    const Geometry& g = phi_.geometry;
+    const Vector3d centre = g.toIndex(port_.centreLps);
+    const Vector3d half = reachMm() * g.spacing.cwiseInverse();
+    Index3 low{}, high{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto e = static_cast<Eigen::Index>(a);
+      low[a] = std::max(0, static_cast<int>(centre[e] - half[e]));
+      high[a] = std::min(g.size[a] - 1, static_cast<int>(centre[e] + half[e]) + 1);
+    }
+    std::vector<std::size_t> nearest;
+    double least = reachMm();
+    for (int k = low[2]; k <= high[2]; ++k)
+      for (int j = low[1]; j <= high[1]; ++j)
+        for (int i = low[0]; i <= high[0]; ++i) {
+          const std::size_t n = g.offset(i, j, k);
+          if (!(phi_.voxels[n] < 0.0F) || (placeOf(n) - port_.centreLps).norm() >= least) continue;
+          least = (placeOf(n) - port_.centreLps).norm();
+          nearest = {n};
+        }
+    return nearest;
+  }
+
+  // Either side of the section may be the one to go.
+  void takeAcross(std::size_t voxel) {
+    const std::optional<LocalVessel> vessel = knownVessel(placeOf(voxel));
+    if (!vessel) return;
+    const double turn = vessel->axisLps.dot(port_.normalLps) < 0.0 ? -1.0 : 1.0;
+    for (const double side : {turn, -turn}) {
+      const auto section = wholeSection(field_, vessel->centreLps, side * vessel->axisLps);
+      if (section && takes(*section)) return;
+    }
+  }
+
   // Takes a section that is across the vessel of the port. Of one that would not be said anything
   // about that is believed; else a cut there has to end what the port opens.
   bool takes(const Section& section) {
-    const double reach = kNearRadii * 0.5 * port_.equivalentDiameterMm() + 2.0 * voxel_;
-    if (!(section.areaMm2 > 0.0) || (section.centreLps - port_.centreLps).norm() > reach ||
+    if (!(section.areaMm2 > 0.0) || (section.centreLps - port_.centreLps).norm() > reachMm() ||
         section.radiusMm > kMostLong * std::sqrt(section.areaMm2 / M_PI))
       return false;
     const BorderSlant slant = slantOf(port_, section);
@@ -126,6 +213,26 @@ class Finder {
   int tries_ = 0;
 };
 
+std::string slantText(const Port& port) {
+  char text[400];
+  if (!port.slant) {
+    std::snprintf(text, sizeof text,
+                  "the port '%s' of %.3g mm2 may slice its vessel: there is no section across it "
+                  "near by; look at it before it becomes an inlet or outlet",
+                  port.name.c_str(), port.areaMm2);
+    return text;
+  }
+  const BorderSlant& slant = *port.slant;
+  std::snprintf(text, sizeof text,
+                "the port '%s' slices its vessel: its normal is %.0f degrees off the vessel's axis "
+                "and its area of %.3g mm2 is %.2f times that of the section across just inside; "
+                "end the vessel there with --cut %.2f,%.2f,%.2f,%.4f,%.4f,%.4f,NAME",
+                port.name.c_str(), slant.angleDeg, port.areaMm2, slant.areaRatio,
+                slant.centreLps.x(), slant.centreLps.y(), slant.centreLps.z(), slant.axisLps.x(),
+                slant.axisLps.y(), slant.axisLps.z());
+  return text;
+}
+
 }  // namespace
 
 std::optional<BorderSlant> borderSlant(const SplineField& field, const Volume<float>& phi,
@@ -142,25 +249,19 @@ void measureSlants(const SplineField& field, const Volume<float>& phi, std::size
 std::vector<std::string> slantWarnings(const std::vector<Port>& ports) {
   // More of them would hide what else there is to say; the list of ports has all.
   constexpr std::size_t named = 6;
+  double largest = 0.0;
+  for (const Port& port : ports) largest = std::max(largest, port.areaMm2);
   std::vector<const Port*> flagged;
-  for (const Port& port : ports)
-    if (port.slant && port.slant->flagged()) flagged.push_back(&port);
+  for (const Port& port : ports) {
+    const bool unknown =
+        port.atBorder && !port.slant && port.areaMm2 > kLeastShare * largest && largest > 0.0;
+    if (unknown || (port.slant && port.slant->flagged())) flagged.push_back(&port);
+  }
   std::stable_sort(flagged.begin(), flagged.end(),
                    [](const Port* a, const Port* b) { return a->areaMm2 > b->areaMm2; });
   std::vector<std::string> sentences;
-  for (std::size_t n = 0; n < std::min(named, flagged.size()); ++n) {
-    const Port& port = *flagged[n];
-    const BorderSlant& slant = *port.slant;
-    char text[400];
-    std::snprintf(text, sizeof text,
-                  "the port '%s' slices its vessel: its normal is %.0f degrees off the vessel's "
-                  "axis and its area of %.3g mm2 is %.2f times that of the section across just "
-                  "inside; end the vessel there with --cut %.2f,%.2f,%.2f,%.4f,%.4f,%.4f,NAME",
-                  port.name.c_str(), slant.angleDeg, port.areaMm2, slant.areaRatio,
-                  slant.centreLps.x(), slant.centreLps.y(), slant.centreLps.z(), slant.axisLps.x(),
-                  slant.axisLps.y(), slant.axisLps.z());
-    sentences.emplace_back(text);
-  }
+  for (std::size_t n = 0; n < std::min(named, flagged.size()); ++n)
+    sentences.push_back(slantText(*flagged[n]));
   if (flagged.size() > named)
     sentences.push_back(std::to_string(flagged.size() - named) +
                         " smaller ports slice their vessels, too: --cut-borders ends all of them "

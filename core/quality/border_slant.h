@@ -22,7 +22,8 @@ std::optional<BorderSlant> borderSlant(const SplineField& field, const Volume<fl
 void measureSlants(const SplineField& field, const Volume<float>& phi, std::size_t cuts,
                    std::vector<Port>& ports);
 
-/// A sentence for each port whose slant no solver should be given.
+/// A sentence for each port whose slant no solver should be given, and for those at the border of
+/// which it is not known, but for small ones.
 std::vector<std::string> slantWarnings(const std::vector<Port>& ports);
 
 }  // namespace angiomesh

@@ -162,7 +162,9 @@ void BranchLine::extendToBorder() {
   const Vector3d from = line_.back();
   const Vector3d straight = axis();
   for (int n = 1; n <= steps; ++n) {
-    line_.push_back(from + more * n / steps * straight);
+    const Vector3d next = from + more * n / steps * straight;
+    if (!probe_.isInside(next)) break;  // of a vessel that the border slices lengthwise
+    line_.push_back(next);
     radius_.push_back(radius_.back());
   }
 }

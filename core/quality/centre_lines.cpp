@@ -135,6 +135,28 @@ void CentreLines::closeRing(Path& path) {
   attach(other);
 }
 
+double CentreLines::toFace(std::uint32_t n) const {
+  const Index3 p = set_.indexOf(n);
+  const Geometry& g = set_.geometry();
+  double least = kFar;
+  for (std::size_t a = 0; a < 3; ++a)
+    least = std::min(
+        least, std::min(p[a], g.size[a] - 1 - p[a]) * g.spacing[static_cast<Eigen::Index>(a)]);
+  return least;
+}
+
+bool CentreLines::isSliced(std::uint32_t n) const {
+  return toFace(n) < std::max(wall_[n], 1.5 * voxelMm_) - 0.5 * voxelMm_;
+}
+
+/// Where the border slices a vessel lengthwise, one line leads into the opening: whether all of the
+/// way from a tip to another path lies in it.
+bool CentreLines::inOpening(std::uint32_t tip) const {
+  std::uint32_t n = tip;
+  while (n != kNone && pathOf_[n] == kNone && isSliced(n)) n = parent_[n];
+  return n != kNone && pathOf_[n] != kNone && isSliced(n);
+}
+
 bool CentreLines::straightInside(std::uint32_t from, std::uint32_t to) const {
   const Eigen::Vector3d way = set_.position(to) - set_.position(from);
   const int steps = static_cast<int>(2.0 * way.norm() / voxelMm_) + 1;
@@ -209,6 +231,9 @@ CentreLines::LineEnd CentreLines::endOf(const std::vector<std::uint32_t>& points
   } else if (const auto face = toBorder(points, line.at)) {
     line.kind = LineEnd::Kind::Border;
     line.extraMm = *face;
+  } else if (isSliced(points[line.at])) {
+    line.kind = LineEnd::Kind::Border;
+    line.extraMm = toFace(points[line.at]);
   } else {
     line.kind = LineEnd::Kind::Tip;
     line.extraMm = gone + wall_[points.front()] - radius;
@@ -228,7 +253,7 @@ const std::vector<CentreLines::Path>& CentreLines::find(std::uint32_t start,
   });
   paths_.clear();
   for (const std::uint32_t tip : order) {
-    if (coveredBy_[tip] != kNone) continue;
+    if (coveredBy_[tip] != kNone || inOpening(tip)) continue;
     progress.check();
     addPath(tip);
   }

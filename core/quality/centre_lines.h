@@ -63,6 +63,11 @@ class CentreLines {
   void closeRing(Path& path);
   void cover(std::uint32_t path);
   void attach(std::uint32_t point);
+  /// To the nearest face of the box of the voxels' centres, mm.
+  [[nodiscard]] double toFace(std::uint32_t n) const;
+  /// Whether the volume ends before the vessel does, beside a voxel.
+  [[nodiscard]] bool isSliced(std::uint32_t n) const;
+  [[nodiscard]] bool inOpening(std::uint32_t tip) const;
   [[nodiscard]] bool straightInside(std::uint32_t from, std::uint32_t to) const;
   [[nodiscard]] std::optional<double> toBorder(const std::vector<std::uint32_t>& points,
                                                std::size_t from) const;

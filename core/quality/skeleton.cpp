@@ -124,6 +124,7 @@ class JunctionPlace {
 
  private:
   [[nodiscard]] bool seesAll(const LumenProbe& probe, const Vector3d& place) const {
+    if ((probe.intoVolume(place) - place).norm() > 1e-6 * probe.voxelMm()) return false;
     return std::all_of(entries_.begin(), entries_.end(),
                        [&](const Vector3d& point) { return sees(probe, place, point); });
   }

@@ -8,6 +8,7 @@
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/surface_step.h"
 #include "core/quality/border_slant.h"
+#include "core/quality/skeleton.h"
 #include "core/surface/wall_field.h"
 #include "tests/core/mesh_shapes.h"
 
@@ -48,6 +49,22 @@ Volume<float> grazing() {
     const double around = std::clamp(std::atan2(p.x(), -p.z()), 0.0, 1.4);
     const Vector3d axis = 28.0 * Vector3d(std::sin(around), 0.0, -std::cos(around));
     return std::clamp((p - axis).norm() - kRadius, -5.0, 5.0);
+  });
+}
+
+/// A vessel that turns about an axis across the border z = 0, as a siphon does, and is sliced by it
+/// over most of the turn; it ends inside.
+Volume<float> wideOpening() {
+  const Geometry g = grid();
+  return shapes::sampled(g, [=](const Vector3d& x) {
+    const Vector3d p = g.toIndex(x) - Vector3d(22.0, 20.0, -0.8);
+    const double around = std::clamp(std::atan2(p.y(), p.x()), -0.9, 2.2);
+    const Vector3d turn(9.0 * std::cos(around), 9.0 * std::sin(around), 0.0);
+    const Vector3d end(9.0 * std::cos(2.2), 9.0 * std::sin(2.2), 0.0);
+    const Vector3d up = Vector3d(-0.3, -0.2, 0.93).normalized();
+    const double along = std::clamp((p - end).dot(up), 0.0, 32.0);
+    const double bend = (p - turn).norm(), rise = (p - end - along * up).norm();
+    return std::clamp(std::min(bend, rise) - kRadius, -5.0, 5.0);
   });
 }
 
@@ -114,6 +131,66 @@ class TestBorderPorts : public QObject {
     QVERIFY(!made.ports[0].slant);
   }
 
+  /// Its line ends where the opening begins, in one end, and wherever the line goes the vessel can
+  /// be cut across, there or a little farther inside.
+  void aLineAlongTheBorderEndsThere_data() {
+    QTest::addColumn<bool>("wide");
+    QTest::newRow("a grazing vessel") << false;
+    QTest::newRow("a wide opening") << true;
+  }
+  void aLineAlongTheBorderEndsThere() {
+    QFETCH(bool, wide);
+    const Volume<float> phi = wide ? wideOpening() : grazing();
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    const Skeleton skeleton = skeletonOf(phi);
+    QCOMPARE(skeleton.branches.size(), std::size_t{1});
+    QCOMPARE(skeleton.nodes.size(), std::size_t{2});
+    QVERIFY((skeleton.nodes[0].kind == NodeKind::Border) !=
+            (skeleton.nodes[1].kind == NodeKind::Border));
+    QVERIFY(skeleton.nodes[0].kind == NodeKind::Tip || skeleton.nodes[1].kind == NodeKind::Tip);
+    std::size_t moved = 0;
+    for (const SkeletonPoint& point : skeleton.branches[0].points) {
+      QVERIFY(phi.geometry.holds(point.pointLps) && field.valueAt(point.pointLps) < 0.0);
+      PortParams params;
+      params.cuts = {cutText({point.pointLps, std::nullopt, "here"})};
+      std::vector<std::string> remarks;
+      const CutAway away = makeCuts(field, phi, params, remarks);
+      QCOMPARE(away.sections.size(), std::size_t{1});
+      QVERIFY(std::fabs(away.sections[0].areaMm2 / (M_PI * kRadius * kRadius) - 1.0) < 0.15);
+      moved += std::count_if(remarks.begin(), remarks.end(), [](const std::string& remark) {
+        return remark.find("the cut 'here' was moved by") == 0;
+      });
+    }
+    QVERIFY(moved > 0 && moved < skeleton.branches[0].points.size() / 2);
+  }
+
+  /// Near such an opening the wall tells nothing of the vessel's axis.
+  void aWideOpeningIsFlagged() {
+    const Volume<float> phi = wideOpening();
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    std::vector<Port> ports = openPorts(phi);
+    measureSlants(field, phi, 0, ports);
+    QCOMPARE(ports.size(), std::size_t{1});
+    QVERIFY(ports[0].slant.has_value());
+    QVERIFY(ports[0].slant->flagged() && ports[0].slant->areaRatio > 2.0);
+    QVERIFY(std::fabs(ports[0].slant->sectionAreaMm2 / (M_PI * kRadius * kRadius) - 1.0) < 0.15);
+  }
+
+  void whatIsNotKnownIsSaid() {
+    std::vector<Port> ports(4);
+    for (Port& port : ports) port.atBorder = true;
+    ports[0].areaMm2 = 12.0;
+    ports[0].slant.emplace().angleDeg = 10.0;
+    ports[1].name = "border_2";
+    ports[1].areaMm2 = 6.0;
+    ports[2].areaMm2 = 0.1;
+    ports[3].areaMm2 = 9.0;
+    ports[3].atBorder = false;
+    const std::vector<std::string> sentences = slantWarnings(ports);
+    QCOMPARE(sentences.size(), std::size_t{1});
+    QVERIFY(sentences[0].find("the port 'border_2' of 6 mm2 may slice its vessel") == 0);
+  }
+
   /// The first place that comes into question lies on points of the surface's rim at the border.
   void aCutKeepsOffThePointsOfTheRim() {
     const Geometry g = grid();
@@ -170,6 +247,62 @@ class TestBorderPorts : public QObject {
     QCOMPARE(makeCuts(other, steep, params, remarks).names, std::vector<std::string>{"mine"});
   }
 
+  void namesGoByPlace() {
+    const auto port = [](const char* name, const Vector3d& place) {
+      return Port{name, place, Vector3d::UnitZ(), M_PI * kRadius * kRadius, true};
+    };
+    PortParams params;
+    params.cuts = {"0,0,9,out"};
+    params.names = {"1,2,3=inlet", "0,0,9.5=second", "40,0,0=far", "1,2.5,3=again"};
+    // In another order, and some way off, as on a surface of other parameters.
+    std::vector<Port> ports{port("out", {0, 0, 9}), port("border_1", {0, 0, 12}),
+                            port("border_2", {1, 2, 1.5})};
+    const std::vector<std::string> warnings = namePorts(params, ports);
+    QCOMPARE(ports[0].name, std::string("out"));
+    QCOMPARE(ports[1].name, std::string("second"));
+    QCOMPARE(ports[2].name, std::string("inlet"));
+    QCOMPARE(warnings.size(), std::size_t{2});
+    QVERIFY(warnings[0].find("there is no port at 40,0,0 mm LPS") == 0);
+    QVERIFY(warnings[1].find("'inlet' keeps its name") != std::string::npos);
+    const PortNaming naming = parsePortNaming("1,-2.5,3e1=a");
+    QCOMPARE(portNamingText(naming), std::string("1,-2.5,30=a"));
+    QCOMPARE(portNamingText(parsePortNaming("border_7=a")), std::string("border_7=a"));
+  }
+
+  /// What addPorts() makes of a surface's ports gives the same ports on the next one.
+  void portsComeBack() {
+    const Volume<float> phi = leaning(50.0);
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    PortParams params;
+    params.cuts = {cutText({grid().toPhysical({30.0, 23.4, 10.0}), std::nullopt, "end"})};
+    params.names = {"border_1=inlet"};
+    const auto portsOf = [&](const PortParams& given) {
+      std::vector<std::string> remarks;
+      const CutAway away = makeCuts(field, phi, given, remarks);
+      std::vector<Port> ports = makeSurface(phi, field, {}, {}, away).ports;
+      return namePorts(given, ports).empty() ? ports : std::vector<Port>();
+    };
+    const std::vector<Port> first = portsOf(params);
+    QCOMPARE(first.size(), std::size_t{2});
+    QVERIFY(!first[0].atBorder && first[1].atBorder);
+    PortParams read;
+    addPorts(first, read);
+    QCOMPARE(read.cuts.size(), std::size_t{1});
+    QCOMPARE(read.names.size(), std::size_t{1});
+    const std::vector<Port> second = portsOf(read);
+    QCOMPARE(second.size(), first.size());
+    for (std::size_t n = 0; n < first.size(); ++n) {
+      QCOMPARE(second[n].name, first[n].name);
+      QVERIFY((second[n].centreLps - first[n].centreLps).norm() < 1e-3);
+      QVERIFY(std::fabs(second[n].areaMm2 / first[n].areaMm2 - 1.0) < 1e-3);
+    }
+    // One that has no name of its own gets one from the program again.
+    params.names.clear();
+    PortParams unnamed;
+    addPorts(portsOf(params), unnamed);
+    QVERIFY(unnamed.names.empty());
+  }
+
   void portsGetTheirNames() {
     std::vector<Port> ports(3);
     ports[0].name = "border_1";
@@ -184,10 +317,10 @@ class TestBorderPorts : public QObject {
     QVERIFY(warnings[0].find("another one is called 'out'") != std::string::npos);
     QVERIFY(warnings[1].find("no port is called 'border_7'") == 0);
     Parameters all;
-    setFieldFromText(all, "ports.names", "border_1=a;border_2=b");
+    setFieldFromText(all, "ports.names", "border_1=a;border_2=b;1,-2.5,3=c");
     validate(all);
-    for (const char* text :
-         {"border_1", "=a", "border_1=", "border_1=wall", "border_1=border_2", "border_1=a b"})
+    for (const char* text : {"border_1", "=a", "border_1=", "border_1=wall", "border_1=border_2",
+                             "border_1=a b", "1,2=a", "1,2,x=a", "1,2,3,4=a"})
       QVERIFY_EXCEPTION_THROWN(setField(all, "ports.names", std::vector<std::string>{text}),
                                InputError);
     for (const char* text : {"border_1=a;border_2=a", "border_1=a;border_1=b"}) {
