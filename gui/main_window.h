@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
   void showPortMenu(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                     const QString& port);
   void askForEnds();
+  void importPorts();
   void exportPorts();
   void showProgress();
   void showExport();

@@ -30,8 +30,16 @@ void MainWindow::buildPortMenu() {
   QAction* cut = addAction(menu, "cutHere", tr("Cut here"), QKeySequence(tr("Ctrl+K")),
                            [this] { ports_->cutHere(views_->crosshair()); });
   cut->setToolTip(tr("Cuts the vessel at the crosshair (Ctrl+K)"));
+  QAction* across = addAction(menu, "cutAcross", tr("Cut across"), QKeySequence(tr("Ctrl+Alt+K")),
+                              onSelected([this](const QString& name) { ports_->cutAcross(name); }));
+  across->setToolTip(
+      tr("Ends the vessel across just inside an opening that slices it (Ctrl+Alt+K)"));
   QAction* ends = addAction(menu, "cutEnds", tr("Cut all ends…"), QKeySequence(tr("Ctrl+Shift+K")),
                             [this] { askForEnds(); });
+  QAction* all =
+      addAction(menu, "cutAllAcross", tr("Cut all across"), QKeySequence(tr("Ctrl+Alt+Shift+K")),
+                [this] { ports_->cutAllAcross(); });
+  all->setToolTip(tr("Ends all vessels across that the volume's border slices (Ctrl+Alt+Shift+K)"));
   menu->addSeparator();
   QAction* flip = addAction(menu, "flipPort", tr("Flip"), QKeySequence(tr("Ctrl+Shift+F")),
                             onSelected([this](const QString& name) { ports_->flip(name); }));
@@ -45,9 +53,12 @@ void MainWindow::buildPortMenu() {
   QAction* remove = addAction(menu, "deletePort", tr("Delete"), QKeySequence(tr("Ctrl+Del")),
                               onSelected([this](const QString& name) { ports_->remove(name); }));
   menu->addSeparator();
+  QAction* read = addAction(menu, "importPorts", tr("Import ports…"),
+                            QKeySequence(tr("Ctrl+Shift+I")), [this] { importPorts(); });
   QAction* write = addAction(menu, "exportPorts", tr("Export ports…"),
                              QKeySequence(tr("Ctrl+Shift+E")), [this] { exportPorts(); });
-  portPanel_->addButtons({cut, ends, write, flip, rename, remove}, kButtonsPerRow);
+  portPanel_->addButtons({cut, across, flip, ends, all, rename, read, write, remove},
+                         kButtonsPerRow);
   connect(ports_, &CasePorts::changed, this, &MainWindow::refreshPortActions);
   connect(views_, &ViewGrid::menuRequested, this, &MainWindow::showPortMenu);
 }
@@ -57,12 +68,15 @@ void MainWindow::refreshPortActions() {
   const auto enable = [this](const char* name, bool on) {
     findChild<QAction*>(QLatin1String(name))->setEnabled(on);
   };
-  for (const char* name : {"cutHere", "cutEnds", "toolCut"}) {
+  for (const char* name : {"cutHere", "cutEnds", "cutAllAcross", "toolCut"}) {
     enable(name, ports_->ready());
   }
-  for (const char* name : {"flipPort", "renamePort", "deletePort"}) {
+  for (const char* name : {"flipPort", "deletePort"}) {
     enable(name, row && row->cut);
   }
+  enable("renamePort", row != nullptr);
+  enable("cutAcross", row && row->across);
+  enable("importPorts", controller_->image() != nullptr);
   enable("exportPorts", !controller_->ports(MeshKind::Exported).empty());
 }
 
@@ -78,7 +92,7 @@ void MainWindow::showPortMenu(const QPoint& global, const std::optional<Eigen::V
   } else {
     ports_->select(port);
     menu->addSection(port);
-    for (const char* name : {"flipPort", "renamePort", "deletePort"}) {
+    for (const char* name : {"cutAcross", "flipPort", "renamePort", "deletePort"}) {
       menu->addAction(findChild<QAction*>(QLatin1String(name)));
     }
   }
@@ -100,6 +114,13 @@ void MainWindow::askForEnds() {
   dialog->setDoubleValue(kUsualRadii);
   connect(dialog, &QInputDialog::doubleValueSelected, ports_, &CasePorts::cutEnds);
   dialog->open();
+}
+
+void MainWindow::importPorts() {
+  const QString path = options_.chooser.openPorts(this);
+  if (!path.isEmpty()) {
+    ports_->importPorts(path);
+  }
 }
 
 void MainWindow::exportPorts() {

@@ -367,8 +367,14 @@ void CaseController::setRoi(const std::optional<std::array<double, 6>>& roi) {
 }
 
 QString CaseController::setCuts(const std::vector<std::string>& cuts, const QString& what) {
+  PortParams ports = params_.ports;
+  ports.cuts = cuts;
+  return setPorts(ports, what);
+}
+
+QString CaseController::setPorts(const PortParams& ports, const QString& what) {
   Parameters after = params_;
-  after.ports.cuts = cuts;
+  after.ports = ports;
   try {
     checkPorts(after.ports);
   } catch (const Error& failure) {

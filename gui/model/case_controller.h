@@ -104,7 +104,8 @@ class CaseController : public QObject {
   void addSeed(const Eigen::Vector3d& lps);
   void removeSeed(int index);
   void setRoi(const std::optional<std::array<double, 6>>& roi);
-  /// ports.cuts; `what` names the edit. @returns why not, in a line; empty: done
+  /// `what` names the edit. @returns why not, in a line; empty: done
+  QString setPorts(const PortParams& ports, const QString& what);
   QString setCuts(const std::vector<std::string>& cuts, const QString& what);
   [[nodiscard]] std::vector<ComponentRow> components() const;
   void setComponentTicked(int index, bool ticked);

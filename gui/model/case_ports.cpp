@@ -2,38 +2,22 @@
 #include "gui/model/case_ports.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/surface/flat_area.h"
+#include "gui/model/port_edits.h"
+#include "io/ports_file.h"
+#include "render/port_mark.h"
 
 namespace angiomesh {
 
 namespace {
 
 constexpr int kPollMilliseconds = 33;
-/// Of a cut that no vessel is known of, in voxels.
-constexpr double kUnknownRadius = 4.0;
-
-/// As a cut is written by hand: micrometres, and directions to as little.
-GivenCut written(const CutPlane& plane, const std::string& name) {
-  GivenCut cut;
-  cut.name = name;
-  cut.normalLps = plane.normalLps;
-  for (int a = 0; a < 3; ++a) {
-    cut.pointLps[a] = std::round(plane.pointLps[a] * 1e3) / 1e3;
-    (*cut.normalLps)[a] = std::round(plane.normalLps[a] * 1e5) / 1e5;
-  }
-  return cut;
-}
-
 std::string nameOf(const std::string& text) { return parseCut(text).name; }
 
 }  // namespace
-
-double PortRow::diameterMm() const { return equivalentDiameterMm(areaMm2); }
 
 CasePorts::CasePorts(CaseController& controller, const JobRunnerFactory& makeRunner,
                      QObject* parent)
@@ -91,18 +75,7 @@ std::vector<std::array<double, 3>> CasePorts::colours(const std::vector<Port>& p
 }
 
 QString CasePorts::freeName() const {
-  std::set<std::string> taken;
-  for (const std::string& text : cuts()) {
-    taken.insert(nameOf(text));
-  }
-  if (taken.count("inlet") == 0) {
-    return QStringLiteral("inlet");
-  }
-  QString name = QStringLiteral("outlet");
-  for (int n = 2; taken.count(name.toStdString()) != 0; ++n) {
-    name = QStringLiteral("outlet-%1").arg(n);
-  }
-  return name;
+  return QString::fromStdString(freePortName(controller_.parameters().ports));
 }
 
 std::optional<std::size_t> CasePorts::indexOf(const QString& name) const {
@@ -115,14 +88,9 @@ std::optional<std::size_t> CasePorts::indexOf(const QString& name) const {
   return std::nullopt;
 }
 
-CutPlane CasePorts::planeOf(const std::string& text) const {
+const CutFinding* CasePorts::findingOf(const std::string& text) const {
   const auto found = findings_.find(text);
-  if (found != findings_.end() && found->second.plane) {
-    return *found->second.plane;
-  }
-  const GivenCut cut = parseCut(text);
-  return {cut.pointLps,
-          cut.normalLps ? cut.normalLps->normalized() : Eigen::Vector3d(0.0, 0.0, 1.0)};
+  return found == findings_.end() ? nullptr : &found->second;
 }
 
 bool CasePorts::replace(const QString& name, const GivenCut& cut, const QString& what) {
@@ -162,11 +130,72 @@ void CasePorts::cutEnds(double radii) {
   request(std::move(job));
 }
 
+void CasePorts::cutAllAcross() {
+  if (!ready()) {
+    tell(Severity::Warning, tr("There are no vessels to cut yet: run to Evolve first."));
+    return;
+  }
+  auto job = std::make_shared<PortJob>();
+  job->kind = PortJob::Kind::CutAllAcross;
+  job->cuts = cuts();
+  request(std::move(job));
+}
+
+void CasePorts::cutAcross(const QString& name) {
+  const PortRow* row = find(name);
+  if (!row || !row->across) {
+    return;
+  }
+  PortParams after = controller_.parameters().ports;
+  const std::string chosen = nameAcross(*row->across, after, freePortName(after));
+  after.cuts.push_back(cutText(writtenCut(*row->across, chosen)));
+  selected_ = QString::fromStdString(chosen);
+  notice_ = controller_.setPorts(after, tr("cut across %1").arg(name));
+}
+
+/// A cut across an opening takes over the name that the user has given it.
+std::string CasePorts::nameAcross(const CutPlane& plane, PortParams& ports,
+                                  const std::string& otherwise) const {
+  const std::set<std::string> given = namesIn(ports);
+  for (const PortRow& row : rows_) {
+    const std::string name = row.name.toStdString();
+    if (row.cut || !row.across || given.count(name) == 0 ||
+        (row.across->pointLps - plane.pointLps).norm() > row.radiusMm) {
+      continue;
+    }
+    ports = withOpeningNamed(ports, name, row.plane.pointLps, {});
+    return name;
+  }
+  return otherwise;
+}
+
+QString CasePorts::importPorts(const QString& path) {
+  try {
+    PortParams read;
+    addPorts(readPorts(path.toStdString()), read);
+    if (read.cuts.empty() && read.names.empty()) {
+      throw InputError("there is no cut in it, and no opening with a name of its own",
+                       path.toStdString(), "give the ports.json of a surface with cuts");
+    }
+    notice_.clear();
+    const QString refusal = controller_.setPorts(
+        withPortsRead(controller_.parameters().ports, read), tr("import ports"));
+    if (!refusal.isEmpty()) {
+      tell(Severity::Error, refusal);
+    }
+    return refusal;
+  } catch (const Error& failure) {
+    tell(Severity::Error, QString::fromStdString(failure.what()));
+    return notice_;
+  }
+}
+
 void CasePorts::flip(const QString& name) {
   if (const auto index = indexOf(name)) {
-    CutPlane plane = planeOf(cuts()[*index]);
+    const std::string text = cuts()[*index];
+    CutPlane plane = planeOf(text, findingOf(text));
     plane.normalLps = -plane.normalLps;
-    replace(name, written(plane, name.toStdString()), tr("flip the cut %1").arg(name));
+    replace(name, writtenCut(plane, name.toStdString()), tr("flip the cut %1").arg(name));
   }
 }
 
@@ -180,32 +209,58 @@ void CasePorts::remove(const QString& name) {
 }
 
 QString CasePorts::rename(const QString& name, const QString& wanted) {
-  const auto index = indexOf(name);
+  const PortRow* row = find(name);
   const QString trimmed = wanted.trimmed();
-  if (!index || trimmed == name) {
+  if (!row || trimmed == name) {
     return {};
   }
   QString refusal;
   try {
-    checkPortName(trimmed.toStdString());
-    GivenCut cut = parseCut(cuts()[*index]);
-    cut.name = trimmed.toStdString();
-    const bool chosen = selected_ == name;
-    if (chosen) {
-      selected_ = trimmed;  // told once, with the rows
+    const PortParams after =
+        row->cut ? withCutNamed(*indexOf(name), trimmed.toStdString())
+                 : withOpeningNamed(controller_.parameters().ports, name.toStdString(),
+                                    row->plane.pointLps, trimmed.toStdString());
+    if (const PortRow* other = find(trimmed); other && !(other->cut && row->cut)) {
+      throw InputError(trimmed.toStdString() + " is another port's name", "ports.names",
+                       "choose another name");
     }
-    colourNumbers_.rename(name, trimmed);
-    if (!replace(name, cut, tr("rename the cut %1 to %2").arg(name, trimmed))) {
-      refusal = notice_;
-      colourNumbers_.rename(trimmed, name);
-      selected_ = chosen ? name : selected_;
-    }
+    refusal = renamed(name, trimmed, after,
+                      row->cut ? tr("rename the cut %1 to %2") : tr("name the opening %1 %2"));
   } catch (const Error& failure) {
     refusal = QString::fromStdString(portWords(failure.what()));
   }
   if (!refusal.isEmpty()) {
     notice_ = refusal;
     Q_EMIT changed();
+  }
+  return refusal;
+}
+
+PortParams CasePorts::withCutNamed(std::size_t index, const std::string& name) const {
+  checkPortName(name);
+  PortParams ports = controller_.parameters().ports;
+  GivenCut cut = parseCut(ports.cuts[index]);
+  cut.name = name;
+  ports.cuts[index] = cutText(cut);
+  return ports;
+}
+
+/// Selection and colour go with the name, and are told once, with the rows.
+QString CasePorts::renamed(const QString& name, const QString& wanted, const PortParams& after,
+                           const QString& what) {
+  const bool chosen = selected_ == name && !wanted.isEmpty();
+  if (chosen) {
+    selected_ = wanted;
+  }
+  if (!wanted.isEmpty()) {
+    colourNumbers_.rename(name, wanted);
+  }
+  notice_.clear();
+  const QString refusal = QString::fromStdString(
+      portWords(controller_.setPorts(after, what.arg(name, wanted)).toStdString()));
+  if (!refusal.isEmpty() && !wanted.isEmpty()) {
+    colourNumbers_.rename(wanted, name);
+    selected_ = chosen ? name : selected_;
   }
   return refusal;
 }
@@ -229,7 +284,7 @@ void CasePorts::drag(const QString& name, const CutPlane& plane) {
 void CasePorts::drop() {
   if (const std::optional<Drag> drag = std::exchange(drag_, std::nullopt)) {
     const QString what = drag->tilted ? tr("tilt the cut %1") : tr("move the cut %1");
-    replace(drag->name, written(drag->plane, drag->name.toStdString()), what.arg(drag->name));
+    replace(drag->name, writtenCut(drag->plane, drag->name.toStdString()), what.arg(drag->name));
   }
 }
 
@@ -261,47 +316,12 @@ void CasePorts::refresh() {
 }
 
 PortRow CasePorts::cutRow(const std::string& text) const {
-  PortRow row;
-  row.cut = true;
-  row.name = QString::fromStdString(nameOf(text));
-  row.plane = planeOf(text);
-  const auto image = controller_.image();
-  row.radiusMm = kUnknownRadius * (image ? image->geometry.voxelMm() : 1.0);
-  const auto found = findings_.find(text);
-  if (found == findings_.end()) {
-    // A disc that was just moved keeps its size until it was looked at.
-    if (const PortRow* before = find(row.name); before && before->cut) {
-      row.radiusMm = before->radiusMm;
-      row.path = before->path;
-    }
-    row.note = ready() ? tr("being looked at") : tr("run to Evolve to see where it lies");
-  } else {
-    const CutFinding& finding = found->second;
-    row.path = finding.path;
-    if (finding.areaMm2 > 0.0) {
-      row.areaMm2 = finding.areaMm2;
-      row.radiusMm = finding.radiusMm;
-    }
-    QStringList words;
-    // What the mesher alone finds is known once it has failed.
-    const QString failure = controller_.failure(Step::Surface);
-    const bool failed = failure.contains(QStringLiteral("the cut '%1'").arg(row.name));
-    if (!finding.error.empty() || failed) {
-      row.state = PortRow::State::Impossible;
-      words << QString::fromStdString(failed ? portWords(failure.toStdString()) : finding.error);
-    } else {
-      row.state = finding.advice.empty() ? PortRow::State::Good : PortRow::State::Advised;
-      for (const std::string& sentence : finding.advice) {
-        words << QString::fromStdString(sentence);
-      }
-    }
-    if (controller_.meshFresh() && !hasPort(nameOf(text))) {
-      row.state = PortRow::State::Advised;
-      words << tr("left out of the surface with the part that it ends");
-    } else if (words.isEmpty()) {
-      words << (controller_.meshFresh() ? tr("made") : tr("run to make it"));
-    }
-    row.note = words.join(QStringLiteral(". "));
+  const CutFinding* finding = findingOf(text);
+  PortRow row = angiomesh::cutRow(text, finding, controller_);
+  // A disc that was just moved keeps its size until it was looked at.
+  if (const PortRow* before = find(row.name); before && before->cut && !finding) {
+    row.radiusMm = before->radiusMm;
+    row.path = before->path;
   }
   if (drag_ && drag_->name == row.name) {
     row.plane = drag_->plane;
@@ -309,51 +329,14 @@ PortRow CasePorts::cutRow(const std::string& text) const {
   return row;
 }
 
-std::vector<Port> CasePorts::meshPorts() const {
-  return controller_.ports(controller_.mesh(MeshKind::Exported) ? MeshKind::Exported
-                                                                : MeshKind::Unsmoothed);
-}
-
-bool CasePorts::hasPort(const std::string& name) const {
-  const std::vector<Port> ports = meshPorts();
-  return std::any_of(ports.begin(), ports.end(),
-                     [&](const Port& port) { return port.name == name; });
-}
-
-/// Of the last mesh those that are no cuts, neither then nor now.
-void CasePorts::addOpenings(std::vector<PortRow>& rows) const {
-  const Parameters* then = controller_.meshParameters();
-  std::set<std::string> known;
-  for (const auto& list : {then ? then->ports.cuts : std::vector<std::string>(), cuts()}) {
-    for (const std::string& text : list) {
-      known.insert(nameOf(text));
-    }
-  }
-  for (const Port& port : meshPorts()) {
-    if (known.count(port.name) != 0) {
-      continue;
-    }
-    PortRow row;
-    row.name = QString::fromStdString(port.name);
-    row.plane = {port.centreLps, port.normalLps};
-    row.areaMm2 = port.areaMm2;
-    row.radiusMm = 0.5 * port.equivalentDiameterMm();
-    row.state = PortRow::State::Good;
-    row.note = row.name.startsWith(QLatin1String("border_")) ? tr("at the volume's border")
-                                                             : tr("end cut automatically");
-    if (!controller_.meshFresh()) {
-      row.note += tr(", in the last mesh");
-    }
-    rows.push_back(std::move(row));
-  }
-}
-
 void CasePorts::rebuild() {
   std::vector<PortRow> rows;
   for (const std::string& text : cuts()) {
     rows.push_back(cutRow(text));
   }
-  addOpenings(rows);
+  for (PortRow& row : openingRows(controller_)) {
+    rows.push_back(std::move(row));
+  }
   QStringList names;
   for (const PortRow& row : rows) {
     names << row.name;
@@ -443,7 +426,8 @@ void CasePorts::finish() {
         finishCutHere(*job);
         break;
       case PortJob::Kind::CutEnds:
-        finishCutEnds(*job);
+      case PortJob::Kind::CutAllAcross:
+        finishProposed(*job);
         break;
     }
   }
@@ -458,13 +442,13 @@ void CasePorts::finishCutHere(const PortJob& job) {
   }
   const QString name = freeName();
   std::vector<std::string> all = cuts();
-  all.push_back(cutText(written(job.proposed.front(), name.toStdString())));
+  all.push_back(cutText(writtenCut(job.proposed.front(), name.toStdString())));
   notice_.clear();
   selected_ = name;
   controller_.setCuts(all, tr("add the cut %1").arg(name));
 }
 
-void CasePorts::finishCutEnds(const PortJob& job) {
+void CasePorts::finishProposed(const PortJob& job) {
   if (!job.error.empty()) {
     tell(Severity::Warning, QString::fromStdString(job.error));
     return;
@@ -472,27 +456,26 @@ void CasePorts::finishCutEnds(const PortJob& job) {
   for (const std::string& remark : job.remarks) {
     Q_EMIT controller_.message(Severity::Warning, QString::fromStdString(remark));
   }
-  std::vector<std::string> all = cuts();
-  std::set<std::string> taken;
-  for (const std::string& text : all) {
-    taken.insert(nameOf(text));
-  }
+  const bool ends = job.kind == PortJob::Kind::CutEnds;
+  PortParams after = controller_.parameters().ports;
   int added = 0;
   for (std::size_t i = 0; i < job.proposed.size(); ++i) {
-    if (taken.insert(job.names[i]).second) {
-      all.push_back(cutText(written(job.proposed[i], job.names[i])));
+    const std::string name = ends ? job.names[i] : nameAcross(job.proposed[i], after, job.names[i]);
+    if (namesIn(after).count(name) == 0) {
+      after.cuts.push_back(cutText(writtenCut(job.proposed[i], name)));
       ++added;
     }
   }
   if (added == 0) {
     tell(Severity::Warning,
-         tr("No end was cut: no vessel ends in the volume without a cut already."));
+         ends ? tr("No end was cut: no vessel ends in the volume without a cut already.")
+              : tr("Nothing was cut: at the volume's border no vessel is sliced any more."));
     return;
   }
   notice_ = job.remarks.empty()
                 ? QString()
-                : tr("%1 ends were not cut: the log says why.").arg(job.remarks.size());
-  controller_.setCuts(all, tr("cut all ends"));
+                : tr("%1 places were not cut: the log says why.").arg(job.remarks.size());
+  controller_.setPorts(after, ends ? tr("cut all ends") : tr("cut all across"));
 }
 
 }  // namespace angiomesh

@@ -15,27 +15,9 @@
 #include "gui/model/case_controller.h"
 #include "gui/model/kept_numbers.h"
 #include "gui/model/port_job.h"
-#include "render/port_mark.h"
+#include "gui/model/port_rows.h"
 
 namespace angiomesh {
-
-/// A row of the list of ports.
-struct PortRow {
-  /// Unknown: nothing is there to look at, or it is being looked at.
-  enum class State { Unknown, Good, Advised, Impossible };
-
-  QString name;
-  bool cut = false;  ///< one of ports.cuts; else an opening that the last run found or made itself
-  State state = State::Unknown;
-  QString note;  ///< the state in words
-  CutPlane plane;
-  double radiusMm = 0.0;
-  double areaMm2 = 0.0;  ///< 0: not known
-  std::array<double, 3> colour{};
-  std::vector<Eigen::Vector3d> path;
-
-  [[nodiscard]] double diameterMm() const;  ///< of the circle of the same area
-};
 
 /// The inlets and outlets of the case: the cuts among its parameters with what is known of them,
 /// and the other openings of the last mesh. Edits go through the controller's undo stack; looking
@@ -71,9 +53,16 @@ class CasePorts : public QObject {
   void cutHere(const Eigen::Vector3d& lps);
   /// Cuts of all ends so many radii before their tips, as far as no cut lies in the way.
   void cutEnds(double radii);
+  /// Across the vessel just inside an opening that slices it; takes over a name given to that.
+  void cutAcross(const QString& name);
+  /// The same at all openings, of the surface that the next run would make.
+  void cutAllAcross();
+  /// What a ports.json has, in place of ports of the same name. @returns why not; empty: done
+  QString importPorts(const QString& path);
   void flip(const QString& name);
   void remove(const QString& name);
-  /// @returns why not; empty: done
+  /// Of a cut, or of an opening, which keeps the name by its place; empty gives an opening the name
+  /// back that it has of itself. @returns why not; empty: done
   QString rename(const QString& name, const QString& wanted);
   /// A drag of a cut: shown, but no edit until drop().
   void drag(const QString& name, const CutPlane& plane);
@@ -96,15 +85,12 @@ class CasePorts : public QObject {
     return controller_.parameters().ports.cuts;
   }
   [[nodiscard]] std::optional<std::size_t> indexOf(const QString& name) const;
-  [[nodiscard]] CutPlane planeOf(const std::string& cut) const;
   bool replace(const QString& name, const GivenCut& cut, const QString& what);
   void refresh();
   void refreshGround();
   void rebuild();
   [[nodiscard]] PortRow cutRow(const std::string& text) const;
-  [[nodiscard]] std::vector<Port> meshPorts() const;
-  [[nodiscard]] bool hasPort(const std::string& name) const;
-  void addOpenings(std::vector<PortRow>& rows) const;
+  [[nodiscard]] const CutFinding* findingOf(const std::string& text) const;
   void tell(Severity severity, const QString& text);
   void request(std::shared_ptr<PortJob> job);
   void requestCheck();
@@ -112,7 +98,12 @@ class CasePorts : public QObject {
   void poll();
   void finish();
   void finishCutHere(const PortJob& job);
-  void finishCutEnds(const PortJob& job);
+  void finishProposed(const PortJob& job);
+  [[nodiscard]] PortParams withCutNamed(std::size_t index, const std::string& name) const;
+  QString renamed(const QString& name, const QString& wanted, const PortParams& after,
+                  const QString& what);
+  std::string nameAcross(const CutPlane& plane, PortParams& ports,
+                         const std::string& otherwise) const;
 
   CaseController& controller_;
   std::unique_ptr<JobRunner> runner_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/pipeline/border_cuts.h"
 #include "core/quality/port_advice.h"
 #include "core/quality/vessel_at.h"
 #include "core/surface/wall_field.h"
@@ -28,9 +29,11 @@ void PortJob::execute() noexcept {
       cutHere();
       return;
     }
-    const Made made = check();
+    Made made = check();
     if (kind == Kind::Advise) {
       advise(made);
+    } else if (kind == Kind::CutAllAcross) {
+      cutAllAcross(std::move(made.away));
     } else if (kind == Kind::CutEnds) {
       EndPlan plan = planEndCuts(*ground.field, *ground.phi, *ground.skeleton, made.away,
                                  radiiFromTip, progress);
@@ -124,6 +127,14 @@ void PortJob::advise(const Made& made) {
       }
     }
   }
+}
+
+void PortJob::cutAllAcross(CutAway away) {
+  const std::size_t before = away.sections.size();
+  remarks = addBorderCuts(*ground.field, *ground.phi, away, progress);
+  const std::vector<CutPlane> planes = away.planes();
+  proposed.assign(planes.begin() + static_cast<std::ptrdiff_t>(before), planes.end());
+  names.assign(away.names.begin() + static_cast<std::ptrdiff_t>(before), away.names.end());
 }
 
 void PortJob::cutHere() {

@@ -34,7 +34,7 @@ struct CutFinding {
 /// One look at the vessels for cuts: execute() on the worker, the results after it.
 struct PortJob {
   /// Check: findings without advice. Advise: with it, which takes the skeleton.
-  enum class Kind { Check, Advise, CutHere, CutEnds };
+  enum class Kind { Check, Advise, CutHere, CutEnds, CutAllAcross };
 
   Kind kind = Kind::Check;
   PortGround ground;
@@ -47,11 +47,11 @@ struct PortJob {
 
   // After execute():
   bool cancelled = false;
-  std::string error;                 ///< of CutHere and CutEnds
+  std::string error;                 ///< of all but Check and Advise
   std::vector<CutFinding> findings;  ///< of the cuts, in their order
   std::vector<CutPlane> proposed;    ///< of CutHere one
-  std::vector<std::string> names;    ///< of CutEnds
-  std::vector<std::string> remarks;  ///< of CutEnds: ends that are not cut
+  std::vector<std::string> names;    ///< of CutEnds and CutAllAcross
+  std::vector<std::string> remarks;  ///< of these: what is not cut, and why
 
  private:
   void prepare(bool withSkeleton);
@@ -64,6 +64,7 @@ struct PortJob {
   Made together(const std::vector<std::size_t>& possible, const std::vector<CutPlane>& planes);
   void advise(const Made& made);
   void cutHere();
+  void cutAllAcross(CutAway away);
 };
 
 /// An error's text for a list of ports: without the names of parameters.

@@ -85,6 +85,12 @@ PathChooser dialogPathChooser() {
         parent, QObject::tr("Open a DICOM folder"), {},
         QFileDialog::ShowDirsOnly | QFileDialog::DontUseNativeDialog);
   };
+  chooser.openPorts = [](QWidget* parent) {
+    const SharedHistory history;
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Import ports"), {},
+                                        QObject::tr("Ports (*.json);;All files (*)"), nullptr,
+                                        QFileDialog::DontUseNativeDialog);
+  };
   chooser.save = [](QWidget* parent, const QString& suggested, const QString& filter) {
     const SharedHistory history;
     return QFileDialog::getSaveFileName(parent, QObject::tr("Export"), suggested, filter, nullptr,

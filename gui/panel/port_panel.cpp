@@ -186,8 +186,7 @@ void PortPanel::fill(int row) {
     name->setData(kColourRole, colour);
     name->setIcon(swatch(colour));
   }
-  const Qt::ItemFlags flags =
-      Qt::ItemIsEnabled | Qt::ItemIsSelectable | (port.cut ? Qt::ItemIsEditable : Qt::NoItemFlags);
+  const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable;
   if (name->flags() != flags) {
     name->setFlags(flags);
   }

@@ -13,7 +13,7 @@ namespace angiomesh {
 
 class CasePorts;
 
-/// The inlets and outlets: name, diameter, area and what there is to say of each. Names of cuts are
+/// The inlets and outlets: name, diameter, area and what there is to say of each. Names are
 /// edited in place; a click on a row takes the panes there.
 class PortPanel : public QWidget {
   Q_OBJECT

@@ -77,8 +77,8 @@ class TestPorts : public QObject {
     QTest::keyClick(c.window.get(), Qt::Key_F1);
     QTRY_VERIFY(c.find<QTableWidget>("shortcutsTable"));
     auto* table = c.find<QTableWidget>("shortcutsTable");
-    for (const char* text :
-         {"Cut here", "Cut all ends…", "Flip", "Rename", "Delete", "Export ports…", "Cut vessel"})
+    for (const char* text : {"Cut here", "Cut all ends…", "Cut across", "Cut all across", "Flip",
+                             "Rename", "Delete", "Import ports…", "Export ports…", "Cut vessel"})
       QCOMPARE(table->findItems(QString::fromUtf8(text), Qt::MatchExactly).size(), 1);
   }
 
@@ -261,7 +261,7 @@ class TestPorts : public QObject {
     slice->grabFramebuffer();
     c.rightClick(slice, centre.toPoint());
     auto* menu = c.find<QMenu>("portMenu");
-    QVERIFY(menu && menu->actions().size() == 4);
+    QVERIFY(menu && menu->actions().size() == 5);
     menu->close();
   }
 

@@ -65,6 +65,7 @@ struct WindowCase {
     MainWindowOptions options;
     options.makeRunner = makeRunner;
     options.chooser.openFile = [this](QWidget*) { return openPath; };
+    options.chooser.openPorts = [this](QWidget*) { return openPath; };
     options.chooser.openFolder = [this](QWidget*) { return openPath; };
     options.chooser.save = [this](QWidget*, const QString&, const QString&) { return savePath; };
     options.questions = answers.questions();
