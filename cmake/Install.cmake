@@ -33,6 +33,10 @@ foreach(program angiomesh-cli angiomesh)
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   endif()
 endforeach()
+if(TARGET angiomesh-pictures)
+  install(TARGETS angiomesh-pictures
+          RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/angiomesh)
+endif()
 if(TARGET angiomesh)
   install(FILES resources/angiomesh.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES resources/angiomesh.svg

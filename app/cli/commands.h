@@ -25,6 +25,11 @@ void addEvaluate(CLI::App& program, Session& session);
 void addSkeleton(CLI::App& program, Session& session);
 
 void addParameters(CLI::App& program, Session& session);
+
+// Of angiomesh-pictures, which angiomesh-cli runs for them.
+constexpr const char* kSnapshotText =
+    "A rendered picture of a result (needs an X display, a virtual one will do)";
+constexpr const char* kStudyText = "The thesis's tables and figures, made anew, and the evidence";
 void addSnapshot(CLI::App& program, Session& session);
 void addStudy(CLI::App& program, Session& session);
 

@@ -1,47 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <string>
-#include <vector>
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "app/cli/commands.h"
-#include "app/cli/options.h"
-#include "core/pipeline/report.h"
+#include "app/cli/program.h"
+#include "core/base/error.h"
 
 namespace angiomesh::cli {
 namespace {
 
-/// What is wrong with the command line, in one line.
-std::string explain(const CLI::ParseError& error, const CLI::App& program, int argc, char** argv) {
-  const auto commands = program.get_subcommands();
-  if (commands.empty()) {
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    const auto word = std::find_if(words.begin(), words.end(),
-                                   [](const std::string& w) { return w.rfind('-', 0) != 0; });
-    if (error.get_name() == "RequiredError")
-      return word == words.end()
-                 ? "a command is missing, command line: see angiomesh-cli --help"
-                 : "no command is called '" + *word + "', command line: see angiomesh-cli --help";
-  }
-  std::string what = error.what();
-  std::replace(what.begin(), what.end(), '\n', ' ');
-  const std::string command = commands.empty() ? "" : " " + commands.front()->get_name();
-  return what + ", command line: see angiomesh-cli" + command + " --help";
+#ifdef ANGIOMESH_WITH_PICTURES
+/// The commands that draw need libraries that take longer to load than most others take to run,
+/// and a hundred megabytes of addresses: they are a program of their own, beside this one or where
+/// it was installed.
+void addElsewhere(CLI::App& program, Session& session, const char* name, const char* text,
+                  char** argv) {
+  CLI::App* command = program.add_subcommand(name, text);
+  command->prefix_command();
+  command->set_help_flag();
+  command->fallthrough(false);
+  command->callback([&session, argv] {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (const fs::path& place : {folder, folder / ANGIOMESH_LIBEXEC})
+      execv((place / "angiomesh-pictures").c_str(), argv);
+    session.action = []() -> int {
+      throw IoError("the program that draws pictures is not there", "angiomesh-pictures",
+                    "install Angiomesh anew, with all of its parts");
+    };
+  });
 }
+#endif
 
-int parseAndRun(int argc, char** argv) {
-  static Session session;
-  handleSignals(session.progress);
-
-  CLI::App program("Angiomesh: from an angiogram to a vessel surface", "angiomesh-cli");
-  program.set_version_flag("--version", std::string("angiomesh-cli ") + versionText());
-  program.add_option("--threads", session.threads, "Threads to use; all cores unless given")
-      ->check(CLI::Range(1, 1024));
-  program.add_option("--progress", session.progressMode, "auto (on a terminal), json or none")
-      ->check(CLI::IsMember({"auto", "json", "none"}));
-  program.require_subcommand(1);
-  program.fallthrough();
-
+void addCommands(CLI::App& program, Session& session, [[maybe_unused]] char** argv) {
   addRun(program, session);
   addInfo(program, session);
   addPhantom(program, session);
@@ -53,28 +48,20 @@ int parseAndRun(int argc, char** argv) {
   addEvaluate(program, session);
   addSkeleton(program, session);
   addConvert(program, session);
-#ifdef ANGIOMESH_WITH_RENDER
-  addSnapshot(program, session);
-  addStudy(program, session);
+#ifdef ANGIOMESH_WITH_PICTURES
+  for (const auto& [name, text] :
+       {std::pair{"snapshot", kSnapshotText}, std::pair{"study", kStudyText}})
+    addElsewhere(program, session, name, text, argv);
 #endif
   addParameters(program, session);
-
-  std::vector<std::string> arguments = joinNumbers(argc, argv);
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
-  try {
-    program.parse(arguments);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      program.exit(error);
-      return flushOutput() ? Done : UserCanChange;
-    }
-    printError(explain(error, program, argc, argv));
-    return UserCanChange;
-  }
-  return runSession(session);
 }
 
 }  // namespace
 }  // namespace angiomesh::cli
 
-int main(int argc, char** argv) { return angiomesh::cli::parseAndRun(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace angiomesh::cli;
+  return parseAndRun(argc, argv, [argv](CLI::App& program, Session& session) {
+    addCommands(program, session, argv);
+  });
+}

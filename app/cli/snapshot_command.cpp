@@ -73,8 +73,7 @@ int snapshot(const SnapshotOptions& options) {
 
 void addSnapshot(CLI::App& program, Session& session) {
   auto options = std::make_shared<SnapshotOptions>();
-  CLI::App* command = program.add_subcommand(
-      "snapshot", "A rendered picture of a result (needs an X display, a virtual one will do)");
+  CLI::App* command = program.add_subcommand("snapshot", kSnapshotText);
   command->add_option("DIR", options->folders, "Folders that 'run' wrote; one without --at")
       ->required();
   command->add_option("-o,--output", options->output, "PNG to write")->required();

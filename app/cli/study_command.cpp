@@ -202,8 +202,7 @@ int figures(const FiguresOptions& options, const Progress& progress) {
 }  // namespace
 
 void addStudy(CLI::App& program, Session& session) {
-  CLI::App* study = program.add_subcommand(
-      "study", "The thesis's tables and figures, made anew, and the evidence");
+  CLI::App* study = program.add_subcommand("study", kStudyText);
   study->require_subcommand(1);
   addTableA(*study, session);
   addStudyPanel(*study, session);
