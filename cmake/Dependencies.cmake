@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # VTK is always asked for by component: without components it wants Qt 5.
 set(ANGIOMESH_VTK_CORE CommonCore CommonDataModel CommonExecutionModel FiltersCore)
-set(ANGIOMESH_VTK_IO IOCore IOPLY IOGeometry IOXML IOLegacy IOImage)
+set(ANGIOMESH_VTK_IO IOCore IOPLY IOGeometry IOXML IOLegacy)
 set(ANGIOMESH_VTK_RENDER
     CommonTransforms CommonMath RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2
     RenderingFreeType RenderingImage RenderingAnnotation InteractionStyle InteractionWidgets
