@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "core/surface/port_colour.h"
 #include "io/mesh_text.h"
 #include "io/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {
+
+/// Of programs that show no other property of faces: the openings as in the window, the wall grey.
+std::array<std::uint8_t, 3> colourOf(std::uint16_t patch) {
+  if (patch == 0) return {204, 204, 204};
+  std::array<std::uint8_t, 3> bytes{};
+  const std::array<double, 3> colour = portColour(patch - 1U);
+  for (std::size_t c = 0; c < 3; ++c)
+    bytes[c] = static_cast<std::uint8_t>(std::lround(255.0 * colour[c]));
+  return bytes;
+}
 
 std::string headerOf(const WritableMesh& mesh) {
   const bool binary = mesh.options.encoding == MeshEncoding::Binary;
@@ -19,7 +32,8 @@ std::string headerOf(const WritableMesh& mesh) {
   text += "element face " + std::to_string(mesh.mesh.triangles.size()) + "\n";
   text += "property list uchar int vertex_indices\n";
   if (!mesh.quality.empty()) text += "property float quality\n";
-  if (patches) text += "property int patch\n";
+  if (patches)
+    text += "property int patch\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
   return text + "end_header\n";
 }
 
@@ -42,13 +56,17 @@ void appendAscii(const WritableMesh& mesh, std::string& text) {
       text += ' ';
       appendShortest(text, static_cast<float>(mesh.quality[t]));
     }
-    if (!mesh.mesh.patch.empty()) text += ' ' + std::to_string(mesh.mesh.patch[t]);
+    if (!mesh.mesh.patch.empty()) {
+      text += ' ' + std::to_string(mesh.mesh.patch[t]);
+      for (const std::uint8_t part : colourOf(mesh.mesh.patch[t]))
+        text += ' ' + std::to_string(part);
+    }
     text += '\n';
   }
 }
 
 void appendBinary(const WritableMesh& mesh, std::string& bytes) {
-  bytes.reserve(bytes.size() + mesh.mesh.points.size() * 36 + mesh.mesh.triangles.size() * 21);
+  bytes.reserve(bytes.size() + mesh.mesh.points.size() * 36 + mesh.mesh.triangles.size() * 24);
   for (std::size_t v = 0; v < mesh.mesh.points.size(); ++v) {
     for (int a = 0; a < 3; ++a) appendRaw(bytes, mesh.mesh.points[v][a]);
     for (int a = 0; a < 3 && !mesh.normals.empty(); ++a)
@@ -59,7 +77,10 @@ void appendBinary(const WritableMesh& mesh, std::string& bytes) {
     for (const std::uint32_t corner : mesh.mesh.triangles[t])
       appendRaw(bytes, static_cast<std::int32_t>(corner));
     if (!mesh.quality.empty()) appendRaw(bytes, static_cast<float>(mesh.quality[t]));
-    if (!mesh.mesh.patch.empty()) appendRaw(bytes, std::int32_t{mesh.mesh.patch[t]});
+    if (!mesh.mesh.patch.empty()) {
+      appendRaw(bytes, std::int32_t{mesh.mesh.patch[t]});
+      for (const std::uint8_t part : colourOf(mesh.mesh.patch[t])) appendRaw(bytes, part);
+    }
   }
 }
 

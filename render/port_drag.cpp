@@ -33,18 +33,6 @@ std::size_t nearestOf(const std::vector<Vector3d>& path, const Vector3d& point) 
 
 }  // namespace
 
-std::array<double, 3> portColour(std::size_t number) {
-  static const std::array<std::array<double, 3>, 8> colours{{{0.34, 0.71, 0.91},
-                                                             {0.95, 0.90, 0.26},
-                                                             {0.15, 0.72, 0.52},
-                                                             {0.85, 0.55, 0.78},
-                                                             {0.94, 0.62, 0.05},
-                                                             {0.30, 0.45, 0.90},
-                                                             {0.65, 0.85, 0.33},
-                                                             {0.60, 0.42, 0.85}}};
-  return colours[number % colours.size()];
-}
-
 PortDrag::PortDrag(const PortMark& mark, Grip grip, double arrowMm, const ViewRay& ray)
     : mark_(mark), grip_(grip), arrowMm_(arrowMm), first_(ray) {
   grabbed_ = meets(ray, mark_.plane.pointLps, ray.direction);

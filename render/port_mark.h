@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/surface/end_planes.h"
+#include "core/surface/port_colour.h"
 
 namespace angiomesh {
 
@@ -29,9 +30,5 @@ struct PortMark {
   /// Of the disc.
   [[nodiscard]] double discRadiusMm() const { return 1.3 * radiusMm; }
 };
-
-/// Colours of ports by numbers, repeating: told apart from the wall and, by most, from each
-/// other (after Okabe & Ito 2008, "Color universal design").
-std::array<double, 3> portColour(std::size_t number);
 
 }  // namespace angiomesh

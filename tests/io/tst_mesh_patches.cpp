@@ -25,6 +25,7 @@
 #include "core/base/error.h"
 #include "core/surface/outward.h"
 #include "core/surface/port.h"
+#include "core/surface/port_colour.h"
 #include "io/mesh_io.h"
 #include "io/patch_files.h"
 #include "tests/io/io_test.h"
@@ -424,6 +425,15 @@ class TestMeshPatches : public QObject {
       ply->SetFileName((folder / "m.ply").c_str());
       ply->Update();
       QCOMPARE(ply->GetOutput()->GetNumberOfPolys(), static_cast<vtkIdType>(mesh.triangles.size()));
+      auto* colours = ply->GetOutput()->GetCellData()->GetArray("RGB");
+      QVERIFY(colours != nullptr && colours->GetNumberOfComponents() == 3);
+      for (std::size_t t = 0; t < mesh.patch.size(); ++t) {
+        const double* rgb = colours->GetTuple3(static_cast<vtkIdType>(t));
+        const std::size_t port = mesh.patch[t] - 1U;
+        for (std::size_t c = 0; c < 3; ++c)
+          QVERIFY(std::fabs(rgb[c] - (mesh.patch[t] == 0 ? 204.0 : 255.0 * portColour(port)[c])) <
+                  0.51);
+      }
       Mesh read;
       OpenMesh::IO::Options custom = OpenMesh::IO::Options::Custom;
       QVERIFY(OpenMesh::IO::read_mesh(read, (folder / "m.ply").string(), custom));
