@@ -12,6 +12,7 @@
 #include "io/case_journal.h"
 #include "io/files.h"
 #include "io/staged_folder.h"
+#include "io/temporary_place.h"
 
 namespace angiomesh {
 namespace {
@@ -258,6 +259,17 @@ void keepPrevious(const fs::path& folder) {
   writeText(previous, text);
 }
 
+/// What a program that was killed had begun to write in the case's folders.
+void removeUnfinished(const fs::path& folder) {
+  for (const char* name : {"", "cache", "edits"}) {
+    try {
+      removeLeftovers(placeIn(folder, name));
+    } catch (const IoError&) {
+      // A link to a place that is not the case's.
+    }
+  }
+}
+
 }  // namespace
 
 bool isCase(const fs::path& folder) {
@@ -298,6 +310,7 @@ CaseReading readCase(const fs::path& folder) {
   if (!isThere(file) && !isThere(previous))
     throw IoError("the folder holds no case", folder.string(),
                   "give a folder that Angiomesh saved, NAME.angiomesh");
+  removeUnfinished(folder);
   try {
     return parse(readText(file, kMostJsonBytes), file);
   } catch (const IoError&) {

@@ -64,7 +64,8 @@ void writeCase(const std::filesystem::path& folder, const CaseDocument& document
 
 /// Reads case.json, or case.previous.json where that one is missing or damaged, or else the last
 /// edit in the journal, with a warning. Parameters that the file does not name have their defaults;
-/// those that this program does not know or cannot use are left out, with a warning.
+/// those that this program does not know or cannot use are left out, with a warning. What a program
+/// that was killed had begun to write in the folder is removed.
 /// @throws IoError (no case, damaged, a link among its files), InputError (a newer schema)
 CaseReading readCase(const std::filesystem::path& folder);
 

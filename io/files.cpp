@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/staged_folder.h"
 #include "io/temporary_place.h"
 
 namespace angiomesh {
@@ -78,6 +79,8 @@ void writeAtomically(const fs::path& path, const std::function<void(const fs::pa
   checkTarget(target);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   removeLeftoversOnce(folder);
+  // Finished later, they would replace this file by an older one.
+  finishCommits(folder);
   std::optional<TemporaryPlace> temporary;
   try {
     temporary.emplace(folder, TemporaryPlace::Kind::File, extensionOf(target));

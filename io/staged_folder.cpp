@@ -93,7 +93,9 @@ void finish(const fs::path& stage, const fs::path& folder) {
       const fs::path to = placeIn(folder, name.get<std::string>());
       if (!fs::is_regular_file(from, error)) continue;
       fs::create_directories(to.parent_path(), error);
-      fs::rename(from, to);
+      // Another program may be at the same.
+      fs::rename(from, to, error);
+      if (error && isThere(from)) throw fs::filesystem_error("", from, error);
     }
     for (const Json& name : note["gone"]) {
       const fs::path old = placeIn(folder, name.get<std::string>());
@@ -102,23 +104,6 @@ void finish(const fs::path& stage, const fs::path& folder) {
     syncFolder(folder);
   }
   fs::remove_all(stage, error);
-}
-
-void finishCommits(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> stages;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (isLeftover(entry->path()) && isThere(entry->path() / kCommitNote))
-      stages.push_back(entry->path());
-  for (const fs::path& stage : stages) {
-    try {
-      finish(stage, folder);
-    } catch (const std::exception&) {
-      throw IoError("a run that was interrupted left a result that cannot be finished",
-                    stage.string(), "remove that folder");
-    }
-  }
 }
 
 }  // namespace
@@ -136,6 +121,24 @@ fs::path placeIn(const fs::path& folder, const std::string& name) {
                     place.string(), "put a copy of what it leads to in its place, or remove it");
   }
   return place;
+}
+
+void finishCommits(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> stages;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (isLeftover(entry->path()) && isThere(entry->path() / kCommitNote))
+      stages.push_back(entry->path());
+  for (const fs::path& stage : stages) {
+    try {
+      finish(stage, folder);
+    } catch (const std::exception&) {
+      if (!isThere(stage)) continue;
+      throw IoError("a run that was interrupted left a result that cannot be finished",
+                    stage.string(), "remove that folder");
+    }
+  }
 }
 
 StagedFolder::StagedFolder(const fs::path& folder, std::vector<std::string> names, bool replace,

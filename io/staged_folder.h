@@ -17,6 +17,10 @@ namespace angiomesh {
 /// @throws IoError that names what is in the way
 std::filesystem::path placeIn(const std::filesystem::path& folder, const std::string& name);
 
+/// Goes on with what programs that were killed within StagedFolder::commit() had begun in a folder.
+/// @throws IoError where that cannot be done
+void finishCommits(const std::filesystem::path& folder);
+
 /// A folder of results that appears as a whole or not at all: files are written into a hidden
 /// folder on the same file system and renamed into place by commit(). Files of the user that lie in
 /// an existing folder are left alone. Unless committed, the destructor removes everything again. A

@@ -2,6 +2,7 @@
 #include "io/case_file.h"
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <QTest>
@@ -16,6 +17,7 @@
 #include "io/case_journal.h"
 #include "io/files.h"
 #include "io/find_source.h"
+#include "io/temporary_place.h"
 #include "tests/core/random_parameters.h"
 #include "tests/io/io_test.h"
 
@@ -355,6 +357,32 @@ class TestCaseFile : public QObject {
         QVERIFY(each.params.levelset.xi == 25.0 || each.params.levelset.xi == 26.0);
     }
     QVERIFY(most > 1);
+  }
+
+  void whatAKilledProgramLeftGoesWhenTheCaseIsOpened() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument());
+    appendJournal(a, {step(3, 1, 22.0)});
+    fs::create_directory(a / "cache");
+    const auto hidden = [&] {
+      int count = 0;
+      for (const auto& entry : fs::recursive_directory_iterator(a))
+        if (entry.path().filename().string().starts_with(".")) ++count;
+      return count;
+    };
+    const pid_t child = ::fork();
+    if (child == 0) {
+      for (const char* name : {"", "cache", "edits"})
+        new TemporaryPlace(a / name, TemporaryPlace::Kind::File);
+      ::_exit(0);
+    }
+    ::waitpid(child, nullptr, 0);
+    QCOMPARE(hidden(), 3);
+    const TemporaryPlace mine(a, TemporaryPlace::Kind::File);
+    verifyEqual(readCase(a).document, sampleDocument());
+    QCOMPARE(hidden(), 1);
+    QVERIFY(fs::exists(mine.path()));
   }
 
   void theJournalTellsWhatCameAfterTheLastSave() {

@@ -41,6 +41,21 @@ void killedIn(const std::function<void()>& work) {
   QVERIFY(WIFSIGNALED(status));
 }
 
+/// A folder as commit() leaves it that is killed after its first renames: b is still the former
+/// one.
+void killedInCommit(const Folder& folder) {
+  write(folder.path(), {{"a", "1"}, {"b", "1"}, {"sub/c", "1"}});
+  killedIn([&] {
+    StagedFolder staged(folder.path(), {"a", "b", "sub/c"}, true);
+    addText(staged, "b", "2");
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+      if (fs::is_directory(entry) && entry.path().filename().string().starts_with(".angiomesh"))
+        writeText(entry.path() / kCommitNote, R"({"names": ["a", "b"], "gone": ["sub/c"]})");
+    save(folder / "a", "2");
+    ::kill(::getpid(), SIGKILL);
+  });
+}
+
 template <class E>
 bool throws(const std::function<void()>& work) {
   try {
@@ -158,24 +173,24 @@ class TestStagedFolder : public QObject {
 
   void aCommitThatWasKilledIsFinished() {
     const Folder folder;
-    write(folder.path(), {{"a", "1"}, {"b", "1"}, {"sub/c", "1"}});
-    fs::path stage;
-    // As commit() is after its first renames.
-    killedIn([&] {
-      StagedFolder staged(folder.path(), {"a", "b", "sub/c"}, true);
-      addText(staged, "b", "2");
-      for (const auto& entry : fs::directory_iterator(folder.path()))
-        if (fs::is_directory(entry) && entry.path().filename().string().starts_with(".angiomesh"))
-          writeText(entry.path() / kCommitNote, R"({"names": ["a", "b"], "gone": ["sub/c"]})");
-      writeText(folder / "a", "2");
-      ::kill(::getpid(), SIGKILL);
-    });
+    killedInCommit(folder);
     QCOMPARE(bytesOf(folder / "b"), std::string("1"));
     { const StagedFolder next(folder.path(), {"a", "b", "sub/c"}, true); }
     QCOMPARE(bytesOf(folder / "a"), std::string("2"));
     QCOMPARE(bytesOf(folder / "b"), std::string("2"));
     QVERIFY(!fs::exists(folder / "sub/c"));
     QCOMPARE(entriesOf(folder.path()), 3);
+  }
+
+  void aCommitThatWasKilledIsFinishedBeforeAFileIsWritten() {
+    const Folder folder;
+    killedInCommit(folder);
+    writeText(folder / "b", "3");
+    QCOMPARE(bytesOf(folder / "a"), std::string("2"));
+    QCOMPARE(entriesOf(folder.path()), 3);
+    // What is newer stays.
+    { const StagedFolder next(folder.path(), {"a", "b", "sub/c"}, true); }
+    QCOMPARE(bytesOf(folder / "b"), std::string("3"));
   }
 
   void noLinkIsFollowed() {
