@@ -12,7 +12,8 @@ program=$(realpath "$1")
 kills=${2:-400}
 RANDOM=${3:-1}
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+n=0
+trap 'rm -rf "$scratch"; [ $n -gt $kills ] || echo "ended at kill $n"' EXIT
 cd "$scratch" || exit 2
 mkdir data
 places=(data/study.angiomesh data/recovery)
@@ -27,10 +28,11 @@ left() {
     ! -path 'data/study.angiomesh/cache/evolve.*' | head -1
 }
 edits=0
+# A script's processes in the background are deaf to INT, and under nohup to HUP.
 for ((n = 1; n <= kills; n++)); do
   signal=${signals[RANDOM % 5]}
   [ $((RANDOM % 4)) -eq 0 ] && rm -rf data/*
-  "$program" edit "${places[@]}" --seed $RANDOM >said 2>stderr &
+  env --default-signal=INT,TERM,HUP,PIPE "$program" edit "${places[@]}" --seed $RANDOM >said 2>stderr &
   process=$!
   sleep "0.$(printf '%03d' $((50 + RANDOM % 500)))"
   kill -$signal $process 2>/dev/null || fault "it ended by itself: $(tail -1 stderr)"

@@ -15,7 +15,8 @@ RANDOM=${3:-1}
 kinds=("${@:4}")
 [ ${#kinds[@]} -gt 0 ] || kinds=(run force foam mesh patches volume)
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+n=0
+trap 'rm -rf "$scratch"; [ $n -gt $kills ] || echo "ended at kill $n"' EXIT
 cd "$scratch" || exit 2
 "$program" phantom bifurcation --size 40 --radius 3 --noise 20 -o case >/dev/null || exit 2
 run=(run case/image.mha --set segmentation.keep=largest)
@@ -46,6 +47,8 @@ mkdir -p time
 whole=$(milliseconds "$program" "${run[@]}" "${one[@]}" -o time/run)
 short=$(milliseconds "$program" convert cut.ply -o time/vessel.stl --patch-files)
 signals=(INT TERM HUP PIPE KILL)
+# A script's processes in the background are deaf to INT, and under nohup to HUP.
+heard=(env --default-signal=INT,TERM,HUP,PIPE)
 faults=0
 fault() { faults=$((faults + 1)); echo "kill $n, $signal, $what: $1"; }
 hidden() { find . -mindepth 1 -maxdepth 2 -name '.angiomesh*' | head -1; }
@@ -77,7 +80,7 @@ for ((n = 1; n <= kills; n++)); do
     *) echo "no such thing to kill: $what" >&2; exit 2 ;;
   esac
   [ -d $place ] || [ $place = new ] || cp -r $place-one $place
-  "$program" "${call[@]}" >/dev/null 2>stderr &
+  "${heard[@]}" "$program" "${call[@]}" >/dev/null 2>stderr &
   process=$!
   # As often near the end, where files move into place, as before.
   time=$((RANDOM % (most * 11 / 10)))

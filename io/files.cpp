@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/file_target.h"
 #include "io/staged_folder.h"
 #include "io/temporary_place.h"
 
@@ -40,7 +41,17 @@ void removeLeftoversOnce(const fs::path& folder) {
   removeLeftovers(folder);
 }
 
-/// Throws unless a regular file can come to stand at `target`.
+/// A medium that is full or fails may report it only when the data are forced out.
+void flushToMedium(const fs::path& file, const fs::path& target) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool bad = descriptor < 0 || (::fsync(descriptor) != 0 && errno != EINVAL);
+  const int code = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (bad) throw IoError("cannot write the file (" + reason(code) + ")", target.string(), kAdvice);
+}
+
+}  // namespace
+
 void checkTarget(const fs::path& target) {
   std::error_code error;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -60,17 +71,6 @@ void checkTarget(const fs::path& target) {
     throw IoError("cannot write the file, the name belongs to a device", target.string(),
                   "choose another name");
 }
-
-/// A medium that is full or fails may report it only when the data are forced out.
-void flushToMedium(const fs::path& file, const fs::path& target) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool bad = descriptor < 0 || (::fsync(descriptor) != 0 && errno != EINVAL);
-  const int code = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (bad) throw IoError("cannot write the file (" + reason(code) + ")", target.string(), kAdvice);
-}
-
-}  // namespace
 
 void writeAtomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   std::error_code error;

@@ -16,9 +16,11 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/file_target.h"
 #include "io/files.h"
 #include "io/image_format.h"
 #include "io/image_io.h"
+#include "io/staged_folder.h"
 #include "io/text_scanner.h"
 
 namespace angiomesh {
@@ -274,27 +276,30 @@ std::string voxelStem(const fs::path& header) {
   return word.starts_with("list") || word == "local" ? "_" + stem : stem;
 }
 
-/// Writes the voxels under a name that is free, then the header that names them: the header's
-/// rename is the moment at which the new image is there. What the old header named goes last.
+/// Writes the voxels under a name that is free, and the header that names them. The header's rename
+/// is the moment at which the new image is there; what the old header named goes last.
 void writePair(const fs::path& path, const std::string& extension,
                const std::function<void(std::ofstream&)>& voxels,
                const std::function<std::string(const std::string&)>& headerFor) {
-  const std::string stem = voxelStem(path);
-  std::string name = stem + extension;
   std::error_code error;
-  for (int n = 1; fs::exists(fs::symlink_status(path.parent_path() / name, error)); ++n)
+  const fs::path header = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
+  checkTarget(header);
+  const fs::path folder = header.has_parent_path() ? header.parent_path() : fs::path(".");
+  const std::string stem = voxelStem(header);
+  std::string name = stem + extension;
+  for (int n = 1; fs::exists(fs::symlink_status(folder / name, error)); ++n)
     name = stem + "-" + std::to_string(n) + extension;
-  const std::string former = formerVoxelFile(path, stem, extension);
-  const fs::path voxelFile = path.parent_path() / name;
-  writeFile(voxelFile, voxels);
-  try {
-    writeFile(path, [&](std::ofstream& out) { out << headerFor(name); });
-  } catch (...) {
-    fs::remove(voxelFile, error);
-    throw;
-  }
-  if (!former.empty() && former != name && !isNamedElsewhere(former, path))
-    fs::remove(path.parent_path() / former, error);
+  std::vector<std::string> names{name, header.filename().string()};
+  const std::string former = formerVoxelFile(header, stem, extension);
+  if (fs::is_regular_file(fs::symlink_status(folder / former, error)) &&
+      !isNamedElsewhere(former, header))
+    names.push_back(former);
+  StagedFolder staged(folder, names, true, StagedFolder::Writers::Many);
+  staged.add(names[0], [&](const fs::path& place) { writeFile(place, voxels); });
+  staged.add(names[1], [&](const fs::path& place) {
+    writeFile(place, [&](std::ofstream& out) { out << headerFor(name); });
+  });
+  staged.commit();
 }
 
 void writeMhd(const Content& content, const fs::path& path) {

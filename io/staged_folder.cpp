@@ -231,7 +231,10 @@ void StagedFolder::moveIntoExisting() {
     else if (there && replace_)
       gone.push_back(name);
   }
-  if (replace_) writeText(stage / kCommitNote, Json{{"names", fresh}, {"gone", gone}}.dump());
+  // Names need not be UTF-8; those that are not are not finished.
+  if (replace_)
+    writeText(stage / kCommitNote, Json{{"names", fresh}, {"gone", gone}}.dump(
+                                       -1, ' ', false, Json::error_handler_t::replace));
   Moves moves(stage, folder_);
   std::error_code error;
   for (std::size_t n = 0; n < fresh.size() && !error; ++n) {

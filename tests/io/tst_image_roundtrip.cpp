@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Dense>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <Eigen/Dense>
 #include <QTest>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <thread>
 
 #include "core/base/error.h"
 #include "io/image_io.h"
@@ -226,6 +230,29 @@ class TestImageRoundTrip : public QObject {
     }
     QCOMPARE(stored(), first.voxels);
     QCOMPARE(entriesOf(folder.path()), 2);
+  }
+
+  void aKilledProgramLeavesOnePairAlone() {
+    const Folder folder;
+    const fs::path path = folder / "v.mhd";
+    const auto first = ramp(plainGrid()), second = ramp(plainGrid(), 100);
+    writeVolume(AnyVolume(first), path);
+    std::mt19937 random(5);
+    for (int round = 0; round < 25; ++round) {
+      const pid_t child = ::fork();
+      if (child == 0)
+        for (;;) {
+          writeVolume(AnyVolume(second), path);
+          writeVolume(AnyVolume(first), path);
+        }
+      std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % 20000));
+      ::kill(child, SIGKILL);
+      ::waitpid(child, nullptr, 0);
+      const auto stored = std::get<Volume<std::int16_t>>(readNative(path).volume).voxels;
+      QVERIFY(stored == first.voxels || stored == second.voxels);
+      writeVolume(AnyVolume(first), path);
+      QCOMPARE(entriesOf(folder.path()), 2);
+    }
   }
 
   void voxelFilesOfOthersAreLeftAlone() {
