@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/surface/port.h"
@@ -21,6 +22,13 @@ constexpr const char* kNameForm = "write border_1=NAME, or x,y,z=NAME with a pla
 constexpr const char* kNames = "ports.names";
 constexpr const char* kCuts = "ports.cuts";
 constexpr const char* kBorderPrefix = "border_";
+
+/// Whether a text has letters, digits, '_', '-' and '.' only, and one of them at least.
+bool isWord(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return (c < 128 && std::isalnum(c) != 0) || c == '_' || c == '-' || c == '.';
+  });
+}
 
 std::vector<std::string> piecesOf(const std::string& text) {
   std::vector<std::string> pieces;
@@ -62,10 +70,7 @@ std::string placeText(const Vector3d& place) {
 }  // namespace
 
 void checkPortName(const std::string& name) {
-  const bool word = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return (c < 128 && std::isalnum(c) != 0) || c == '_' || c == '-' || c == '.';
-  });
-  if (!word)
+  if (!isWord(name))
     throw InputError("'" + name + "' is no name for a port", kCuts,
                      "use letters, digits, '_', '-' and '.'");
   if (name == kWallName || name.starts_with(kBorderPrefix))
@@ -83,6 +88,8 @@ GivenCut parseCut(const std::string& text) {
     const Vector3d normal = placeOf(pieces, 3, text, kCuts, kForm);
     if (!(normal.norm() > 1e-9))
       throw InputError("the normal of the cut '" + text + "' has no length", kCuts, kForm);
+    if (!std::isfinite(normal.norm()))
+      throw InputError("the normal of the cut '" + text + "' is too long", kCuts, kForm);
     cut.normalLps = normal;
   }
   cut.name = pieces.back();
@@ -118,16 +125,17 @@ void checkPorts(const PortParams& params) {
 
 PortNaming parsePortNaming(const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals == 0 || equals == std::string::npos)
+  if (equals == std::string::npos)
     throw InputError("'" + text + "' names no port", kNames, kNameForm);
   PortNaming naming;
   naming.name = text.substr(equals + 1);
   checkPortName(naming.name);
   naming.port = text.substr(0, equals);
-  if (naming.port.find(',') == std::string::npos) return naming;
+  if (isWord(naming.port)) return naming;
   const std::vector<std::string> pieces = piecesOf(naming.port);
   if (pieces.size() != 3)
-    throw InputError("'" + naming.port + "' is no place of a port", kNames, kNameForm);
+    throw InputError("'" + naming.port + "' is neither a port's name nor a place", kNames,
+                     kNameForm);
   naming.placeLps = placeOf(pieces, 0, text, kNames, kNameForm);
   return naming;
 }

@@ -319,8 +319,9 @@ class TestBorderPorts : public QObject {
     Parameters all;
     setFieldFromText(all, "ports.names", "border_1=a;border_2=b;1,-2.5,3=c");
     validate(all);
-    for (const char* text : {"border_1", "=a", "border_1=", "border_1=wall", "border_1=border_2",
-                             "border_1=a b", "1,2=a", "1,2,x=a", "1,2,3,4=a"})
+    for (const char* text :
+         {"border_1", "=a", "border_1=", "border_1=wall", "border_1=border_2", "border_1=a b",
+          "border 1=a", "border_1;b=a", "\xff=a", "1,2=a", "1,2,x=a", "1,2,3,4=a"})
       QVERIFY_EXCEPTION_THROWN(setField(all, "ports.names", std::vector<std::string>{text}),
                                InputError);
     for (const char* text : {"border_1=a;border_2=a", "border_1=a;border_1=b"}) {

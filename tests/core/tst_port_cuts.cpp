@@ -102,6 +102,8 @@ class TestPortCuts : public QObject {
                               << "is no number";
     QTest::newRow("no direction") << "1,2,3,0,0,0,name"
                                   << "has no length";
+    QTest::newRow("too long a direction") << "1,2,3,0,1e300,0,name"
+                                          << "is too long";
     QTest::newRow("no name") << "1,2,3,"
                              << "'' is no name";
     QTest::newRow("blank in name") << "1,2,3,left renal"
