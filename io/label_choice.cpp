@@ -49,6 +49,8 @@ Labels byValue(const Labels& labels, const std::string& value) {
 /// What the text of one label stands for; empty where it stands for none.
 Labels matches(const Labels& labels, const std::string& text, const fs::path& path) {
   const auto behind = [&](const char* sign) { return text.substr(std::string(sign).size()); };
+  // Labels without a name are not named by nothing.
+  if (text.empty() || text == "name:" || text == "id:") return {};
   // A name may begin with "value:" as well.
   Labels found = byName(labels, text);
   const Labels values = byValue(labels, text);

@@ -222,6 +222,18 @@ class TestLabelImage : public QObject {
     QCOMPARE(count(readLabel(path, {"a,b", {}}).mask), std::size_t{5});
   }
 
+  void nothingNamesNoLabel() {
+    const Folder f;
+    const fs::path path = f / "s.seg.nrrd";
+    std::string text = segNrrd(1);
+    const std::string old = "Segment1_Name:=left vein: upper";
+    text.replace(text.find(old), old.size(), "Other:=x");
+    save(path, text);
+    QCOMPARE(count(readLabel(path, {"artery,2", {}}).mask), std::size_t{15});
+    for (const char* choice : {"artery,,1", ",", " ", "name:", "id:", "artery,name:"})
+      QVERIFY2(messageOf(path, choice).find("there is no label '") != std::string::npos, choice);
+  }
+
   void masksOfOtherProgramsAreRounded_data() {
     QTest::addColumn<double>("outside");
     QTest::addColumn<double>("inside");
