@@ -2,6 +2,7 @@
 #include "io/case_cache.h"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -84,9 +85,11 @@ CachedEvolve fromJson(const Json& json) {
   r.thresholds.b = json.at("b").get<double>();
   r.thresholds.vAverage = json.at("vAverage").get<double>();
   r.thresholds.clamped = json.at("clamped").get<bool>();
-  r.iterations = json.at("iterations").get<int>();
+  r.iterations = countIn(json.at("iterations"));
   r.converged = json.at("converged").get<bool>();
-  r.stopReason = static_cast<StopReason>(json.at("stopReason").get<int>());
+  const int reason = countIn(json.at("stopReason"));
+  if (reason > static_cast<int>(StopReason::Stopped)) throw std::out_of_range("no such reason");
+  r.stopReason = static_cast<StopReason>(reason);
   if (json.contains("lower")) r.lower = json.at("lower").get<double>();
   if (json.contains("upper")) r.upper = json.at("upper").get<double>();
   if (json.contains("label")) {
@@ -122,7 +125,8 @@ Json readNote(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(noteOf(folder), error)) return {};
   Json json = parseJson<Json>(readText(noteOf(folder), kMostJsonBytes));
-  const bool ours = json.is_object() && json.value("format", 0) == kFormat;
+  const bool ours = json.is_object() && json.contains("format") && json["format"] == kFormat &&
+                    json.contains("key") && json["key"].is_string();
   return ours ? json : Json();
 }
 
@@ -130,7 +134,7 @@ Json readNote(const fs::path& folder) {
 
 void writeCache(const fs::path& folder, const CachedEvolve& evolve) {
   const Json note = readNote(folder);
-  if (note.is_object() && note.value("key", std::string()) == evolve.report.key) return;
+  if (note.is_object() && note.at("key") == evolve.report.key) return;
   std::error_code error;
   fs::create_directory(folder / "cache", error);
   // Whatever happens in between, a note never goes with another volume than its own.
@@ -143,7 +147,7 @@ void writeCache(const fs::path& folder, const CachedEvolve& evolve) {
 std::optional<CachedEvolve> readCache(const fs::path& folder, const std::string& key) {
   try {
     const Json note = readNote(folder);
-    if (!note.is_object() || note.value("key", std::string()) != key) return std::nullopt;
+    if (!note.is_object() || note.at("key") != key) return std::nullopt;
     CachedEvolve evolve = fromJson(note);
     evolve.result.phi = readVolume(phiOf(folder), note, "phi");
     if (note.contains("voxelwise"))

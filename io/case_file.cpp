@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -61,8 +62,8 @@ CaseSource sourceFrom(const Json& json) {
   CaseSource source;
   source.hash = json.at("hash").get<std::string>();
   source.format = json.at("format").get<std::string>();
-  source.files = json.at("files").get<int>();
-  source.grid.size = json.at("size").get<Index3>();
+  source.files = countIn(json.at("files"));
+  for (std::size_t a = 0; a < 3; ++a) source.grid.size[a] = countIn(json.at("size").at(a));
   source.grid.spacing = vectorFrom(json.at("spacingMm"));
   source.grid.origin = vectorFrom(json.at("originMm"));
   for (int row = 0; row < 3; ++row)
@@ -155,7 +156,8 @@ CaseReading parse(const std::string& text, const fs::path& file) {
   Json json = parseJson<Json>(text);
   if (!json.is_object() || !json.contains("schema") || !json["schema"].is_number_integer())
     throw Damaged(file);
-  const int schema = json["schema"].get<int>();
+  const auto schema = json["schema"].get<std::int64_t>();
+  if (schema < 1) throw Damaged(file);
   if (schema > kCaseSchema)
     throw InputError("the case was written by a newer Angiomesh (schema " + std::to_string(schema) +
                          "; this one reads up to " + std::to_string(kCaseSchema) + ")",
@@ -165,10 +167,12 @@ CaseReading parse(const std::string& text, const fs::path& file) {
   Json parameters;
   try {
     document.source = sourceFrom(json.at("source"));
-    document.saves = json.at("saves").get<int>();
+    document.saves = countIn(json.at("saves"));
     parameters = json.at("parameters");
     if (!parameters.is_object()) throw Damaged(file);
   } catch (const Json::exception&) {
+    throw Damaged(file);
+  } catch (const std::out_of_range&) {
     throw Damaged(file);
   }
   try {
@@ -238,6 +242,8 @@ std::optional<CaseReading> fromJournal(const fs::path& folder) {
     const Json source = parseJson<Json>(journalSource(folder));
     if (source.is_object()) reading.document.source = sourceFrom(source);
   } catch (const Json::exception&) {
+    reading.document.source = {};
+  } catch (const std::out_of_range&) {
     reading.document.source = {};
   }
   if (reading.document.source.hash.empty())

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
@@ -40,12 +41,14 @@ bool parseLine(std::string_view line, JournalStep& step) {
   const Json json = parseJson<Json>(line);
   if (!json.is_object()) return false;
   try {
-    step.saves = json.at("saves").get<int>();
-    step.position = json.at("position").get<int>();
+    step.saves = countIn(json.at("saves"));
+    step.position = countIn(json.at("position"));
     step.text = json.at("text").get<std::string>();
     step.params =
         parametersFromJson(json.at("parameters").dump(), preset("angiomesh"), "the journal");
   } catch (const Json::exception&) {
+    return false;
+  } catch (const std::out_of_range&) {
     return false;
   } catch (const InputError&) {
     return false;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <string_view>
 
 namespace angiomesh {
@@ -43,6 +46,19 @@ template <class Json>
 Json parseJson(std::string_view text, const JsonLimits& limits = {}) {
   if (!isModestJson(text, limits)) return Json(Json::value_t::discarded);
   return Json::parse(text, nullptr, false);
+}
+
+/// A count: a whole number from 0 on that an int can hold, and one more. nlohmann's get<int>()
+/// takes true, 1.5 and 1e300 too, and what it makes of numbers beyond an int is another number.
+/// @throws std::out_of_range
+template <class Json>
+int countIn(const Json& json) {
+  const bool whole = json.is_number_integer();
+  // Of one beyond an int64 the sign is another.
+  const std::int64_t count = whole ? json.template get<std::int64_t>() : -1;
+  if (count < 0 || count >= std::numeric_limits<int>::max())
+    throw std::out_of_range("a value is no count");
+  return static_cast<int>(count);
 }
 
 }  // namespace angiomesh

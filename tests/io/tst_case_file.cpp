@@ -209,6 +209,34 @@ class TestCaseFile : public QObject {
     QCOMPARE(readCase(a).document.params.levelset.xi, 2.0);
   }
 
+  void aCountThatIsNoneIsDamage() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    writeCase(a, sampleDocument());
+    const std::string whole = bytesOf(a / "case.json");
+    const std::pair<std::string, std::string> counts[] = {
+        {"\"saves\": ", "3"}, {"\"files\": ", "40"}, {"\"size\": [\n      ", "64"}};
+    for (const auto& [key, value] : counts)
+      for (const char* other : {"true", "1.5", "1e300", "-1", "2147483647", "4294967299",
+                                "18446744073709551615", "null"}) {
+        save(a / "case.json", whole);
+        replaceIn(a / "case.json", key + value, key + other);
+        QVERIFY_EXCEPTION_THROWN((void)readCase(a), IoError);
+      }
+    for (const char* schema : {"0", "-1", "18446744073709551615"}) {
+      save(a / "case.json", whole);
+      replaceIn(a / "case.json", "\"schema\": 1", std::string("\"schema\": ") + schema);
+      QVERIFY_EXCEPTION_THROWN((void)readCase(a), IoError);
+    }
+    save(a / "case.json", whole);
+    replaceIn(a / "case.json", "\"schema\": 1", "\"schema\": 4294967297");
+    QVERIFY_EXCEPTION_THROWN((void)readCase(a), InputError);
+    save(a / "case.json", whole);
+    appendJournal(a, {step(3, 1, 25.0), step(3, 2, 26.0)});
+    replaceIn(a / "edits/journal.jsonl", "\"saves\":3", "\"saves\":4294967299");
+    QCOMPARE(readJournal(a, 3).size(), std::size_t(1));
+  }
+
   void theJournalStandsInForDamagedSaves() {
     const Folder folder;
     const fs::path a = folder / "a.angiomesh";
@@ -483,8 +511,12 @@ class TestCaseFile : public QObject {
     QVERIFY(readCache(a, "00ff"));
     save(a / "cache/evolve.json", "{\"format\": 1, \"key\": \"00ff\"}");
     QVERIFY(!readCache(a, "00ff"));
-    save(a / "cache/evolve.json", "[");
-    QVERIFY(!readCache(a, "00ff"));
+    for (const char* note : {"[", "{\"format\": \"x\"}", "{\"format\": 2, \"key\": 5}"}) {
+      save(a / "cache/evolve.json", note);
+      QVERIFY(!readCache(a, "00ff"));
+      writeCache(a, evolve);
+      QVERIFY(readCache(a, "00ff"));
+    }
     fs::remove_all(a / "cache");
     {
       const FullDisk disk(2000);
