@@ -53,15 +53,13 @@ Parameters ParameterOptions::parameters() const {
     setFieldFromText(params, std::string_view(setting).substr(0, equals),
                      std::string_view(setting).substr(equals + 1));
   }
+  std::vector<double> points = params.seeds.points;
   for (const std::string& seed : seeds) {
     const std::vector<double> point = parseNumbers(seed, 3, "--seed");
-    params.seeds.points.insert(params.seeds.points.end(), point.begin(), point.end());
+    points.insert(points.end(), point.begin(), point.end());
   }
-  if (!roi.empty()) {
-    const std::vector<double> corners = parseNumbers(roi, 6, "--roi");
-    params.preprocess.roi.emplace();
-    std::copy(corners.begin(), corners.end(), params.preprocess.roi->begin());
-  }
+  if (!seeds.empty()) setField(params, "seeds.points", points);
+  if (!roi.empty()) setField(params, "preprocess.roi", parseNumbers(roi, 6, "--roi"));
   if (!portsFile.empty()) addPorts(readPorts(portsFile), params.ports);
   params.ports.cuts.insert(params.ports.cuts.end(), cuts.begin(), cuts.end());
   if (!cutEnds.empty()) setFieldFromText(params, "ports.cutEndsRadii", cutEnds);

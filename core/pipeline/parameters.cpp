@@ -64,7 +64,8 @@ std::string allowedText(const Field& field) {
       text = "one of " + joined(field.choices);
       break;
     case FieldKind::Numbers:
-      text = "numbers in groups of " + std::to_string(field.groupOf) + ", separated by commas";
+      text = "numbers from " + rangeText(field) + " in groups of " + std::to_string(field.groupOf) +
+             ", separated by commas";
       break;
     case FieldKind::Texts:
       text = field.form + ", separated by ';'";
