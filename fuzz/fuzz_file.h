@@ -5,8 +5,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "io/memory_file.h"
 
@@ -38,6 +41,38 @@ class InputFile {
  private:
   MemoryFile memory_;
   std::filesystem::path link_;
+};
+
+/// A folder of this process that is empty in the beginning and gone in the end. Its name is the
+/// same each time.
+class InputFolder {
+ public:
+  InputFolder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("angiomesh-fuzz-" + std::to_string(::getpid()))) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  InputFolder(const InputFolder&) = delete;
+  InputFolder& operator=(const InputFolder&) = delete;
+  ~InputFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);
+  }
+
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
+    return path_ / name;
+  }
+  /// Writes a file, whose folder is made where it is missing.
+  void add(const std::string& name, std::string_view bytes) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::ofstream out(path_ / name, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!out.flush()) throw std::runtime_error("no room for the input");
+  }
+
+ private:
+  std::filesystem::path path_;
 };
 
 }  // namespace angiomesh::fuzz

@@ -3,6 +3,10 @@
 
 #include <array>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "fuzz/fuzz_file.h"
@@ -12,7 +16,7 @@
 #include "io/mesh_io.h"
 
 /// What an input is handed to, by the fuzzers and by the test that goes through the kept inputs. A
-/// refusal is an Error; anything else that is thrown is a fault.
+/// refusal is an Error; anything else that is thrown is a fault, and so is an Error within must().
 namespace angiomesh::fuzz {
 
 template <class Work>
@@ -22,6 +26,42 @@ void attempt(const Work& work) {
   } catch (const Error&) {
     return;
   }
+}
+
+/// Work on what was read: once an input is taken, nothing may refuse it. @throws std::logic_error
+template <class Work>
+void must(const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    throw std::logic_error(error.what());
+  }
+}
+
+/// @throws std::logic_error that says what does not hold
+inline void expect(bool holds, const std::string& what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+/// The parts of an input between the characters `mark`; at least one, and one more than marks.
+inline std::vector<std::string_view> partsOf(std::string_view text, char mark) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark)) {
+    parts.push_back(text.substr(0, at));
+    text.remove_prefix(at + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+/// Part `n`, empty where the input ends before.
+inline std::string_view part(const std::vector<std::string_view>& parts, std::size_t n) {
+  return n < parts.size() ? parts[n] : std::string_view();
+}
+
+/// An input as text. It ends with the input.
+inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
 }
 
 /// A DICOM file, whatever its first bytes are: its header, its series and, where they make a

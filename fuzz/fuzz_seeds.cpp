@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fuzz_seeds FOLDER: writes the inputs that the fuzzers start from to FOLDER/fuzz_dicom, fuzz_image
-// and fuzz_mesh. Each is a tiny file of one of the kinds that the readers take.
+// and so on. Each is tiny and of one of the kinds that the readers take.
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -8,7 +8,11 @@
 #include <vtkPolyDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "io/case_file.h"
+#include "io/case_journal.h"
 #include "io/mesh_io.h"
+#include "io/ports_file.h"
+#include "tests/core/random_parameters.h"
 #include "tests/io/dicom_writer.h"
 #include "tests/io/jpeg2000_writer.h"
 #include "tests/io/mesh_samples.h"
@@ -278,6 +282,162 @@ void makeMeshes(const fs::path& folder) {
       "default\n1 2 3 4\nNORMALS n float\n0 0 1 0 0 1 0 0 1 0 0 1\n");
 }
 
+/// A segmentation of 4 x 3 x 2 voxels in text; with `layers` above 1 the layers lie beside one
+/// another.
+std::string segmentation(const std::string& segments, int layers = 1,
+                         const std::string& type = "short") {
+  const bool several = layers > 1;
+  std::string text =
+      "NRRD0004\ntype: " + type + "\ndimension: " + (several ? "4" : "3") +
+      "\nspace: left-posterior-superior\nsizes: " + (several ? std::to_string(layers) + " " : "") +
+      "4 3 2\nspace directions: " + (several ? "none " : "") +
+      "(1,0,0) (0,1,0) (0,0,2)\nspace origin: (0,0,0)\n" + "kinds: " + (several ? "list " : "") +
+      "domain domain domain\n" + "encoding: ascii\n" + segments + "\n";
+  for (int n = 0; n < 24 * layers; ++n) text += std::to_string(n * 7 % 9 % 4) + " ";
+  return text + "\n";
+}
+
+std::string segment(int number, const std::string& name, int value, int layer = 0) {
+  const std::string key = "Segment" + std::to_string(number) + "_";
+  return key + "ID:=Segment_" + std::to_string(number + 1) + "\n" + key + "Name:=" + name + "\n" +
+         key + "LabelValue:=" + std::to_string(value) + "\n" + key +
+         "Layer:=" + std::to_string(layer) + "\n";
+}
+
+/// With the line before it that is the choice.
+void makeLabels(const fs::path& folder) {
+  const std::string three = segmentation(segment(0, "artery", 1) +
+                                         segment(1, "left vein, upper", 2) + segment(2, "3", 3));
+  const std::string twice = segmentation(segment(0, "artery", 1) + segment(1, "artery", 2));
+  const std::string layers = segmentation(
+      segment(0, "artery", 1) + segment(1, "vein", 1, 1) + segment(2, "value:1", 2, 1), 2);
+  const std::pair<const char*, const char*> choices[] = {
+      {"all", "1,2,3"},       {"value", "value:2"},   {"name", "name:artery"},
+      {"plain", "artery"},    {"id", "id:Segment_3"}, {"comma", "left vein, upper"},
+      {"mixed", "artery, 2"}, {"none", ""},           {"empty", "1,,2"},
+      {"unknown", "value:9"}, {"least", "=2"}};
+  for (const auto& [name, choice] : choices) {
+    save(folder / (std::string("three-") + name), choice + ("\n" + three));
+    save(folder / (std::string("layers-") + name), choice + ("\n" + layers));
+  }
+  save(folder / "twice", "artery\n" + twice);
+  save(folder / "plain", "1,3\n" + segmentation(""));
+  save(folder / "unnamed", "1,,3\n" + segmentation(segment(0, "artery", 1)));
+  save(folder / "float", "3\n" + segmentation("", 1, "float"));
+  std::string shares = segmentation("", 1, "float");
+  shares.resize(shares.find("\n\n") + 2);
+  for (int n = 0; n < 24; ++n) shares += "0." + std::to_string(n * 7 % 10) + " ";
+  save(folder / "shares", "=0.25\n" + shares);
+  save(folder / "share", "\n" + shares);
+  const Folder scratch;
+  for (const char* ending : {".mha", ".nii", ".nii.gz", ".nrrd"}) {
+    writeVolume(volumeOf<std::uint8_t>(), scratch / (std::string("m") + ending));
+    save(folder / (std::string("volume") + ending),
+         "2,value:5\n" + bytesOf(scratch / (std::string("m") + ending)));
+  }
+}
+
+CaseDocument smallDocument() {
+  CaseDocument document;
+  document.source.hash = "0123456789abcdef";
+  document.source.format = "NRRD";
+  document.source.grid.size = {64, 48, 40};
+  document.source.grid.spacing = {0.35, 0.35, 0.6};
+  document.view.layer = "vesselness";
+  document.view.windowLevels = {{"source", {300.0, 120.0}}};
+  document.view.crosshairLps = Eigen::Vector3d(1.5, -2.25, 0.1);
+  document.view.shown = {{"contours", true}};
+  document.saves = 3;
+  return document;
+}
+
+/// case.json with `parameters` and `view` in place of all of them.
+std::string shortCase(const std::string& parameters, const std::string& view = "{}") {
+  return "{\"schema\": 1, \"saves\": 3, \"source\": {\"hash\": \"0123\", \"format\": \"NRRD\", "
+         "\"files\": 1, \"size\": [6, 4, 2], \"spacingMm\": [1, 1, 2.5], \"originMm\": [0, -1.5, "
+         "3], \"direction\": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, \"parameters\": " +
+         parameters + ", \"view\": " + view + "}";
+}
+
+std::string shortEdit(int saves, int position, const std::string& text,
+                      const std::string& parameters) {
+  return "{\"saves\": " + std::to_string(saves) + ", \"position\": " + std::to_string(position) +
+         ", \"text\": \"" + text + "\", \"parameters\": " + parameters + "}\n";
+}
+
+/// case.json, case.previous.json and the journal between form feeds.
+void makeCases(const fs::path& folder) {
+  const Folder scratch;
+  const fs::path place = scratch / "a.angiomesh";
+  writeCase(place, smallDocument());
+  appendJournal(place, {{3, 1, "change levelset.xi", randomParameters(1)}});
+  const std::string whole = bytesOf(place / "case.json");
+  const std::string journal = bytesOf(place / "edits" / "journal.jsonl");
+  save(folder / "whole", whole + "\f\f" + journal);
+  save(folder / "half", whole.substr(0, whole.size() / 2) + "\f" + shortCase("{}"));
+  save(folder / "damaged", "{\f{\f" + journal);
+
+  const std::string xi = "{\"levelset\": {\"xi\": 41}}";
+  const std::string view =
+      "{\"layer\": \"source\", \"windowLevels\": {\"source\": [300, 120]}, \"slab\": \"mip\", "
+      "\"slabThicknessMm\": 7.5, \"shown\": {\"surface\": true}, \"mesh\": \"smoothed\", "
+      "\"colour\": \"minAngle\", \"crosshairMm\": [1, 2, 3]}";
+  const std::string edits = shortEdit(3, 1, "change levelset.xi", xi) +
+                            shortEdit(3, 1, "change levelset.xi", "{\"levelset.xi\": 42}") +
+                            shortEdit(3, 2, "add a seed", "{\"seeds.points\": [1, 2, 3]}");
+  const std::string head = "{\"source\": {\"hash\": \"0123\"}}\n";
+  save(folder / "short", shortCase(xi));
+  save(folder / "view", shortCase("{}", view));
+  save(folder / "edits", shortCase(xi) + "\f\f" + head + edits);
+  save(folder / "unfinished", shortCase(xi) + "\f\f" + edits + "{\"saves\": 3, \"posi");
+  save(folder / "previous", "[]\f" + shortCase(xi) + "\f" + edits);
+  save(folder / "journal", "{}\f\f" + head + edits);
+  save(folder / "old", shortCase(xi) + "\f\f" + shortEdit(2, 1, "of before", xi));
+  save(folder / "newer", "{\"schema\": 2}\f" + shortCase(xi));
+  save(folder / "unknown",
+       shortCase("{\"levelset\": {\"xj\": 4, \"xi\": -1}, \"a\": {\"b\": {}}}"));
+  save(folder / "ports", shortCase("{\"ports\": {\"cuts\": [\"1,2,3,in\", \"4,5,6,0,0,1,out\"], "
+                                   "\"names\": [\"border_1=left\"], \"cutEndsRadii\": 2}}"));
+  save(folder / "lists", shortCase("{\"seeds\": {\"automatic\": false, \"points\": [1, 2, 3]}, "
+                                   "\"preprocess\": {\"roi\": [0, 0, 0, 9, 9, 9]}, "
+                                   "\"segmentation\": {\"drop\": \"none\"}}"));
+}
+
+/// JSON, settings, cuts, names of ports and a ports.json between form feeds.
+void makeParameters(const fs::path& folder) {
+  for (const std::string& name : presetNames()) save(folder / name, parametersToJson(preset(name)));
+  for (std::uint64_t n = 0; n < 3; ++n)
+    save(folder / ("random-" + std::to_string(n)), parametersToJson(randomParameters(n)));
+  int number = 0;
+  for (const char* json :
+       {"{\"levelset\": {\"xi\": 31, \"d\": 0.25}}", "{\"levelset.xi\": 31}",
+        "{\"surface.edgesAround\": 0}",
+        "{\"vesselness\": {\"scales\": \"auto\", \"measure\": \"frangi\"}}",
+        "{\"seeds.points\": [1, 2, 3.5e1, -4, 5, 6], \"preprocess.roi\": \"none\"}",
+        "{\"ports\": {\"cuts\": [\"1,2,3,in\"], \"names\": [\"border_1=left\"]}}"})
+    save(folder / ("json-" + std::to_string(number++)), json);
+  number = 0;
+  for (const char* settings :
+       {"levelset.xi=31\nlevelset.refine=off\nsurface.edgesAround=none",
+        "preprocess.roi=0,0,0,1,2,3",
+        "seeds.points=1,2,3,4,5,6\nvesselness.scales=7\nvesselness.measure=frangi",
+        "ports.cuts=1,2,3,in;4,5,6,0,0,1,out\nports.names=border_1=left", "smooth.iterations=+5",
+        "levelset.b=1e-3\nlevelset.b=auto\nwall.smooth=1"})
+    save(folder / ("set-" + std::to_string(number++)), std::string("{}\f") + settings);
+  number = 0;
+  for (const char* cuts : {"1,2,3,in\f", "1,2,3,in\n4,5,6,0,0,-1,out-2\fborder_1=left\nin=a.b",
+                           " 1.5, -2e1 ,3,0.1,0.2,0.3 ,in", "\fborder_2=left_renal"})
+    save(folder / ("cut-" + std::to_string(number++)), std::string("{}\f\f") + cuts);
+  const Folder scratch;
+  std::vector<Port> ports{{"inlet", {12.1, -30.7, 0.5}, {0, 0.6, -0.8}, 12.56},
+                          {"border_1", {0, 1, -4e3}, {0, 0, -1}, 0.7}};
+  ports[1].slant = BorderSlant{41.3, 0.5, 13.0, {1, 2, 3.3}, {0, 0.6, -0.8}};
+  writePorts(ports, scratch / "two.json");
+  writePorts({}, scratch / "none.json");
+  for (const char* name : {"two.json", "none.json"})
+    save(folder / name, "{}\f\f\f\f" + bytesOf(scratch / name));
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -287,7 +447,8 @@ int main(int count, char** words) {
   }
   const fs::path folder = words[1];
   const std::pair<const char*, void (*)(const fs::path&)> makers[] = {
-      {"fuzz_dicom", makeDicom}, {"fuzz_image", makeImages}, {"fuzz_mesh", makeMeshes}};
+      {"fuzz_case", makeCases},    {"fuzz_dicom", makeDicom}, {"fuzz_image", makeImages},
+      {"fuzz_labels", makeLabels}, {"fuzz_mesh", makeMeshes}, {"fuzz_parameters", makeParameters}};
   for (const auto& [name, make] : makers) {
     fs::create_directories(folder / name);
     make(folder / name);

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # run.sh [--installed] [SECONDS] [TARGET...]
-# Builds the readers under libFuzzer with the sanitizers and runs each target (fuzz_dicom, fuzz_image,
-# fuzz_mesh) for SECONDS, by default 60, from the corpus that is kept beside this script. What breaks
-# a reader is left in build/fuzz/found/. New inputs go to build/fuzz/corpus/TARGET.
-# Installs clang where it is missing; with --installed, does nothing there.
+# Builds the readers under libFuzzer with the sanitizers and runs each target (fuzz_case, fuzz_dicom,
+# fuzz_image, fuzz_labels, fuzz_mesh, fuzz_parameters) for SECONDS, by default 60, from the corpus that
+# is kept beside this script. What breaks a reader is left in build/fuzz/found/. New inputs go to
+# build/fuzz/corpus/TARGET. Installs clang where it is missing; with --installed, does nothing there.
 set -u
 . "$(dirname "${BASH_SOURCE[0]}")/../packaging/setup.sh"
 build="$root/build/fuzz"
@@ -31,7 +31,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 targets=("$@")
-[ $# -gt 0 ] || targets=(fuzz_dicom fuzz_image fuzz_mesh)
+[ $# -gt 0 ] || targets=(fuzz_case fuzz_dicom fuzz_image fuzz_labels fuzz_mesh fuzz_parameters)
 
 if ! has_libfuzzer; then
   if [ -n "$installed" ]; then
@@ -43,7 +43,8 @@ fi
 
 compile "${targets[@]}"
 mkdir -p "$build/found"
-TMPDIR=$(mktemp -d) || fail "cannot make a temporary folder" 2
+# Cases are written and forced to the medium, which memory does at once.
+TMPDIR=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d) || fail "cannot make a temporary folder" 2
 export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT
 status=0

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "fuzz/fuzz_case.h"
+#include "fuzz/fuzz_labels.h"
+#include "fuzz/fuzz_parameters.h"
 #include "fuzz/fuzz_readers.h"
 #include "tests/io/io_test.h"
 
@@ -47,6 +50,9 @@ class TestFuzzCorpus : public QObject {
   void dicom() { goThrough("fuzz_dicom", fuzz::readDicomInput); }
   void images() { goThrough("fuzz_image", fuzz::readImageInput); }
   void meshes() { goThrough("fuzz_mesh", fuzz::readMeshInput); }
+  void labels() { goThrough("fuzz_labels", fuzz::readLabelsInput); }
+  void cases() { goThrough("fuzz_case", fuzz::readCaseInput); }
+  void parameters() { goThrough("fuzz_parameters", fuzz::readParametersInput); }
 };
 
 QTEST_APPLESS_MAIN(TestFuzzCorpus)

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fuzz/fuzz_labels.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  angiomesh::fuzz::readLabelsInput(data, size);
+  return 0;
+}
