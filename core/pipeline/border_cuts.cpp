@@ -131,28 +131,43 @@ class BorderFinder {
   std::array<std::vector<char>, 6> taken_;
 };
 
+/// The names that go by places; by the names of ports there are none yet.
+std::vector<std::string> placesIn(const PortParams& params) {
+  std::vector<std::string> places;
+  for (const std::string& text : params.names)
+    if (parsePortNaming(text).placeLps) places.push_back(text);
+  return places;
+}
+
 }  // namespace
 
 std::vector<Port> borderOpenings(const Volume<float>& phi) { return BorderFinder(phi).run(); }
 
 std::vector<std::string> addBorderCuts(const SplineField& field, const Volume<float>& phi,
-                                       CutAway& away, const Progress& progress) {
+                                       CutAway& away, const PortParams& params,
+                                       const Progress& progress) {
   std::vector<std::string> remarks;
   std::vector<CutPlane> planes = away.planes();
   std::vector<std::string> names = away.names;
-  const std::set<std::string> given(names.begin(), names.end());
+  std::set<std::string> taken(names.begin(), names.end());
+  std::vector<Port> openings = borderOpenings(phi);
+  PortParams named;
+  named.names = placesIn(params);
+  (void)namePorts(named, openings);
   int number = 1;
-  for (const Port& opening : borderOpenings(phi)) {
+  for (const Port& opening : openings) {
     progress.check();
     if (!away.empty() && away.takenAt(opening.centreLps)) continue;
     const std::optional<BorderSlant> slant = borderSlant(field, phi, opening);
     if (!slant || !slant->flagged()) continue;
-    while (given.count("across_" + std::to_string(number)) != 0) ++number;
+    while (taken.count("across_" + std::to_string(number)) != 0) ++number;
+    const std::string name =
+        opening.name.empty() ? "across_" + std::to_string(number) : opening.name;
     planes.push_back({slant->centreLps, slant->axisLps});
-    names.push_back("across_" + std::to_string(number));
+    names.push_back(name);
     try {
       away = cutAway(field, phi, planes, names, progress);
-      ++number;
+      taken.insert(name);
     } catch (const InputError& error) {
       planes.pop_back();
       names.pop_back();

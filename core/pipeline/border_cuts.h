@@ -14,10 +14,12 @@ namespace angiomesh {
 /// without a name, as the surface has them; areas to a share of a voxel.
 std::vector<Port> borderOpenings(const Volume<float>& phi);
 
-/// Adds to `away` a cut across the vessel just inside each opening whose slant is flagged, as
-/// across_1 and on, where no cut of `away` has taken that end already. @returns remarks: openings
-/// that could not be cut, and why   @throws Cancelled
+/// Adds to `away` a cut across the vessel just inside each opening whose slant is flagged, where no
+/// cut of `away` has taken that end already. It gets the name that `params` has for the opening's
+/// place, else across_1 and on. @returns remarks: openings that could not be cut, and why
+/// @throws Cancelled
 std::vector<std::string> addBorderCuts(const SplineField& field, const Volume<float>& phi,
-                                       CutAway& away, const Progress& progress = {});
+                                       CutAway& away, const PortParams& params = {},
+                                       const Progress& progress = {});
 
 }  // namespace angiomesh

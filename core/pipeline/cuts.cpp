@@ -188,12 +188,14 @@ std::vector<std::string> namePorts(const PortParams& params, std::vector<Port>& 
     const PortNaming naming = parsePortNaming(text);
     const std::optional<std::size_t> port =
         naming.placeLps ? portAt(*naming.placeLps, before, cuts) : portCalled(naming.port, before);
+    const std::optional<std::size_t> called = portCalled(naming.name, ports);
+    if (called && !ports[*called].atBorder && naming.placeLps) continue;  // a cut across it has it
     if (!port)
       warnings.push_back((naming.placeLps ? "there is no port at " + naming.port + " mm LPS"
                                           : "no port is called '" + naming.port + "'") +
                          ", so that none became '" + naming.name +
                          "': " + (known.empty() ? "there are none" : "there are " + known));
-    else if (portCalled(naming.name, ports))
+    else if (called)
       warnings.push_back("the port '" + ports[*port].name +
                          "' keeps its name: another one is called '" + naming.name + "'");
     else if (ports[*port].name != before[*port].name)
@@ -284,7 +286,7 @@ CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortP
     if (!ends.planes.empty()) away = std::move(ends.away);
   }
   if (params.cutBorders)
-    for (std::string& remark : addBorderCuts(field, phi, away, progress))
+    for (std::string& remark : addBorderCuts(field, phi, away, params, progress))
       remarks.push_back(std::move(remark));
   for (const PortAdvice& advice : portAdvice(skeleton, away))
     remarks.push_back(away.nameOf(advice.cut) + " " + advice.words);

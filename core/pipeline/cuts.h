@@ -63,7 +63,7 @@ std::vector<std::string> namePorts(const PortParams& params, std::vector<Port>& 
 /// from cuts, and names by their places for those at the volume's border that have been named.
 void addPorts(const std::vector<Port>& ports, PortParams& params);
 
-/// @throws InputError: two cuts or new names of one name, or as parseCut() and parsePortName()
+/// @throws InputError: two cuts or new names of one name, or as parseCut() and parsePortNaming()
 void checkPorts(const PortParams& params);
 
 /// Where a cut lies: at its point, or, of one that is not inside phi < 0, where the axis of the

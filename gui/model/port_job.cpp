@@ -131,7 +131,7 @@ void PortJob::advise(const Made& made) {
 
 void PortJob::cutAllAcross(CutAway away) {
   const std::size_t before = away.sections.size();
-  remarks = addBorderCuts(*ground.field, *ground.phi, away, progress);
+  remarks = addBorderCuts(*ground.field, *ground.phi, away, {}, progress);
   const std::vector<CutPlane> planes = away.planes();
   proposed.assign(planes.begin() + static_cast<std::ptrdiff_t>(before), planes.end());
   names.assign(away.names.begin() + static_cast<std::ptrdiff_t>(before), away.names.end());

@@ -303,6 +303,22 @@ class TestBorderPorts : public QObject {
     QVERIFY(unnamed.names.empty());
   }
 
+  /// A cut across an opening that has been named by its place takes the name over.
+  void aCutAcrossHasTheNameOfTheOpening() {
+    const Volume<float> phi = leaning(50.0);
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    PortParams params;
+    params.cutBorders = true;
+    addPorts({{"inlet", borderOpenings(phi)[0].centreLps, -Vector3d::UnitZ(), 1.0, true}}, params);
+    std::vector<std::string> remarks;
+    const CutAway away = makeCuts(field, phi, params, remarks);
+    QCOMPARE(away.names, std::vector<std::string>{"inlet"});
+    std::vector<Port> ports = makeSurface(phi, field, {}, {}, away).ports;
+    QVERIFY(namePorts(params, ports).empty());
+    QCOMPARE(ports.size(), std::size_t{1});
+    QCOMPARE(ports[0].name, std::string("inlet"));
+  }
+
   void portsGetTheirNames() {
     std::vector<Port> ports(3);
     ports[0].name = "border_1";
