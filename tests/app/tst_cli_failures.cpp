@@ -285,8 +285,10 @@ class TestCliFailures : public QObject, CliFolder {
     QElapsedTimer timer;
     timer.start();
     while (!errors.contains("\"iterations\"") && timer.elapsed() < 30000 &&
-           process.waitForReadyRead(1000))
+           process.state() != QProcess::NotRunning) {
+      process.waitForReadyRead(1000);
       errors += process.readAllStandardError();
+    }
     QVERIFY2(errors.contains("\"iterations\""), errors.constData());
     timer.start();
     QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
