@@ -146,11 +146,24 @@ void CasePorts::cutAcross(const QString& name) {
   if (!row || !row->across) {
     return;
   }
+  const CutPlane plane = *row->across;
+  const auto same = [&](const std::string& text) {
+    return (parseCut(text).pointLps - plane.pointLps).norm() < 0.5 * row->radiusMm;
+  };
+  const std::vector<std::string> before = cuts();
+  if (std::any_of(before.begin(), before.end(), same)) {
+    tell(Severity::Warning, tr("The vessel is cut there already: run to make the cut."));
+    return;
+  }
   PortParams after = controller_.parameters().ports;
-  const std::string chosen = nameAcross(*row->across, after, freePortName(after));
-  after.cuts.push_back(cutText(writtenCut(*row->across, chosen)));
+  const std::string chosen = nameAcross(plane, after, freePortName(after));
+  after.cuts.push_back(cutText(writtenCut(plane, chosen)));
   selected_ = QString::fromStdString(chosen);
-  notice_ = controller_.setPorts(after, tr("cut across %1").arg(name));
+  notice_.clear();
+  const QString refusal = controller_.setPorts(after, tr("cut across %1").arg(name));
+  if (!refusal.isEmpty()) {
+    tell(Severity::Warning, refusal);
+  }
 }
 
 /// A cut across an opening takes over the name that the user has given it.
