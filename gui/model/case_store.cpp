@@ -3,6 +3,7 @@
 
 #include <QUuid>
 #include <algorithm>
+#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -21,6 +22,19 @@ void leavePlace(CasePlace& place) {
   } else {
     removeJournal(place.folder);
     place.lock.reset();
+  }
+}
+
+/// Extension of a recovery that is being removed.
+constexpr const char* kRemoved = ".removed";
+
+/// A recovery without an edit, of a program that was killed before its first one; but for one that
+/// another program may be making just now.
+void removeUnused(CasePlace& place) {
+  std::error_code error;
+  const auto made = fs::last_write_time(place.folder / "case.json", error);
+  if (!error && fs::file_time_type::clock::now() - made > std::chrono::minutes(1)) {
+    removeRecovery(place);
   }
 }
 
@@ -50,6 +64,10 @@ std::vector<Recovery> findRecoveries(const fs::path& root) {
   std::error_code error;
   for (fs::directory_iterator entry(root, error), end; !error && entry != end;
        entry.increment(error)) {
+    if (entry->path().extension() == kRemoved) {
+      std::error_code ignored;
+      fs::remove_all(entry->path(), ignored);
+    }
     if (entry->path().extension() != ".angiomesh") {
       continue;
     }
@@ -63,14 +81,16 @@ std::vector<Recovery> findRecoveries(const fs::path& root) {
     try {
       const CaseReading reading = readCase(entry->path());
       recovery.steps = readJournal(entry->path(), reading.document.saves).size();
+      if (recovery.steps == 0) {
+        removeUnused(*recovery.place);
+        continue;
+      }
       recovery.changed = fs::last_write_time(entry->path() / "edits" / "journal.jsonl");
     } catch (const std::exception&) {
       // Left alone: a newer program may know what to do with it.
       continue;
     }
-    if (recovery.steps > 0) {
-      found.push_back(std::move(recovery));
-    }
+    found.push_back(std::move(recovery));
   }
   std::sort(found.begin(), found.end(),
             [](const Recovery& a, const Recovery& b) { return a.changed > b.changed; });
@@ -78,9 +98,13 @@ std::vector<Recovery> findRecoveries(const fs::path& root) {
 }
 
 void removeRecovery(CasePlace& place) {
-  place.lock.reset();
+  // A program that is killed here leaves no half of a case.
+  fs::path gone = place.folder;
+  gone += kRemoved;
   std::error_code error;
-  fs::remove_all(place.folder, error);
+  fs::rename(place.folder, gone, error);
+  place.lock.reset();
+  fs::remove_all(error ? place.folder : gone, error);
 }
 
 /// One thing to do on the worker, with all that it needs.

@@ -31,7 +31,8 @@ struct Recovery {
   std::filesystem::file_time_type changed;
   std::size_t steps = 0;
 };
-/// The recoveries in `root` that no running program holds, the latest first.
+/// The recoveries in `root` that no running program holds, the latest first. Those without an edit
+/// are removed.
 std::vector<Recovery> findRecoveries(const std::filesystem::path& root);
 /// For good.
 void removeRecovery(CasePlace& place);

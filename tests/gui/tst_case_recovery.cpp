@@ -2,7 +2,9 @@
 #include <QFile>
 #include <QPlainTextEdit>
 #include <QProcess>
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
 
 #include "io/case_file.h"
 #include "io/case_journal.h"
@@ -85,6 +87,25 @@ class TestCaseRecovery : public QObject {
       QCOMPARE(c.controller().caseFolder(), study.saved);
       QTRY_COMPARE(c.controller().parameters().levelset.xi, 37.0);
     }
+  }
+
+  /// A window that is killed before its first edit is noted, or while it removes its recovery.
+  void recoveriesWithoutAnEditGo() {
+    const Study study;
+    const std::filesystem::path old = study.recovery / "old.angiomesh";
+    const std::filesystem::path young = study.recovery / "young.angiomesh";
+    for (const std::filesystem::path& folder : {old, young}) {
+      std::filesystem::create_directories(folder);
+      writeCase(folder, CaseDocument());
+    }
+    std::filesystem::last_write_time(
+        old / "case.json", std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+    const std::filesystem::path half = study.recovery / "half.angiomesh.removed";
+    std::filesystem::create_directories(half / "cache");
+    QVERIFY(findRecoveries(study.recovery).empty());
+    QVERIFY(!std::filesystem::exists(old));
+    QVERIFY(!std::filesystem::exists(half));
+    QVERIFY(std::filesystem::exists(young));  // another program may be making it just now
   }
 
   void aKilledWindowLosesNothing() {
