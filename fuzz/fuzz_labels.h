@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "fuzz/fuzz_readers.h"
 #include "io/label_choice.h"
