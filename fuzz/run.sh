@@ -56,11 +56,12 @@ for target in "${targets[@]}"; do
   # A reader may take memory as the input justifies, and no more: the inputs are small. The readers
   # turn the standard streams off for a while, so reports go to a copy of them (close_fd_mask). Leaks
   # are looked for at the end: after each input, those of the libraries would take most of the time; they
-  # add up, and the limit of all memory leaves room for them.
+  # add up, and the limit of all memory leaves room for them. The limit of time is by the clock: on a
+  # busy machine an input of a tenth of a second of work has taken ten.
   ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=0 UBSAN_OPTIONS=print_stacktrace=1 \
     LSAN_OPTIONS=suppressions="$root/fuzz/leaks.supp":print_suppressions=0 \
     "$build/bin/$target" -detect_leaks=0 \
-    -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb=512 \
+    -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -malloc_limit_mb=512 \
     -max_len="$longest" -dict="$root/fuzz/$target.dict" -artifact_prefix="$build/found/$target-" \
     -print_final_stats=1 -close_fd_mask=3 \
     "$build/corpus/$target" "$root/fuzz/corpus/$target" >"$build/$target.log" 2>&1
