@@ -173,7 +173,7 @@ int mesh(const MeshOptions& options, const Progress& progress) {
                             "smooth the image or the mask there, or choose longer edges "
                             "(surface.edgeMinMm) or surface.method=marching-cubes");
   }
-  measureSlants(field, input.phi, away.sections.size() - made.lostCuts.size(), made.ports);
+  measureSlants(field, input.phi, made.ports);
   for (const std::string& warning : namePorts(all.ports, made.ports)) printWarning(warning);
   MeshWriteOptions write;
   // Of what it was made of; it also says that the names are ours.

@@ -138,7 +138,7 @@ SurfaceResult surface(const EvolveResult& evolved, const Parameters& params,
   result.mesh = std::make_shared<const TriMesh>(std::move(made.mesh));
   result.origin = std::move(made.origin);
   result.ports = std::move(made.ports);
-  measureSlants(field, *result.uncutPhi, away.sections.size() - made.lostCuts.size(), result.ports);
+  measureSlants(field, *result.uncutPhi, result.ports);
   for (std::size_t n = 0; n < away.sections.size(); ++n) {
     if (std::count(made.lostCuts.begin(), made.lostCuts.end(), n) == 0)
       result.sectionAreasMm2.push_back(away.sections[n].areaMm2);

@@ -124,7 +124,9 @@ class Finder {
         if (phi_.voxels[next] < 0.0F && reaches(next) && seen.insert(next).second)
           found.push_back(next);
       });
-      if (ridge && ++looked <= kMostSections) takeAcross(found[n]);
+      if (!ridge) continue;
+      ++looked;
+      takeAcross(found[n]);
     }
   }
 
@@ -240,10 +242,9 @@ std::optional<BorderSlant> borderSlant(const SplineField& field, const Volume<fl
   return Finder(field, phi, port).find();
 }
 
-void measureSlants(const SplineField& field, const Volume<float>& phi, std::size_t cuts,
-                   std::vector<Port>& ports) {
-  for (std::size_t n = cuts; n < ports.size(); ++n)
-    if (ports[n].areaMm2 > 0.0) ports[n].slant = borderSlant(field, phi, ports[n]);
+void measureSlants(const SplineField& field, const Volume<float>& phi, std::vector<Port>& ports) {
+  for (Port& port : ports)
+    if (port.atBorder && port.areaMm2 > 0.0) port.slant = borderSlant(field, phi, port);
 }
 
 std::vector<std::string> slantWarnings(const std::vector<Port>& ports) {
@@ -253,8 +254,7 @@ std::vector<std::string> slantWarnings(const std::vector<Port>& ports) {
   for (const Port& port : ports) largest = std::max(largest, port.areaMm2);
   std::vector<const Port*> flagged;
   for (const Port& port : ports) {
-    const bool unknown =
-        port.atBorder && !port.slant && port.areaMm2 > kLeastShare * largest && largest > 0.0;
+    const bool unknown = port.atBorder && !port.slant && port.areaMm2 > kLeastShare * largest;
     if (unknown || (port.slant && port.slant->flagged())) flagged.push_back(&port);
   }
   std::stable_sort(flagged.begin(), flagged.end(),

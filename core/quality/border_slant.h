@@ -17,10 +17,8 @@ namespace angiomesh {
 std::optional<BorderSlant> borderSlant(const SplineField& field, const Volume<float>& phi,
                                        const Port& port);
 
-/// Gives the ports at the volume's border their slant. `cuts`: how many ports of cuts come first;
-/// they have none.
-void measureSlants(const SplineField& field, const Volume<float>& phi, std::size_t cuts,
-                   std::vector<Port>& ports);
+/// Gives the ports at the volume's border their slant, see borderSlant().
+void measureSlants(const SplineField& field, const Volume<float>& phi, std::vector<Port>& ports);
 
 /// A sentence for each port whose slant no solver should be given, and for those at the border of
 /// which it is not known, but for small ones.
