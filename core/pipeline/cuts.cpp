@@ -28,11 +28,6 @@ constexpr double kNearRadii = 1.5;
 
 /// How far along a vessel a place for a cut is looked for, in its radii.
 constexpr double kMostRadii = 4.0;
-/// A section's farthest point from its centre, in radii of the circle of its area: more is slanted,
-/// or lies in a branching.
-constexpr double kMostLong = 1.6;
-/// An axis so far off the way so far is another vessel's, cosine.
-constexpr double kSameWay = 0.5;
 /// A cut that was moved by more along its vessel is spoken of.
 constexpr double kTellVoxels = 1.5;
 
@@ -77,7 +72,7 @@ bool canCut(const SplineField& field, const CutPlane& plane) {
   try {
     const Section section = sectionOf(field, plane);
     checkSection(field, section, "the cut");
-    return section.radiusMm < kMostLong * std::sqrt(section.areaMm2 / M_PI);
+    return section.isAboutRound();
   } catch (const InputError&) {
     return false;
   }
@@ -94,9 +89,8 @@ class Walk {
     if (!field.geometry().holds(place_)) return std::nullopt;
     const std::optional<LocalVessel> vessel = vesselAt(field, place_);
     if (!vessel) return std::nullopt;
-    const double turn = vessel->axisLps.dot(ahead_) < 0.0 ? -1.0 : 1.0;
-    if (turn * vessel->axisLps.dot(ahead_) > kSameWay) ahead_ = turn * vessel->axisLps;
-    const CutPlane plane{vessel->centreLps, turn * vessel->axisLps};
+    const CutPlane plane{vessel->centreLps, vessel->axisAlong(ahead_)};
+    ahead_ = vessel->wayOn(ahead_);
     if (!canCut(field, plane)) return std::nullopt;
     return plane;
   }

@@ -25,9 +25,6 @@ constexpr double kNearRadii = 4.0;
 constexpr double kStepRadii = 0.25;
 /// An axis so far across the port's normal may lead inwards either way.
 constexpr double kEitherWay = 0.5;
-/// A section's farthest point from its centre, in radii of the circle of its area: more is slanted
-/// itself, or lies in a branching.
-constexpr double kMostLong = 1.6;
 constexpr int kMostTries = 12;
 constexpr int kMostSections = 60;
 /// Of the largest port: smaller ones of which nothing is known are no inlets.
@@ -66,10 +63,9 @@ class Finder {
     for (const double depth : {1.0, 2.0, 3.0, 0.0}) {
       const auto start = knownVessel(port_.centreLps - depth * voxel_ * port_.normalLps);
       if (!start) continue;
-      const double inwards = -start->axisLps.dot(port_.normalLps);
-      const Vector3d axis = inwards < 0.0 ? Vector3d(-start->axisLps) : start->axisLps;
+      const Vector3d axis = start->axisAlong(-port_.normalLps);
       walk(start->centreLps, axis, start->radiusMm);
-      if (!found_ || std::fabs(inwards) < kEitherWay)
+      if (!found_ || -axis.dot(port_.normalLps) < kEitherWay)
         walk(start->centreLps, -axis, start->radiusMm);
       if (found_) break;
     }
@@ -96,14 +92,12 @@ class Finder {
          way += step) {
       // Where the border cuts the vessel off, its centre is not known: the way goes straight on.
       if (const std::optional<LocalVessel> vessel = knownVessel(place)) {
-        const Vector3d axis =
-            vessel->axisLps.dot(ahead) < 0.0 ? Vector3d(-vessel->axisLps) : vessel->axisLps;
-        const auto section = wholeSection(field_, vessel->centreLps, -axis);
+        const auto section = wholeSection(field_, vessel->centreLps, -vessel->axisAlong(ahead));
         if (section && takes(*section)) {
           way_ = way;
           return;
         }
-        if (axis.dot(ahead) > kEitherWay) ahead = axis;
+        ahead = vessel->wayOn(ahead);
       }
       place += step * ahead;
     }
@@ -179,9 +173,9 @@ class Finder {
   void takeAcross(std::size_t voxel) {
     const std::optional<LocalVessel> vessel = knownVessel(placeOf(voxel));
     if (!vessel) return;
-    const double turn = vessel->axisLps.dot(port_.normalLps) < 0.0 ? -1.0 : 1.0;
-    for (const double side : {turn, -turn}) {
-      const auto section = wholeSection(field_, vessel->centreLps, side * vessel->axisLps);
+    const Vector3d outward = vessel->axisAlong(port_.normalLps);
+    for (const Vector3d& side : {outward, Vector3d(-outward)}) {
+      const auto section = wholeSection(field_, vessel->centreLps, side);
       if (section && takes(*section)) return;
     }
   }
@@ -190,7 +184,7 @@ class Finder {
   // about that is believed; else a cut there has to end what the port opens.
   bool takes(const Section& section) {
     if (!(section.areaMm2 > 0.0) || (section.centreLps - port_.centreLps).norm() > reachMm() ||
-        section.radiusMm > kMostLong * std::sqrt(section.areaMm2 / M_PI))
+        !section.isAboutRound())
       return false;
     const BorderSlant slant = slantOf(port_, section);
     if (slant.flagged()) {

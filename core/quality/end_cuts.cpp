@@ -80,8 +80,7 @@ void propose(const Skeleton& skeleton, const SplineField& phi, const Approach& a
   const std::size_t back = found->first > 0 ? found->first - 1 : 0;
   const std::size_t ahead = std::min(found->first + 1, approach.size() - 1);
   const Vector3d towards = approach.at(back).pointLps - approach.at(ahead).pointLps;
-  cut.outwardNormalLps =
-      vessel->axisLps.dot(towards) < 0.0 ? Vector3d(-vessel->axisLps) : vessel->axisLps;
+  cut.outwardNormalLps = vessel->axisAlong(towards);
   result.cuts.push_back(cut);
 }
 

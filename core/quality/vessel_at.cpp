@@ -137,6 +137,16 @@ Vector3d withSign(const Vector3d& axis) {
 
 }  // namespace
 
+Vector3d LocalVessel::axisAlong(const Vector3d& direction) const {
+  return axisLps.dot(direction) < 0.0 ? Vector3d(-axisLps) : axisLps;
+}
+
+Vector3d LocalVessel::wayOn(const Vector3d& ahead) const {
+  constexpr double sameWay = 0.5;  // cosine
+  const Vector3d axis = axisAlong(ahead);
+  return axis.dot(ahead) > sameWay ? axis : ahead;
+}
+
 std::optional<LocalVessel> vesselAt(const SplineField& phi, const Vector3d& pointLps,
                                     double reachVoxels) {
   const LumenProbe probe(phi);

@@ -14,6 +14,12 @@ struct LocalVessel {
   Eigen::Vector3d centreLps{0.0, 0.0, 0.0};
   double radiusMm = 0.0;     ///< sqrt(area / pi) of the section perpendicular to the axis
   double inscribedMm = 0.0;  ///< from the centre to the nearest wall in the section
+
+  /// The axis in its sense that goes along with a direction.
+  [[nodiscard]] Eigen::Vector3d axisAlong(const Eigen::Vector3d& direction) const;
+  /// The way onwards from here after one that came so far: that of the axis, but straight on where
+  /// the axis is so far off that it is another vessel's.
+  [[nodiscard]] Eigen::Vector3d wayOn(const Eigen::Vector3d& ahead) const;
 };
 
 /// The vessel at a point in LPS mm that lies inside it or at most `reachVoxels` working voxels off

@@ -276,6 +276,11 @@ std::array<Index3, 2> Section::voxelsAround(const Geometry& grid, double mm) con
 
 double Section::equivalentDiameterMm() const { return angiomesh::equivalentDiameterMm(areaMm2); }
 
+bool Section::isAboutRound() const {
+  constexpr double mostLong = 1.6;  // of the circle of the same area
+  return radiusMm <= mostLong * 0.5 * equivalentDiameterMm();
+}
+
 Section sectionOf(const SplineField& field, const CutPlane& plane, const std::string& name,
                   int finer) {
   return SectionTracer(field, plane, name, finer).run();

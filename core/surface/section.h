@@ -30,6 +30,8 @@ struct Section {
   /// step.
   [[nodiscard]] bool covers(const Eigen::Vector3d& pointLps, double mm = 0.0) const;
   [[nodiscard]] double equivalentDiameterMm() const;
+  /// Else it slants through its vessel, or lies in a branching.
+  [[nodiscard]] bool isAboutRound() const;
 
   /// The voxels, first and last, within a distance of its rim and of what lies inside it.
   [[nodiscard]] std::array<Index3, 2> voxelsAround(const Geometry& grid, double mm) const;
