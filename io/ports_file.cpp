@@ -115,7 +115,7 @@ Port portIn(const Json& json, const Place& place) {
   if (std::fabs(diameter - port.equivalentDiameterMm()) > kTolerance * diameter)
     place.in("equivalent_diameter_mm").refuse("is not that of a circle of this area");
   if (slanted) port.slant = slantIn(values[5], place.in("vessel"));
-  port.atBorder = slanted || port.name.starts_with("border_");
+  port.atBorder = slanted || port.name.starts_with(kBorderPrefix);
   if (has("kind")) port.atBorder = isBorder(values.back(), place.in("kind"));
   return port;
 }

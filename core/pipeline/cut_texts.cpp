@@ -21,7 +21,6 @@ constexpr const char* kForm = "write x,y,z,NAME or x,y,z,nx,ny,nz,NAME, in mm LP
 constexpr const char* kNameForm = "write border_1=NAME, or x,y,z=NAME with a place in mm LPS";
 constexpr const char* kNames = "ports.names";
 constexpr const char* kCuts = "ports.cuts";
-constexpr const char* kBorderPrefix = "border_";
 
 /// Whether a text has letters, digits, '_', '-' and '.' only, and one of them at least.
 bool isWord(std::string_view text) {

@@ -46,6 +46,8 @@ struct Port {
 
 /// The wall's name among patches; no port may have it.
 constexpr const char* kWallName = "wall";
+/// Openings at the volume's border are called so and numbered, until they get a name.
+constexpr const char* kBorderPrefix = "border_";
 
 /// Area, its centre and mean normal of each patch 1..count of a mesh, without names. A patch
 /// without triangles has area 0.

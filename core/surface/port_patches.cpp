@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr int kBorders = 6;
 
-std::string borderName(std::size_t number) { return "border_" + std::to_string(number); }
+std::string borderName(std::size_t number) { return kBorderPrefix + std::to_string(number); }
 
 Port portOf(const FlatArea& area) { return {"", area.centre(), area.normal(), area.areaMm2()}; }
 
