@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "core/surface/port_json.h"
 #include "io/files.h"
 
 namespace angiomesh {
@@ -19,8 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
 constexpr double kTolerance = 1e-3;
-constexpr const char* kCut = "cut";
-constexpr const char* kBorder = "border";
 
 /// What a reader says about a value and where it stands.
 class Place {
@@ -90,8 +89,8 @@ BorderSlant slantIn(const Json& json, const Place& place) {
 }
 
 bool isBorder(const Json& kind, const Place& place) {
-  if (kind != kBorder && kind != kCut) place.refuse("is neither \"cut\" nor \"border\"");
-  return kind == kBorder;
+  if (kind != kBorderKind && kind != kCutKind) place.refuse("is neither \"cut\" nor \"border\"");
+  return kind == kBorderKind;
 }
 
 Port portIn(const Json& json, const Place& place) {
@@ -136,7 +135,6 @@ std::vector<std::string> patchNamesOf(const std::vector<Port>& ports) {
 }
 
 void writePorts(const std::vector<Port>& ports, const fs::path& path) {
-  const auto toJson = [](const Eigen::Vector3d& v) { return Json::array({v[0], v[1], v[2]}); };
   Json list = Json::array();
   std::set<std::string> names;
   for (const Port& port : ports) {
@@ -146,18 +144,7 @@ void writePorts(const std::vector<Port>& ports, const fs::path& path) {
     if (!port.centreLps.allFinite() || !port.normalLps.allFinite() || !std::isfinite(port.areaMm2))
       throw InputError("the port '" + port.name + "' has a measure that is no number",
                        path.string(), "cut the surface again");
-    list.push_back({{"name", port.name},
-                    {"kind", port.atBorder ? kBorder : kCut},
-                    {"centre_mm", toJson(port.centreLps)},
-                    {"normal", toJson(port.normalLps)},
-                    {"area_mm2", port.areaMm2},
-                    {"equivalent_diameter_mm", port.equivalentDiameterMm()}});
-    if (port.slant)
-      list.back()["vessel"] = {{"angle_deg", port.slant->angleDeg},
-                               {"area_ratio", port.slant->areaRatio},
-                               {"section_area_mm2", port.slant->sectionAreaMm2},
-                               {"section_centre_mm", toJson(port.slant->centreLps)},
-                               {"axis", toJson(port.slant->axisLps)}};
+    list.push_back(portJson<Json>(port));
   }
   const Json json = {{"schema", kSchema}, {"frame", "LPS"}, {"unit", "mm"}, {"ports", list}};
   writeText(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

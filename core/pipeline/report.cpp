@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/parallel.h"
+#include "core/surface/port_json.h"
 
 namespace angiomesh {
 namespace {
@@ -223,22 +224,9 @@ Json surfaceBlock(const SurfaceOrigin& origin) {
 
 /// The openings, as the last mesh of the run has them.
 Json portList(const std::vector<Port>& ports, const std::vector<double>& sectionAreasMm2) {
-  const auto numbers = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
   Json list = Json::array();
   for (std::size_t n = 0; n < ports.size(); ++n) {
-    const Port& port = ports[n];
-    list.push_back({{"name", port.name},
-                    {"kind", port.atBorder ? "border" : "cut"},
-                    {"centre_mm", numbers(port.centreLps)},
-                    {"normal", numbers(port.normalLps)},
-                    {"area_mm2", port.areaMm2},
-                    {"equivalent_diameter_mm", port.equivalentDiameterMm()}});
-    if (port.slant)
-      list.back()["vessel"] = {{"angle_deg", port.slant->angleDeg},
-                               {"area_ratio", port.slant->areaRatio},
-                               {"section_area_mm2", port.slant->sectionAreaMm2},
-                               {"section_centre_mm", numbers(port.slant->centreLps)},
-                               {"axis", numbers(port.slant->axisLps)}};
+    list.push_back(portJson<Json>(ports[n]));
     if (n < sectionAreasMm2.size()) list.back()["section_area_mm2"] = sectionAreasMm2[n];
   }
   return list;
