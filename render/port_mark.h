@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/surface/end_planes.h"
-#include "core/surface/port_colour.h"
 
 namespace angiomesh {
 

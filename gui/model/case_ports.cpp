@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/surface/port_colour.h"
 #include "gui/model/port_edits.h"
 #include "io/ports_file.h"
-#include "render/port_mark.h"
 
 namespace angiomesh {
 
@@ -108,37 +108,25 @@ bool CasePorts::replace(const QString& name, const GivenCut& cut, const QString&
 }
 
 void CasePorts::cutHere(const Eigen::Vector3d& lps) {
-  if (!ready()) {
-    tell(Severity::Warning, tr("There are no vessels to cut yet: run to Evolve first."));
-    return;
-  }
   auto job = std::make_shared<PortJob>();
   job->kind = PortJob::Kind::CutHere;
   job->pointLps = lps;
-  request(std::move(job));
+  requestCuts(std::move(job));
 }
 
 void CasePorts::cutEnds(double radii) {
-  if (!ready()) {
-    tell(Severity::Warning, tr("There are no vessels to cut yet: run to Evolve first."));
-    return;
-  }
   auto job = std::make_shared<PortJob>();
   job->kind = PortJob::Kind::CutEnds;
   job->cuts = cuts();
   job->radiiFromTip = radii;
-  request(std::move(job));
+  requestCuts(std::move(job));
 }
 
 void CasePorts::cutAllAcross() {
-  if (!ready()) {
-    tell(Severity::Warning, tr("There are no vessels to cut yet: run to Evolve first."));
-    return;
-  }
   auto job = std::make_shared<PortJob>();
   job->kind = PortJob::Kind::CutAllAcross;
   job->cuts = cuts();
-  request(std::move(job));
+  requestCuts(std::move(job));
 }
 
 void CasePorts::cutAcross(const QString& name) {
@@ -365,6 +353,14 @@ void CasePorts::rebuild() {
 void CasePorts::request(std::shared_ptr<PortJob> job) {
   queue_.push_back(std::move(job));
   startNext();
+}
+
+void CasePorts::requestCuts(std::shared_ptr<PortJob> job) {
+  if (ready()) {
+    request(std::move(job));
+  } else {
+    tell(Severity::Warning, tr("There are no vessels to cut yet: run to Evolve first."));
+  }
 }
 
 void CasePorts::requestCheck() {

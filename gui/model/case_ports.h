@@ -93,6 +93,8 @@ class CasePorts : public QObject {
   [[nodiscard]] const CutFinding* findingOf(const std::string& text) const;
   void tell(Severity severity, const QString& text);
   void request(std::shared_ptr<PortJob> job);
+  /// Of cuts to add, where there is something to cut.
+  void requestCuts(std::shared_ptr<PortJob> job);
   void requestCheck();
   void startNext();
   void poll();

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/surface/flat_area.h"
-#include "render/port_mark.h"
 
 namespace angiomesh {
 
