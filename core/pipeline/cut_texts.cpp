@@ -102,6 +102,12 @@ std::string cutText(const GivenCut& cut) {
   return text + cut.name;
 }
 
+std::set<std::string> cutNames(const std::vector<std::string>& cuts) {
+  std::set<std::string> names;
+  for (const std::string& text : cuts) names.insert(parseCut(text).name);
+  return names;
+}
+
 void checkPorts(const PortParams& params) {
   std::set<std::string> names;
   for (const std::string& text : params.cuts) {

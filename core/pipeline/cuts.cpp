@@ -172,8 +172,7 @@ std::string uncutText(const Vector3d& tip, const std::string& why) {
 }  // namespace
 
 std::vector<std::string> namePorts(const PortParams& params, std::vector<Port>& ports) {
-  std::set<std::string> cuts;
-  for (const std::string& text : params.cuts) cuts.insert(parseCut(text).name);
+  const std::set<std::string> cuts = cutNames(params.cuts);
   std::string known;
   for (const Port& port : ports) known += (known.empty() ? "" : ", ") + port.name;
   const std::vector<Port> before = ports;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct GivenCut {
 /// @throws InputError
 GivenCut parseCut(const std::string& text);
 std::string cutText(const GivenCut& cut);
+
+/// The names of cuts that are written so. @throws InputError
+std::set<std::string> cutNames(const std::vector<std::string>& cuts);
 
 /// @throws InputError unless parseCut() takes the name
 void checkPortName(const std::string& name);

@@ -26,10 +26,7 @@ GivenCut writtenCut(const CutPlane& plane, const std::string& name) {
 }
 
 std::set<std::string> namesIn(const PortParams& ports) {
-  std::set<std::string> names;
-  for (const std::string& text : ports.cuts) {
-    names.insert(parseCut(text).name);
-  }
+  std::set<std::string> names = cutNames(ports.cuts);
   for (const std::string& text : ports.names) {
     names.insert(parsePortNaming(text).name);
   }

@@ -110,13 +110,9 @@ PortRow cutRow(const std::string& cut, const CutFinding* finding,
 }
 
 std::vector<PortRow> openingRows(const CaseController& controller) {
-  const Parameters* then = controller.meshParameters();
-  std::set<std::string> cuts;
-  for (const auto& list :
-       {then ? then->ports.cuts : std::vector<std::string>(), controller.parameters().ports.cuts}) {
-    for (const std::string& text : list) {
-      cuts.insert(parseCut(text).name);
-    }
+  std::set<std::string> cuts = cutNames(controller.parameters().ports.cuts);
+  if (const Parameters* then = controller.meshParameters()) {
+    cuts.merge(cutNames(then->ports.cuts));
   }
   std::vector<PortRow> rows;
   for (const Port& port : meshPorts(controller)) {
