@@ -207,7 +207,7 @@ bool isThere(const fs::path& path) {
 
 /// A new folder appears with its case.json in it, by rename.
 void makeCase(const fs::path& folder, const std::string& text) {
-  const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+  const fs::path parent = folderOf(folder);
   std::error_code error;
   if (!fs::is_directory(parent, error))
     throw IoError("cannot write the case, there is no such folder", folder.string(),
@@ -288,8 +288,7 @@ bool isCase(const fs::path& folder) {
 fs::path caseFolder(const fs::path& path) {
   std::error_code error;
   fs::path folder = path.has_filename() ? path : path.parent_path();
-  if (folder.filename() == kFile && fs::is_regular_file(folder, error))
-    return folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+  if (folder.filename() == kFile && fs::is_regular_file(folder, error)) return folderOf(folder);
   return folder;
 }
 

@@ -13,7 +13,6 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "io/file_target.h"
 #include "io/staged_folder.h"
 #include "io/temporary_place.h"
 
@@ -52,9 +51,13 @@ void flushToMedium(const fs::path& file, const fs::path& target) {
 
 }  // namespace
 
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
 void checkTarget(const fs::path& target) {
   std::error_code error;
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const fs::path folder = folderOf(target);
   if (!target.has_filename())
     throw IoError("no file name is given", target.string(), "add a file name to the folder");
   if (!fs::exists(folder, error))
@@ -77,7 +80,7 @@ void writeAtomically(const fs::path& path, const std::function<void(const fs::pa
   // A symbolic link stays a link: what it points to is replaced.
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
   checkTarget(target);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const fs::path folder = folderOf(target);
   removeLeftoversOnce(folder);
   // Finished later, they would replace this file by an older one.
   finishCommits(folder);

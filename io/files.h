@@ -14,6 +14,12 @@ namespace angiomesh {
 /// What to do about a damaged file.
 inline constexpr const char* kCopyAgain = "copy or download it again";
 
+/// The folder that a file lies in; "." for a bare name.
+std::filesystem::path folderOf(const std::filesystem::path& file);
+
+/// @throws IoError unless a regular file can come to stand at `target`
+void checkTarget(const std::filesystem::path& target);
+
 /// Calls `write` with a temporary name beside `path` (same extension), then renames it to `path`;
 /// removes it when `write` throws or when the medium is full. Before the first file in a folder,
 /// what killed programs left there goes (see removeLeftovers()). @throws IoError that says what

@@ -16,7 +16,6 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "io/file_target.h"
 #include "io/files.h"
 #include "io/image_format.h"
 #include "io/image_io.h"
@@ -235,7 +234,7 @@ void writeFile(const fs::path& path, const std::function<void(std::ofstream&)>& 
 /// Whether a header in the folder, other than `header`, names the voxel file.
 bool isNamedElsewhere(const std::string& voxelFile, const fs::path& header) {
   std::error_code error;
-  const fs::path folder = header.has_parent_path() ? header.parent_path() : fs::path(".");
+  const fs::path folder = folderOf(header);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const fs::path& other = entry.path();
     if (other.filename() == header.filename()) continue;
@@ -284,7 +283,7 @@ void writePair(const fs::path& path, const std::string& extension,
   std::error_code error;
   const fs::path header = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
   checkTarget(header);
-  const fs::path folder = header.has_parent_path() ? header.parent_path() : fs::path(".");
+  const fs::path folder = folderOf(header);
   const std::string stem = voxelStem(header);
   std::string name = stem + extension;
   for (int n = 1; fs::exists(fs::symlink_status(folder / name, error)); ++n)

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/surface/outward.h"
+#include "io/files.h"
 #include "io/mesh_patch.h"
 #include "io/staged_folder.h"
 #include "io/text_scanner.h"
@@ -83,7 +84,7 @@ std::vector<std::filesystem::path> writePatchFiles(const TriMesh& mesh,
     names.push_back(files.back().second);
   }
   if (warnings != nullptr) names.push_back(path.filename().string());
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const std::filesystem::path folder = folderOf(path);
   if (std::error_code error; !std::filesystem::is_directory(folder, error))
     throw IoError("cannot write the file, there is no such folder", path.string(),
                   "make the folder first or choose another place");

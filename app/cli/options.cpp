@@ -138,8 +138,7 @@ void printWarnings(const InputInfo& info) {
 }
 
 void checkOutputFile(const std::filesystem::path& file) {
-  const std::filesystem::path folder =
-      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  const std::filesystem::path folder = folderOf(file);
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error))
     throw IoError("there is no such folder", folder.string(),
