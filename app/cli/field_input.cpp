@@ -2,10 +2,13 @@
 #include "app/cli/field_input.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "app/cli/session.h"
+#include "core/levelset/mask_contacts.h"
 #include "core/levelset/mask_distance.h"
+#include "core/pipeline/segments.h"
 #include "core/pipeline/wall_step.h"
 #include "io/image_io.h"
 #include "io/mask_values.h"
@@ -52,6 +55,41 @@ bool reachesBorder(const Volume<std::uint8_t>& mask) {
   return false;
 }
 
+std::size_t countInside(const Volume<std::uint8_t>& mask) {
+  return mask.voxels.size() - static_cast<std::size_t>(std::count(
+                                  mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
+}
+
+/// Leaves the parts of a mask out of which the surface has none. Its wall is smooth: some voxels of
+/// a part lie beyond.
+void leaveOut(const Segments& segments, MaskConnectivity connectivity, Volume<std::uint8_t>& mask) {
+  const Components parts = connectedComponents(mask, connectivity != MaskConnectivity::Faces);
+  std::vector<bool> kept(parts.sizes.size() + 1), left(kept.size());
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    const std::int32_t label = segments.labels.voxels[i];
+    if (label == 0) continue;
+    const auto part = static_cast<std::size_t>(parts.labels.voxels[i]);
+    (segments.components[static_cast<std::size_t>(label - 1)].kept ? kept : left)[part] = true;
+  }
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    const auto part = static_cast<std::size_t>(parts.labels.voxels[i]);
+    if (left[part] && !kept[part]) mask.voxels[i] = 0;
+  }
+}
+
+/// Leaves the parts out that are not to be kept, of the mask, too.
+void keepParts(const Parameters& params, Volume<std::uint8_t>* mask, MeshInput& input,
+               const Progress& progress) {
+  SegmentationParams choice = params.segmentation;
+  if (mask != nullptr) choice.method = SegmentationMethod::Label;
+  if (keepsAll(choice)) return;
+  auto phi = std::make_shared<const Volume<float>>(std::move(input.phi));
+  const Segments segments =
+      selectSegments(*phi, choice, params.seeds.points, progress.sub(0.0, 0.5));
+  input.phi = *withoutDropped(phi, segments, progress.sub(0.5, 1.0));
+  if (mask != nullptr) leaveOut(segments, choice.connectivity, *mask);
+}
+
 }  // namespace
 
 Volume<std::uint8_t> readTruth(const std::string& path, std::optional<double> threshold) {
@@ -75,31 +113,32 @@ Volume<float> readPhiOrMask(const std::string& path, std::optional<double> thres
   return fieldOfMask(readTruth(path, threshold));
 }
 
-MeshInput readMeshInput(const std::string& path, const MaskChoice& choice,
-                        const SmoothWallParams& wall, std::optional<MaskConnectivity> connectivity,
+MeshInput readMeshInput(const std::string& path, const MaskChoice& choice, const Parameters* params,
                         const Progress& progress) {
   MeshInput input;
   if (choice.label.empty() && !choice.threshold)
     if (auto field = fieldOf(path, progress.sub(0.0, 0.2))) {
       input.phi = std::move(*field);
+      if (params != nullptr) keepParts(*params, nullptr, input, progress.sub(0.2, 1.0));
       return input;
     }
   LabelMask chosen = readLabel(path, choice, progress.sub(0.0, 0.2));
   print(chosen.warnings);
   input.labels = std::move(chosen.labels);
   input.otherLabels = !chosen.onlyOne;
-  input.atBorder = reachesBorder(chosen.mask);
-  input.voxels = static_cast<std::size_t>(
-      std::count(chosen.mask.voxels.begin(), chosen.mask.voxels.end(), std::uint8_t{1}));
   MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 0.7));
-  input.phi = smoothMask(std::move(made.phi), wall, progress.sub(0.7, 0.9));
-  if (connectivity) {
-    const MaskContacts contacts =
-        settleContacts(input.phi, chosen.mask, *connectivity, progress.sub(0.9, 1.0));
+  input.phi = smoothMask(std::move(made.phi), params ? params->wall : SmoothWallParams{},
+                         progress.sub(0.7, 0.8));
+  if (params != nullptr) {
+    const MaskContacts contacts = settleContacts(
+        input.phi, chosen.mask, params->segmentation.connectivity, progress.sub(0.8, 0.9));
     if (const std::string words = contactText(contacts); !words.empty()) printWarning(words);
+    keepParts(*params, &chosen.mask, input, progress.sub(0.9, 1.0));
   }
+  input.atBorder = reachesBorder(chosen.mask);
+  input.voxels = countInside(chosen.mask);
   input.largestShiftVoxels = made.largestShiftVoxels;
-  input.maskVolumeMm3 = made.maskVolumeMm3;
+  input.maskVolumeMm3 = volumeBetweenCentres(chosen.mask);
   return input;
 }
 

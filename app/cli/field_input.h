@@ -8,8 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
-#include "core/levelset/mask_contacts.h"
-#include "core/lumen/smooth_wall.h"
+#include "core/pipeline/parameters.h"
 #include "io/label_image.h"
 
 namespace angiomesh::cli {
@@ -36,12 +35,12 @@ struct MeshInput {
 };
 
 /// A level set function (float, with negative values) as it is; of anything else the labels that
-/// are chosen (see readLabel()) as the distance to a wall that `wall` makes smooth. Where voxels
-/// touch by an edge or a corner alone, settleContacts() joins or parts them as `connectivity` says,
-/// if it says so. Prints what there is to be warned of.
-/// @throws IoError, InputError, Cancelled
-MeshInput readMeshInput(const std::string& path, const MaskChoice& choice,
-                        const SmoothWallParams& wall, std::optional<MaskConnectivity> connectivity,
+/// are chosen (see readLabel()) as the distance to a smooth wall. `params`, where there are any,
+/// say how smooth the wall of a mask becomes, whether voxels that touch by an edge or a corner
+/// alone are joined or parted (settleContacts()), and which parts are kept (selectSegments()).
+/// Prints what there is to be warned of.
+/// @throws IoError, InputError, Cancelled; NumericError: no part is kept
+MeshInput readMeshInput(const std::string& path, const MaskChoice& choice, const Parameters* params,
                         const Progress& progress);
 
 }  // namespace angiomesh::cli

@@ -137,8 +137,8 @@ int mesh(const MeshOptions& options, const Progress& progress) {
   }
   const Parameters all = options.settings.parameters();
   const SurfaceParams& params = all.surface;
-  const MeshInput input = readMeshInput(options.input, options.choice, all.wall,
-                                        all.segmentation.connectivity, progress.sub(0.0, 0.3));
+  const MeshInput input =
+      readMeshInput(options.input, options.choice, &all, progress.sub(0.0, 0.3));
   const SplineField field = wallField(input.phi, params.spline);
   const Progress rest = progress.sub(0.3, 1.0);
   std::vector<std::string> remarks;
@@ -153,7 +153,8 @@ int mesh(const MeshOptions& options, const Progress& progress) {
     for (const std::string& warning : warningsOf(expected)) printWarning(warning);
     return expected;
   };
-  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.1, 0.9), away, false, expect);
+  MadeSurface made = makeSurface(input.phi, field, params, rest.sub(0.1, 0.9), away,
+                                 all.segmentation.keep == KeepComponents::Largest, expect);
   if (made.mesh.triangles.empty())
     throw InputError("there is no surface in it", options.input,
                      "give a level set function that is negative inside, or a mask");

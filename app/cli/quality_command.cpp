@@ -170,8 +170,8 @@ int quality(const QualityOptions& options, const Progress& progress) {
   std::optional<SplineField> phi;
   if (!options.phi.empty()) {
     const Parameters params = options.settings.parameters();
-    const MeshInput input = readMeshInput(options.phi, options.choice, params.wall,
-                                          params.segmentation.connectivity, progress.sub(0.0, 0.2));
+    const MeshInput input =
+        readMeshInput(options.phi, options.choice, &params, progress.sub(0.0, 0.2));
     phi = wallField(input.phi, surface.spline);
   }
   const SplineField* field = phi ? &*phi : nullptr;

@@ -80,7 +80,7 @@ int skeleton(const SkeletonOptions& options, const Progress& progress) {
     checkOutputFile(output);
   }
   const MeshInput input =
-      readMeshInput(options.input, options.choice, {}, {}, progress.sub(0.0, 0.5));
+      readMeshInput(options.input, options.choice, nullptr, progress.sub(0.0, 0.5));
   progress.phase("centre lines");
   const Skeleton found = skeletonOf(input.phi, progress.sub(0.5, 1.0));
   if (found.branches.empty())

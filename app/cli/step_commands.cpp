@@ -65,8 +65,8 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
   for (const std::string& warning : loaded.warnings) printWarning(warning);
   std::optional<SplineField> phi;
   if (!options.phi.empty()) {
-    const MeshInput input = readMeshInput(options.phi, options.choice, params.wall,
-                                          params.segmentation.connectivity, progress.sub(0.0, 0.3));
+    const MeshInput input =
+        readMeshInput(options.phi, options.choice, &params, progress.sub(0.0, 0.3));
     phi = wallField(input.phi, params.surface.spline);
   }
   std::size_t left = 0;

@@ -396,18 +396,6 @@ void BoundedField::giveTo(Volume<float>& distance) const {
     distance.voxels[lattice_.band().voxel[cell]] = phi_[cell];
 }
 
-double volumeBetweenCentres(const Volume<std::uint8_t>& mask) {
-  const Geometry& g = mask.geometry;
-  const auto share = [](int at, int size) { return at == 0 || at + 1 == size ? 0.5 : 1.0; };
-  double sum = 0.0;
-  for (int k = 0; k < g.size[2]; ++k)
-    for (int j = 0; j < g.size[1]; ++j)
-      for (int i = 0; i < g.size[0]; ++i)
-        if (mask.at(i, j, k) != 0)
-          sum += share(i, g.size[0]) * share(j, g.size[1]) * share(k, g.size[2]);
-  return sum * g.voxelVolumeMm3();
-}
-
 /// How far from the middle phi crosses the grid edges between voxels of different sign, at most.
 double largestShift(const Volume<float>& phi) {
   const Geometry& g = phi.geometry;
@@ -426,6 +414,18 @@ double largestShift(const Volume<float>& phi) {
 }
 
 }  // namespace
+
+double volumeBetweenCentres(const Volume<std::uint8_t>& mask) {
+  const Geometry& g = mask.geometry;
+  const auto share = [](int at, int size) { return at == 0 || at + 1 == size ? 0.5 : 1.0; };
+  double sum = 0.0;
+  for (int k = 0; k < g.size[2]; ++k)
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i)
+        if (mask.at(i, j, k) != 0)
+          sum += share(i, g.size[0]) * share(j, g.size[1]) * share(k, g.size[2]);
+  return sum * g.voxelVolumeMm3();
+}
 
 MaskDistance distanceOfMask(const Volume<std::uint8_t>& mask, const Progress& progress) {
   const auto isSet = [](std::uint8_t in) { return in != 0; };

@@ -32,4 +32,7 @@ struct MaskDistance {
 };
 MaskDistance distanceOfMask(const Volume<std::uint8_t>& mask, const Progress& progress = {});
 
+/// Of a mask's voxels, as MaskDistance counts them, mm3.
+double volumeBetweenCentres(const Volume<std::uint8_t>& mask);
+
 }  // namespace angiomesh

@@ -86,6 +86,10 @@ Segments selectSegments(const Volume<float>& phi, const SegmentationParams& para
   return out;
 }
 
+bool keepsAll(const SegmentationParams& params) {
+  return params.keep == KeepComponents::All && params.minVolumeMm3 == 0.0 && params.drop.empty();
+}
+
 std::shared_ptr<const Volume<float>> withoutDropped(std::shared_ptr<const Volume<float>> phi,
                                                     const Segments& segments,
                                                     const Progress& progress) {
@@ -105,11 +109,9 @@ std::shared_ptr<const Volume<float>> keptPhi(const RunResult& result, const Prog
   if (result.surface) return result.surface->phi;
   if (!result.evolve) return nullptr;
   const Parameters& params = result.params;
-  const SegmentationParams& s = params.segmentation;
-  if (s.keep == KeepComponents::All && s.minVolumeMm3 == 0.0 && s.drop.empty())
-    return result.evolve->phi;
-  const Segments segments =
-      selectSegments(*result.evolve->phi, s, params.seeds.points, progress.sub(0.0, 0.5));
+  if (keepsAll(params.segmentation)) return result.evolve->phi;
+  const Segments segments = selectSegments(*result.evolve->phi, params.segmentation,
+                                           params.seeds.points, progress.sub(0.0, 0.5));
   return withoutDropped(result.evolve->phi, segments, progress.sub(0.5, 1.0));
 }
 

@@ -18,6 +18,9 @@ struct Segments {
 Segments selectSegments(const Volume<float>& phi, const SegmentationParams& params,
                         const std::vector<double>& seedsByHand, const Progress& progress);
 
+/// Whether no component is ever left out.
+bool keepsAll(const SegmentationParams& params);
+
 /// phi without the components that were not kept, a distance again. Returns phi itself when all
 /// were kept.
 std::shared_ptr<const Volume<float>> withoutDropped(std::shared_ptr<const Volume<float>> phi,

@@ -95,6 +95,42 @@ class TestCliMasks : public QObject, CliFolder {
     QVERIFY(std::abs(found.captured(1).toInt() - 50) < 3);
   }
 
+  void partsAreChosenAsByARun() {
+    Volume<float> mask = rod(0.0F, 1.0F, 30);
+    for (int j = 0; j < 16; ++j)
+      for (int i = 0; i < 16; ++i) mask.at(i, j, 20) = 0.0F;  // 16 slices below, 5 above
+    save(mask, "two.nrrd");
+    const CliResult all = cli({"mesh", "two.nrrd", "-o", "all.ply", "--json"});
+    QCOMPARE(all.json()["surface"].toObject()["components"].toArray().size(), 2);
+    const double voxels = all.json()["source"].toObject()["voxels"].toDouble();
+    const CliResult run = cli({"run", "two.nrrd", "--set", "segmentation.method=label", "-o", "run",
+                               "--until", "evolve"});
+    QVERIFY2(run.code == 0, run.errors.constData());
+    for (const QStringList& choice :
+         {QStringList{"--set", "segmentation.keep=largest"},
+          {"--set", "segmentation.minVolumeMm3=400"},
+          {"--set", "segmentation.drop=7.5,7.5,23"},
+          {"--set", "segmentation.keep=seeded", "--set", "seeds.points=7.5,7.5,10"}}) {
+      const CliResult one =
+          cli(QStringList{"mesh", "two.nrrd", "-o", "one.ply", "--json"} + choice);
+      QVERIFY2(one.code == 0, one.errors.constData());
+      QCOMPARE(one.json()["surface"].toObject()["components"].toArray().size(), 1);
+      const QJsonObject source = one.json()["source"].toObject();
+      QCOMPARE(source["voxels"].toDouble(), voxels * 16.0 / 21.0);
+      QVERIFY(std::fabs(source["volume_change_percent"].toDouble()) < 3.0);
+      // Of a level set function, too.
+      const CliResult phi =
+          cli(QStringList{"mesh", "run/phi.nrrd", "-o", "phi.ply", "--json"} + choice);
+      QVERIFY2(phi.code == 0, phi.errors.constData());
+      QCOMPARE(phi.json()["surface"].toObject()["components"].toArray().size(), 1);
+    }
+    const CliResult none =
+        cli({"mesh", "two.nrrd", "-o", "none.ply", "--set", "segmentation.minVolumeMm3=1e6"});
+    QCOMPARE(none.code, 2);
+    QVERIFY(none.errors.contains("segmentation.minVolumeMm3"));
+    QVERIFY(!QFile::exists(at("none.ply")));
+  }
+
   void labelsAreJoined() {
     Volume<float> labels = rod(0.0F, 1.0F);
     for (int k = 10; k < 20; ++k)
