@@ -97,10 +97,13 @@ std::shared_ptr<const Volume<float>> withoutDropped(std::shared_ptr<const Volume
   if (std::all_of(all.begin(), all.end(), [](const SegmentComponent& c) { return c.kept; }))
     return phi;
   Volume<float> kept = *phi;
-  const auto far = static_cast<float>(5.0 * phi->geometry.voxelMm());
+  const auto voxel = static_cast<float>(phi->geometry.voxelMm());
   for (std::size_t i = 0; i < kept.voxels.size(); ++i) {
     const std::int32_t label = segments.labels.voxels[i];
-    if (label > 0 && !all[static_cast<std::size_t>(label - 1)].kept) kept.voxels[i] = far;
+    // As far as from a wall that is a voxel away: a jump would move that wall, which is
+    // interpolated.
+    if (label > 0 && !all[static_cast<std::size_t>(label - 1)].kept)
+      kept.voxels[i] = voxel - kept.voxels[i];
   }
   return std::make_shared<const Volume<float>>(redistance(kept, 5.0, progress));
 }
