@@ -393,10 +393,11 @@ void Pipeline::makeSurfaces(RunResult& run, const RunOptions& options,
                                                                   &field, progress.sub(0.88, 0.94),
                                                                   run.surface->ports, &left));
     if (left > 0) warnings.push_back(leftUnsmoothed(left));
-    for (std::string& fault : portFaults(run.surface->ports, *smoothed))
-      warnings.push_back(std::move(fault));
     return smoothed;
   });
+  if (run.smoothed != run.surface->mesh)
+    for (std::string& fault : portFaults(run.ports, *run.smoothed))
+      run.stages.back().warnings.push_back(std::move(fault));
   run.ports = measuredPorts(run.ports, *run.smoothed);
   if (!wanted(Step::Quality)) return;
   run.quality = state_->obtain<QualityResult>(Step::Quality, run.key, run, [&](Warnings& warnings) {

@@ -156,6 +156,24 @@ class TestPipeline : public QObject {
     QCOMPARE(warnings(again), warnings(plain));
   }
 
+  void whatSmoothingDoesToAPortIsSaidByItsName() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    Parameters params = smallParams();
+    params.smooth.method = SmoothMethod::Taubin;
+    params.smooth.iterations = 1000;
+    for (const std::string name : {"border_1", "inlet", "outlet"}) {
+      if (name != "border_1") params.ports.names = {"border_1=" + name};
+      const RunResult run = pipeline.run(params);
+      const auto smooth =
+          std::find_if(run.stages.begin(), run.stages.end(),
+                       [](const StageReport& stage) { return stage.step == Step::Smooth; });
+      QVERIFY(smooth != run.stages.end());
+      QVERIFY(std::any_of(smooth->warnings.begin(), smooth->warnings.end(), [&](const auto& text) {
+        return text.find("the port '" + name + "' has an area of ") == 0;
+      }));
+    }
+  }
+
   void componentsCanBeLeftOut() {
     Pipeline pipeline(makeSource(twoTubes(), "tubes"));
     Parameters params = smallParams();
