@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/base/few_warnings.h"
 #include "core/pipeline/segments.h"
 #include "core/surface/clip_reference.h"
 #include "core/surface/guidance_field.h"
@@ -14,9 +15,6 @@
 
 namespace angiomesh {
 namespace {
-
-/// More of one kind would hide what else there is to say.
-constexpr std::size_t kNamedWarnings = 20;
 
 /// In cells of cellVoxels, divided at the cuts, with caps of triangles of the wanted size.
 MadeSurface clippedMarchingCubes(const SplineField& field, const SurfaceParams& params,
@@ -131,35 +129,23 @@ std::string SurfaceOrigin::fault() const {
 }
 
 std::vector<std::string> SurfaceOrigin::warnings() const {
-  std::vector<std::string> list;
-  std::size_t named = 0, replaced = 0;
+  std::vector<std::string> replaced, unsure, left, small;
   for (std::size_t i = 0; i < components.size(); ++i) {
     const SurfaceComponent& part = components[i];
     const std::string name = "surface component " + std::to_string(i + 1) + " (" +
                              std::to_string(part.triangles) + " triangles)";
-    if (!part.instead.empty() && ++replaced <= kNamedWarnings)
-      list.push_back(name + " was made by " + methodText(part.method) + ": " + part.instead);
-    if (!part.verified && ++named <= kNamedWarnings)
-      list.push_back(name + " is not verified: " + part.why);
+    if (!part.instead.empty())
+      replaced.push_back(name + " was made by " + methodText(part.method) + ": " + part.instead);
+    if (!part.verified) unsure.push_back(name + " is not verified: " + part.why);
   }
-  if (replaced > kNamedWarnings)
-    list.push_back(std::to_string(replaced - kNamedWarnings) +
-                   " more surface components were made by another method");
-  if (named > kNamedWarnings)
-    list.push_back(std::to_string(named - kNamedWarnings) +
-                   " more surface components are not verified");
-  for (std::size_t i = 0; i < dropped.size() && i < kNamedWarnings; ++i)
-    list.push_back("left out of the surface: " + dropped[i]);
-  if (dropped.size() > kNamedWarnings)
-    list.push_back(std::to_string(dropped.size() - kNamedWarnings) +
-                   " more pieces were left out of the surface");
-  std::size_t small = 0;
+  for (const std::string& piece : dropped) left.push_back("left out of the surface: " + piece);
   for (const Handle& handle : handles)
-    if (std::string remark = remarkOn(handle); !remark.empty() && ++small <= kNamedWarnings)
-      list.push_back(std::move(remark));
-  if (small > kNamedWarnings)
-    list.push_back(std::to_string(small - kNamedWarnings) +
-                   " more holes and loops are smaller than the voxels tell");
+    if (std::string remark = remarkOn(handle); !remark.empty()) small.push_back(std::move(remark));
+  std::vector<std::string> list;
+  addFew(list, replaced, " more surface components were made by another method");
+  addFew(list, unsure, " more surface components are not verified");
+  addFew(list, left, " more pieces were left out of the surface", lostCuts + kNamedWarnings);
+  addFew(list, small, " more holes and loops are smaller than the voxels tell");
   return list;
 }
 
@@ -184,11 +170,11 @@ MadeSurface makeSurface(const Volume<float>& phi, const SplineField& field,
   }
   if (!origin.dropped.empty()) {
     made.lostCuts = dropLostPorts(made.mesh, made.ports, away.sections.size());
-    // First, so that no number of small pieces hides them from the warnings.
     std::vector<std::string> lost;
     for (const std::size_t cut : made.lostCuts)
       lost.push_back(away.nameOf(cut) + " with the part that it ends");
     origin.dropped.insert(origin.dropped.begin(), lost.begin(), lost.end());
+    origin.lostCuts = lost.size();
   }
   addHandles(origin, phi, away, progress);
   if (params.method == SurfaceMethod::AdvancingFront)

@@ -25,6 +25,7 @@ struct SurfaceOrigin {
   std::optional<double> estimatedTriangles;  ///< before meshing
   std::optional<double> smoothTriangles;     ///< see ExpectedSurface
   std::vector<std::string> dropped;          ///< what was left out, in words
+  std::size_t lostCuts = 0;                  ///< that many of these, the first, are cuts
   /// Of the voxels of phi, where a component's genus is not 0. The interpolant may join or part
   /// voxels that touch at a corner otherwise.
   std::vector<Handle> handles;
@@ -32,8 +33,9 @@ struct SurfaceOrigin {
   [[nodiscard]] std::size_t unverified() const;
   /// What is left wrong with the first component that no method could make soundly, in words.
   [[nodiscard]] std::string fault() const;
-  /// A sentence for each component that another method had to make, for each that was not verified,
-  /// for each piece that was left out, and for each handle too small to be relied on.
+  /// Sentences on components that another method had to make or that were not verified, on pieces
+  /// that were left out and on handles too small to be relied on; of each kind a few. Every lost cut
+  /// is named.
   [[nodiscard]] std::vector<std::string> warnings() const;
 };
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/few_warnings.h"
 #include "core/levelset/close_handles.h"
 #include "core/levelset/redistance.h"
 #include "core/surface/wall_field.h"
@@ -14,7 +15,6 @@ namespace angiomesh {
 namespace {
 
 /// More of one kind would hide what else there is to say.
-constexpr std::size_t kNamed = 10;
 /// Standard deviations of the wall's place that a handle has to exceed to be believed.
 constexpr double kSure = 3.0;
 /// Working voxels: the least point spread of a scanner. That of voxels alone is 0.29.
@@ -42,20 +42,18 @@ void closeHandles(Volume<float>& phi, const WallEvidence& evidence, EvolveResult
   limits.depth = kLargestDoubt * phi.geometry.voxelMm();
   const Volume<float> doubt = doubtOf(phi.geometry, evidence);
   const std::vector<HandleChange> changes = closeSmallHandles(phi, limits, &doubt, progress);
+  std::vector<std::string> closed;
   for (const HandleChange& change : changes) {
     ++(change.filled ? result.wall->filledHoles : result.wall->cutHandles);
-    if (result.wall->filledHoles + result.wall->cutHandles > kNamed) continue;
     char text[200];
     std::snprintf(text, sizeof text,
                   "%s near L %.1f P %.1f S %.1f mm, which the noise explains, was %s (%zu voxels)",
                   change.filled ? "a hole through a vessel" : "a thin loop", change.placeLps.x(),
                   change.placeLps.y(), change.placeLps.z(), change.filled ? "filled" : "cut",
                   change.voxels);
-    warnings.emplace_back(text);
+    closed.emplace_back(text);
   }
-  if (changes.size() > kNamed)
-    warnings.push_back(std::to_string(changes.size() - kNamed) +
-                       " more holes and loops that the noise explains were closed");
+  addFew(warnings, closed, " more holes and loops that the noise explains were closed");
 }
 
 /// The smooth wall, its phi a distance again.

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
+#include "core/base/few_warnings.h"
 #include "core/quality/vessel_at.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/section.h"
@@ -242,8 +243,6 @@ void measureSlants(const SplineField& field, const Volume<float>& phi, std::vect
 }
 
 std::vector<std::string> slantWarnings(const std::vector<Port>& ports) {
-  // More of them would hide what else there is to say; the list of ports has all.
-  constexpr std::size_t named = 6;
   double largest = 0.0;
   for (const Port& port : ports) largest = std::max(largest, port.areaMm2);
   std::vector<const Port*> flagged;
@@ -253,13 +252,12 @@ std::vector<std::string> slantWarnings(const std::vector<Port>& ports) {
   }
   std::stable_sort(flagged.begin(), flagged.end(),
                    [](const Port* a, const Port* b) { return a->areaMm2 > b->areaMm2; });
-  std::vector<std::string> sentences;
-  for (std::size_t n = 0; n < std::min(named, flagged.size()); ++n)
-    sentences.push_back(slantText(*flagged[n]));
-  if (flagged.size() > named)
-    sentences.push_back(std::to_string(flagged.size() - named) +
-                        " smaller ports slice their vessels, too: --cut-borders ends all of them "
-                        "across");
+  std::vector<std::string> texts, sentences;
+  for (const Port* port : flagged) texts.push_back(slantText(*port));
+  // More than elsewhere: the largest are most likely the inlet and the outlets.
+  constexpr std::size_t named = 6;
+  addFew(sentences, texts,
+         " smaller ports slice their vessels, too: --cut-borders ends all of them across", named);
   return sentences;
 }
 

@@ -257,10 +257,16 @@ class TestSurfaceStep : public QObject {
     origin.components.push_back(part);
     origin.dropped.assign(300, "a speck");
     QCOMPARE(origin.unverified(), std::size_t{500});
-    const std::vector<std::string> warnings = origin.warnings();
-    QVERIFY(warnings.size() < 60);
+    std::vector<std::string> warnings = origin.warnings();
+    QCOMPARE(warnings.size(), std::size_t{8});
     QVERIFY(warnings.front().find("a reason") != std::string::npos);
-    QVERIFY(warnings.back().find("280 more") != std::string::npos);
+    QVERIFY(warnings[3].find("497 more") != std::string::npos);
+    QVERIFY(warnings.back().find("297 more") != std::string::npos);
+    // A cut that is lost is one that somebody asked for.
+    origin.lostCuts = 7;
+    warnings = origin.warnings();
+    QCOMPARE(warnings.size(), std::size_t{15});
+    QVERIFY(warnings.back().find("290 more") != std::string::npos);
   }
 };
 
