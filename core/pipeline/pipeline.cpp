@@ -16,6 +16,7 @@
 #include "core/base/parallel.h"
 #include "core/pipeline/evolve_step.h"
 #include "core/pipeline/expected_surface.h"
+#include "core/pipeline/segmentation_doubts.h"
 #include "core/pipeline/segments.h"
 #include "core/quality/border_slant.h"
 #include "core/quality/mesh_faults.h"
@@ -353,9 +354,13 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
       return std::make_shared<const EvolveResult>(
           takeLabel(*run.preprocessed, params, progress.sub(0.35, 0.8), warnings));
     auto vessels = options.keepResults ? run.vesselness : std::exchange(run.vesselness, nullptr);
-    return std::make_shared<const EvolveResult>(
+    const double c = vessels->c;
+    auto made = std::make_shared<const EvolveResult>(
         makeSegmentation(*run.preprocessed, std::move(vessels), *run.seeds, params, options,
-                         progress.sub(0.35, 0.8), warnings));
+                         progress.sub(0.35, 0.79), warnings));
+    const Warnings doubts = segmentationDoubts(*run.source.image, *made, params, c);
+    warnings.insert(warnings.begin(), doubts.begin(), doubts.end());
+    return made;
   };
   run.evolve = state_->obtain<EvolveResult>(Step::Evolve, run.key, run, evolveStep);
   if (run.evolve->stopReason == StopReason::Stopped) state_->forget(Step::Evolve, run.key);

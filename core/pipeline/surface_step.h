@@ -34,8 +34,8 @@ struct SurfaceOrigin {
   /// What is left wrong with the first component that no method could make soundly, in words.
   [[nodiscard]] std::string fault() const;
   /// Sentences on components that another method had to make or that were not verified, on pieces
-  /// that were left out and on handles too small to be relied on; of each kind a few. Every lost cut
-  /// is named.
+  /// that were left out and on handles too small to be relied on; of each kind a few. Every lost
+  /// cut is named.
   [[nodiscard]] std::vector<std::string> warnings() const;
 };
 
