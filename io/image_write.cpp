@@ -284,6 +284,8 @@ void writePair(const fs::path& path, const std::string& extension,
   const fs::path header = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
   checkTarget(header);
   const fs::path folder = folderOf(header);
+  // What a killed program left unfinished may give the header other voxels.
+  finishCommits(folder);
   const std::string stem = voxelStem(header);
   std::string name = stem + extension;
   for (int n = 1; fs::exists(fs::symlink_status(folder / name, error)); ++n)
