@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 fs::path noteOf(const fs::path& folder) { return placeIn(folder, "cache/evolve.json"); }
 fs::path phiOf(const fs::path& folder) { return placeIn(folder, "cache/evolve.nrrd"); }
@@ -68,7 +68,10 @@ Json toJson(const CachedEvolve& evolve) {
   if (r.label)
     json["label"] = {{"voxels", r.label->voxels},
                      {"largestShiftVoxels", r.label->largestShiftVoxels},
-                     {"maskVolumeMm3", r.label->maskVolumeMm3}};
+                     {"maskVolumeMm3", r.label->maskVolumeMm3},
+                     {"joined", r.label->contacts.joined},
+                     {"parted", r.label->contacts.parted},
+                     {"left", r.label->contacts.left}};
   if (r.wall)
     json["wall"] = {{"spreadVoxels", r.wall->spreadVoxels},
                     {"heldVoxels", r.wall->heldVoxels},
@@ -94,8 +97,11 @@ CachedEvolve fromJson(const Json& json) {
   if (json.contains("upper")) r.upper = json.at("upper").get<double>();
   if (json.contains("label")) {
     const Json& label = json.at("label");
-    r.label = {label.at("voxels").get<std::size_t>(), label.at("largestShiftVoxels").get<double>(),
-               label.at("maskVolumeMm3").get<double>()};
+    r.label = {label.at("voxels").get<std::size_t>(),
+               label.at("largestShiftVoxels").get<double>(),
+               label.at("maskVolumeMm3").get<double>(),
+               {label.at("joined").get<std::size_t>(), label.at("parted").get<std::size_t>(),
+                label.at("left").get<std::size_t>()}};
   }
   if (json.contains("wall")) {
     const Json& wall = json.at("wall");

@@ -60,7 +60,7 @@ constexpr std::size_t kMeasuredComponents = 200;
 struct LabelFacts {
   std::size_t voxels = 0;
   double largestShiftVoxels = 0.0, maskVolumeMm3 = 0.0;
-  MaskContacts contacts = {};  ///< not kept in a case
+  MaskContacts contacts = {};
 };
 
 /// What came of making the wall smooth, see SmoothWall.

@@ -471,6 +471,8 @@ class TestCaseFile : public QObject {
     evolve.result.phi = std::make_shared<const Volume<float>>(phi);
     evolve.result.thresholds = {0.2, 0.1, 0.3, true};
     evolve.result.lower = 12.5;
+    evolve.result.label = {417, 0.25, 52.125, {3, 2, 1}};
+    evolve.result.wall = {0.75, 14, 5, 9};
     evolve.result.iterations = 140;
     evolve.result.stopReason = StopReason::Settled;
     evolve.report.step = Step::Evolve;
@@ -485,6 +487,13 @@ class TestCaseFile : public QObject {
     QVERIFY(back->result.phi->voxels == phi.voxels);
     QCOMPARE(back->result.thresholds.b, 0.1);
     QVERIFY(back->result.lower == 12.5 && !back->result.upper);
+    const LabelFacts& label = *back->result.label;
+    QVERIFY(label.voxels == 417 && label.largestShiftVoxels == 0.25 &&
+            label.maskVolumeMm3 == 52.125);
+    QVERIFY(label.contacts.joined == 3 && label.contacts.parted == 2 && label.contacts.left == 1);
+    const WallFacts& wall = *back->result.wall;
+    QVERIFY(wall.spreadVoxels == 0.75 && wall.heldVoxels == 14 && wall.filledHoles == 5 &&
+            wall.cutHandles == 9);
     QCOMPARE(back->result.iterations, 140);
     QCOMPARE(back->result.stopReason, StopReason::Settled);
     QVERIFY(back->report.warnings == evolve.report.warnings);
@@ -512,7 +521,7 @@ class TestCaseFile : public QObject {
     QVERIFY(readCache(a, "00ff"));
     save(a / "cache/evolve.json", "{\"format\": 1, \"key\": \"00ff\"}");
     QVERIFY(!readCache(a, "00ff"));
-    for (const char* note : {"[", "{\"format\": \"x\"}", "{\"format\": 2, \"key\": 5}"}) {
+    for (const char* note : {"[", "{\"format\": \"x\"}", "{\"format\": 3, \"key\": 5}"}) {
       save(a / "cache/evolve.json", note);
       QVERIFY(!readCache(a, "00ff"));
       writeCache(a, evolve);
