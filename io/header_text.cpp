@@ -97,17 +97,34 @@ void throwBadHeader(const fs::path& path, const std::string& what) {
                    "write the image again with another program");
 }
 
-std::map<std::string, std::string> textFields(std::istream& in, const char* signs,
-                                              const std::string& last) {
-  std::map<std::string, std::string> fields;
+bool saysTheSame(const std::string& one, const std::string& other) {
+  if (one == other) return true;
+  std::istringstream a(one), b(other);
+  double x = 0.0, y = 0.0;
+  std::size_t numbers = 0;
+  for (; a >> x && b >> y; ++numbers)
+    if (x != y) return false;
+  return numbers > 0 && a.eof() && (b >> std::ws).eof();
+}
+
+void addField(HeaderFields& fields, const std::string& key, const std::string& value,
+              const fs::path& path) {
+  const auto [field, isNew] = fields.emplace(key, value);
+  if (!isNew && !saysTheSame(field->second, value))
+    throwBadHeader(path, key + " is '" + field->second + "' and '" + value + "'");
+}
+
+HeaderFields textFields(std::istream& in, const char* signs, const std::string& last,
+                        const fs::path& path) {
+  HeaderFields fields;
   std::string line;
   for (int lines = 0; lines < kMostLines && std::getline(in, line); ++lines) {
     if (trimmed(line).empty()) break;
     const std::size_t sign = line.find_first_of(signs);
     if (sign == std::string::npos || line[0] == '#') continue;
-    std::string key = trimmed(line.substr(0, sign));
+    const std::string key = trimmed(line.substr(0, sign));
     const bool isLast = key == last;
-    fields[key] = trimmed(line.substr(sign + 1));
+    if (key != "Comment") addField(fields, key, trimmed(line.substr(sign + 1)), path);
     if (isLast) break;
   }
   return fields;

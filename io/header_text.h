@@ -19,10 +19,19 @@ extern const char* const kNoSpacing;  ///< a warning
 /// Without blanks at its ends.
 std::string trimmed(const std::string& text);
 
+/// Whether two values are the same text, or the same numbers.
+bool saysTheSame(const std::string& one, const std::string& other);
+
+using HeaderFields = std::map<std::string, std::string>;
+
+/// @throws InputError where the field stands in the header already, with another value
+void addField(HeaderFields& fields, const std::string& key, const std::string& value,
+              const std::filesystem::path& path);
+
 /// "key SIGN value" lines up to an empty line or the key `last`; `in` then stands behind it. Lines
-/// that begin with # are left out.
-std::map<std::string, std::string> textFields(std::istream& in, const char* signs,
-                                              const std::string& last);
+/// that begin with # and comments are left out. @throws InputError as addField()
+HeaderFields textFields(std::istream& in, const char* signs, const std::string& last,
+                        const std::filesystem::path& path);
 
 /// "2 3 4" as positive numbers whose product is below 2^44; empty when it is anything else.
 std::vector<std::uintmax_t> parseSizes(const std::string& text);

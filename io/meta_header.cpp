@@ -59,7 +59,7 @@ VoxelPlace metaPlace(std::map<std::string, std::string>& fields, std::istream& i
   return place;
 }
 
-using Fields = std::map<std::string, std::string>;
+using Fields = HeaderFields;
 
 /// The first three of `all` numbers, or of `all` by `all` those of space.
 std::string numbersOfSpace(const Fields& fields, const std::string& key, std::size_t all,
@@ -81,11 +81,30 @@ std::string numbersOfSpace(const Fields& fields, const std::string& key, std::si
   return out.str();
 }
 
+/// The fields of a header, in which no two names of one thing have different values.
+Fields metaFields(std::istream& in, const fs::path& path) {
+  Fields fields = textFields(in, "=:", "ElementDataFile", path);
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"Offset", "Position", "Origin"},
+        {"TransformMatrix", "Rotation", "Orientation"}}) {
+    Fields::const_iterator first = fields.end();
+    for (const std::string& name : names) {
+      const auto found = fields.find(name);
+      if (found == fields.end()) continue;
+      if (first != fields.end() && !saysTheSame(first->second, found->second))
+        throwBadHeader(path, first->first + " is '" + first->second + "', " + name + " '" +
+                                 found->second + "'");
+      first = found;
+    }
+  }
+  return fields;
+}
+
 }  // namespace
 
 std::unique_ptr<MemoryFile> plainMetaImage(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
-  Fields fields = textFields(in, "=:", "ElementDataFile");
+  Fields fields = metaFields(in, path);
   const std::size_t dimensions = parseSizes(fields["DimSize"]).size();
   if (dimensions < 3) throwBadHeader(path, "DimSize is '" + fields["DimSize"] + "'");
   metaType(fields["ElementType"], path);
@@ -103,7 +122,7 @@ std::unique_ptr<MemoryFile> plainMetaImage(const fs::path& path) {
 
 ImageHeader readMetaImageHeader(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
-  auto fields = textFields(in, "=:", "ElementDataFile");
+  Fields fields = metaFields(in, path);
   if (fields["ElementDataFile"].empty()) throwBadHeader(path, "ElementDataFile is missing");
   ImageHeader header;
   VoxelData& data = header.data;

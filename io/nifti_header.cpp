@@ -26,6 +26,7 @@ constexpr std::size_t kHeader = 348;
 constexpr double kSkew = 1e-4;  // of the dot product of two unit axes, as in ITK
 // From where on sform and qform disagree.
 constexpr double kSeenDegrees = 0.1, kSeenScale = 1e-3, kSeenVoxels = 0.1;
+constexpr double kLongestQuaternion = 1.001;  // single precision leaves less
 
 /// The fields of a NIfTI-1 header by their offsets (nifti1.h).
 class Fields {
@@ -190,6 +191,10 @@ Affine chosenForm(const Fields& h, const Eigen::Vector3d& spacing, const fs::pat
   if (sCode > 0)
     warnings.push_back(std::string(fault) + ", which is left out: the qform of the file is taken");
   if (!q.allFinite()) throwBadHeader(path, "the qform is not finite");
+  if (const double length = Eigen::Vector3d(h.real(256), h.real(260), h.real(264)).norm();
+      length > kLongestQuaternion)
+    warnings.push_back("the quaternion of the file's qform has a length of " + rounded(length) +
+                       " instead of 1: where the patient lies may be wrong");
   return q;
 }
 
@@ -199,13 +204,18 @@ Geometry geometryOf(const Fields& h, const ImageHeader& header, const fs::path& 
   const int units = h.unitsOfSpace();
   const double mm = units == 1 ? 1000.0 : units == 3 ? 0.001 : 1.0;
   Geometry g;
+  bool negative = false;
   for (std::size_t a = 0; a < 3; ++a) {
+    negative = negative || h.real(80 + 4 * a) < 0.0;
     const double spacing = std::fabs(h.real(80 + 4 * a));
     if (!(spacing > 0.0) || !std::isfinite(spacing))
       throwBadHeader(path, "a voxel spacing is not positive");
     g.size[a] = static_cast<int>(header.size[a]);
     g.spacing[static_cast<Eigen::Index>(a)] = spacing;
   }
+  if (negative)
+    warnings.emplace_back(
+        "a voxel spacing of the file (pixdim) is negative: it is taken without its sign");
   Affine m = chosenForm(h, g.spacing, path, warnings) * mm;
   m.topRows<2>() *= -1.0;  // RAS to LPS
   for (Eigen::Index a = 0; a < 3; ++a) {

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "io/header_text.h"
 #include "io/length_unit.h"
@@ -17,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* kDirections = "space directions";
 
 /// A number, NaN and infinity included. @throws InputError
 double numberOf(std::string word, const std::string& field, const fs::path& path) {
@@ -69,7 +71,7 @@ Eigen::Vector3d signsOfSpace(const NrrdFields& fields, const fs::path& path,
     return {1, 1, 1};
   }
   if (!name.empty()) throwBadHeader(path, "space is '" + space + "'");
-  if (fields.count("space dimension") != 0)
+  if (fields.count("space dimension") != 0 || fields.count(kDirections) != 0)
     warnings.emplace_back(
         "the file states its axes in a space without a name: they are taken for left, back and "
         "head");
@@ -109,6 +111,23 @@ void assumeSpacing(Eigen::Vector3d& spacing, std::vector<std::string>& warnings)
     }
 }
 
+/// Says that a field has other spacings than the one that is taken; NaN: none.
+void sayOther(const Eigen::Vector3d& taken, const std::string& field, const Eigen::Vector3d& others,
+              const std::string& otherField, std::vector<std::string>& warnings) {
+  constexpr double seen = 0.01;
+  for (Eigen::Index a = 0; a < 3; ++a) {
+    const double one = std::fabs(taken[a]), other = std::fabs(others[a]);
+    if (!(std::fabs(other - one) > seen * one)) continue;
+    std::ostringstream text;
+    text.precision(4);
+    text << "the voxels of the file are " << one << " mm long along axis " << a + 1 << " by its "
+         << field << " and " << other << " mm by its " << otherField << ": the " << field
+         << " are taken";
+    warnings.push_back(text.str());
+    return;
+  }
+}
+
 /// Of a file without directions: spacings, or what follows from the places of its ends, which also
 /// say where the first voxel is. In the middle of its cell, unless the file says "node".
 Geometry alongAxes(const NrrdFields& fields, const std::vector<std::size_t>& axes,
@@ -120,14 +139,17 @@ Geometry alongAxes(const NrrdFields& fields, const std::vector<std::size_t>& axe
   const Eigen::Vector3d most = perAxis(fields, "axis maxs", "axismaxs", axes, path);
   const std::vector<std::string> centres = nrrdWords(fieldOf(fields, "centers", "centerings"));
   const Eigen::Vector3d mm = unitsOf(fieldOf(fields, "units"), axes, warnings);
+  Eigen::Vector3d ends;
   std::array<bool, 3> node{};
   for (std::size_t a = 0; a < 3; ++a) {
     const auto i = static_cast<Eigen::Index>(a);
     node[a] = axes[a] < centres.size() && centres[axes[a]] == "node";
     const auto steps = static_cast<double>(node[a] ? sizes[a] - 1 : sizes[a]);
-    if (std::isnan(g.spacing[i]) && steps > 0.0) g.spacing[i] = (most[i] - least[i]) / steps;
-    g.spacing[i] *= mm[i];
+    ends[i] = steps > 0.0 ? (most[i] - least[i]) / steps : kUnknown;
+    ends[i] *= mm[i];
+    g.spacing[i] = std::isnan(g.spacing[i]) ? ends[i] : g.spacing[i] * mm[i];
   }
+  sayOther(g.spacing, "spacings", ends, "axis mins and maxs", warnings);
   assumeSpacing(g.spacing, warnings);
   for (std::size_t a = 0; a < 3; ++a) {
     const auto i = static_cast<Eigen::Index>(a);
@@ -192,7 +214,6 @@ std::vector<std::optional<std::vector<double>>> nrrdVectors(const std::string& t
 Geometry nrrdGeometry(const NrrdFields& fields, const std::vector<std::size_t>& axes,
                       const std::vector<std::uintmax_t>& sizes, const fs::path& path,
                       std::vector<std::string>& warnings) {
-  const char* const kDirections = "space directions";
   const auto vectors = nrrdVectors(fieldOf(fields, kDirections), kDirections, path);
   const Eigen::Vector3d signs = signsOfSpace(fields, path, warnings);
   const Eigen::Vector3d mm = unitsOf(fieldOf(fields, "space units"), {0, 1, 2}, warnings);
@@ -215,6 +236,12 @@ Geometry nrrdGeometry(const NrrdFields& fields, const std::vector<std::size_t>& 
     g.origin = signs.asDiagonal() * g.origin;
   } else if (directions < 3) {
     throwBadHeader(path, std::string(kDirections) + " is '" + fields.at(kDirections) + "'");
+  } else {
+    const std::string units = fieldOf(fields, "units");
+    const Eigen::Vector3d spacings = perAxis(fields, "spacings", "", axes, path);
+    sayOther(g.spacing, kDirections,
+             spacings.cwiseProduct(units.empty() ? mm : unitsOf(units, axes, warnings)), "spacings",
+             warnings);
   }
   const auto origin = nrrdVectors(fieldOf(fields, "space origin"), "space origin", path);
   if (origin.size() == 1 && origin.front())

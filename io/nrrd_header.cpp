@@ -88,7 +88,7 @@ Lines readLines(std::istream& in, const fs::path& path) {
     const std::string name = inSmall(trimmed(line.substr(0, sign)));
     const std::string value = trimmed(line.substr(sign + 1));
     if (isField(name) && key != sign)
-      lines.fields[name] = value;
+      addField(lines.fields, name, value, path);
     else if (key != std::string::npos)
       lines.foreign[trimmed(line.substr(0, key))] = trimmed(line.substr(key + 2));
     else

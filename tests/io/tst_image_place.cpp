@@ -354,6 +354,79 @@ class TestImagePlace : public QObject {
       QVERIFY(lies(got.geometry, {1, 1, 2}, {0, 0, 0}, {1, 1, 1}));
   }
 
+  void aHeaderThatSaysTwoThingsIsRefused() {
+    const auto meta = [](const std::string& lines) {
+      return "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\n" + lines +
+             "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + voxels();
+    };
+    for (const auto& [lines, fields] :
+         {std::pair<std::string, const char*>{"DimSize = 4 3 2\n", "'2 3 4' and '4 3 2'"},
+          {"ElementSpacing = 1 1 1\n", "ElementSpacing"},
+          {"Offset = 1 2 3\nPosition = 1 2 4\n", "Offset is '1 2 3', Position '1 2 4'"},
+          {"Offset = 1 2 3\nOrigin = 1 2\n", "Origin"},
+          {"TransformMatrix = 1 0 0 0 1 0 0 0 1\nOrientation = 0 1 0 1 0 0 0 0 1\n",
+           "Orientation"}})
+      QVERIFY2(read("v.mha", meta(lines)).error.contains(fields), lines.c_str());
+    for (const std::string lines : {"Comment = one\nComment = two\n", "DimSize = 2 3 4\n",
+                                    "Offset = 1 2 3\nPosition = 1.0 2.0 3.0\n"}) {
+      const Read got = read("v.mha", meta(lines));
+      QVERIFY2(got.error.isEmpty() && got.warnings.isEmpty(), lines.c_str());
+    }
+    QVERIFY(read("v.nrrd", nrrd("spacings: 1 2 3\nspacings: 1 2 4")).error.contains("spacings"));
+    QVERIFY(read("v.nrrd", nrrd("spacings: 1 2 3\nspacings: 1 2 3.0\na:=1\na:=2")).error.isEmpty());
+  }
+
+  /// NRRD allows one of them; who writes both means the same by them.
+  void spacingsThatDisagreeAreSaid_data() {
+    QTest::addColumn<QString>("fields");
+    QTest::addColumn<QString>("warning");
+    const QString directions = "space: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,3)\n";
+    QTest::newRow("directions") << directions + "spacings: 1 2 4"
+                                << "3 mm long along axis 3 by its space directions and 4 mm";
+    QTest::newRow("directions, alike") << directions + "spacings: 1 2 -3"
+                                       << "";
+    QTest::newRow("directions, unknown") << directions + "spacings: nan nan nan"
+                                         << "";
+    QTest::newRow("directions, units")
+        << "space: LPS\nspace units: \"cm\" \"cm\" \"cm\"\nspace directions: (0.1,0,0) "
+           "(0,0.2,0) (0,0,0.3)\nspacings: 0.1 0.2 0.3"
+        << "";
+    QTest::newRow("ends") << "spacings: 1 2 3\naxis mins: 0 0 0\naxis maxs: 4 6 12"
+                          << "1 mm long along axis 1 by its spacings and 2 mm";
+    QTest::newRow("ends, alike") << "spacings: 1 2 3\naxis mins: 0 0 0\naxis maxs: 2 6 12"
+                                 << "";
+    QTest::newRow("directions, no space") << "space directions: (1,0,0) (0,2,0) (0,0,3)"
+                                          << "a space without a name";
+  }
+  void spacingsThatDisagreeAreSaid() {
+    QFETCH(QString, fields);
+    QFETCH(QString, warning);
+    const Read got = read("v.nrrd", nrrd(fields.toStdString()));
+    QCOMPARE(got.error, QString());
+    QVERIFY((got.geometry.spacing - Eigen::Vector3d(1, 2, 3)).norm() < 1e-9);
+    QCOMPARE(got.warnings.isEmpty(), warning.isEmpty());
+    QVERIFY2(got.warnings.contains(warning), qPrintable(got.warnings));
+  }
+
+  void aQformThatIsNoneIsSaid() {
+    const Folder f;
+    Volume<std::uint8_t> image;
+    image.geometry.size = {2, 3, 4};
+    image.geometry.spacing = {1, 2, 3};
+    image.voxels = BigVector<std::uint8_t>(24, 1);
+    writeVolume(image, f / "v.nii");
+    std::string bytes = bytesOf(f / "v.nii");
+    put(bytes, 254, short{0});
+    QCOMPARE(read("v.nii", bytes).warnings, QString());
+    std::string turned = bytes;
+    for (const std::size_t at : {256, 260, 264}) put(turned, at, 1.0F);
+    QVERIFY(read("v.nii", turned).warnings.contains("a length of 1.732 instead of 1"));
+    put(bytes, 80, -1.0F);
+    const Read negative = read("v.nii", bytes);
+    QVERIFY2(negative.warnings.contains("pixdim) is negative"), qPrintable(negative.warnings));
+    QVERIFY((negative.geometry.spacing - Eigen::Vector3d(1, 2, 3)).norm() < 1e-9);
+  }
+
   void metaImagesHaveUnitsToo() {
     const auto meta = [](const std::string& line) {
       return "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\nOffset = 4 5 "
