@@ -63,8 +63,9 @@ PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path)
       for (std::string_view corner = scan.word(); !corner.empty(); corner = scan.word()) {
         long long index = 0;
         // "7", "7/1" or "7/1/2": only the point counts. Negative numbers count from the end.
-        if (std::from_chars(corner.data(), corner.data() + corner.size(), index).ec != std::errc())
-          throw broken(number);
+        const char* const last = corner.data() + corner.size();
+        const auto [end, error] = std::from_chars(corner.data(), last, index);
+        if (error != std::errc() || (end != last && *end != '/')) throw broken(number);
         const auto points = static_cast<long long>(mesh.points.size());
         index = index < 0 ? points + index : index - 1;
         if (index < 0 || index >= points) throw broken(number);

@@ -235,6 +235,11 @@ PolygonMesh readPly(const std::string& bytes, const fs::path& path) {
       readRows(element, body, element.name == "face" ? &mesh : nullptr, patches, path);
     }
   }
+  if (const std::size_t rest = body.rest(); rest > 0) {
+    const std::string_view left = std::string_view(bytes).substr(bytes.size() - rest);
+    if (left.find_first_not_of(" \t\r\n\f\v") != std::string_view::npos)
+      mesh.remarks.push_back(leftBytes(rest));
+  }
   if (!patches.empty()) {
     header.patches.try_emplace(0, kWallName);
     groupByNumber(mesh, patches, header.patches, "patch_");

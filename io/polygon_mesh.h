@@ -25,6 +25,14 @@ struct PolygonMesh {
   std::vector<std::string> remarks;  ///< warnings of the reader, without the file's name
 };
 
+/// A remark on bytes that come after all that a header tells of: a second mesh, most likely.
+inline std::string leftBytes(std::size_t bytes) {
+  return "the file holds " + std::to_string(bytes) +
+         " bytes after what its header tells of, which are left out: several meshes in one file "
+         "are "
+         "not read";
+}
+
 /// @throws IoError (truncated), InputError (not such a file)
 PolygonMesh readPly(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path);

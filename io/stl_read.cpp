@@ -95,10 +95,11 @@ PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path)
   if (bytes.size() < kHeader)
     throw InputError("not an STL file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
   if (bytes.size() > expected) {
-    // Trailing bytes are harmless, unless the count is not one.
     if (count == 0)
       throw InputError("not an STL file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
-    return readBinary(bytes, count);
+    PolygonMesh mesh = readBinary(bytes, count);
+    mesh.remarks.push_back(leftBytes(bytes.size() - expected));
+    return mesh;
   }
   throw IoError("the STL file is truncated or not an STL file (" + std::to_string(bytes.size()) +
                     " of " + std::to_string(expected) + " bytes)",

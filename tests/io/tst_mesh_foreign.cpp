@@ -430,6 +430,42 @@ class TestMeshForeign : public QObject {
     }
   }
 
+  void whatComesAfterAMeshIsSaid() {
+    const Folder folder;
+    TriMesh mesh = tube();
+    mesh.patch.clear();
+    for (const char* name : {"m.stl", "m.ply"})
+      for (const MeshEncoding encoding : {MeshEncoding::Binary, MeshEncoding::Ascii}) {
+        MeshWriteOptions options;
+        options.encoding = encoding;
+        writeMesh(mesh, folder / name, options);
+        const std::string one = bytesOf(folder / name);
+        QCOMPARE(joined(loadMesh(folder / name).warnings), QString());
+        save(folder / name, one + one);
+        const LoadedMesh back = loadMesh(folder / name);
+        // Texts of several solids are one surface, of which all triangles are there twice then.
+        const bool all = back.mesh.triangles.size() == 2 * mesh.triangles.size();
+        const bool said = joined(back.warnings).contains("bytes after what its header tells of");
+        QVERIFY2(all != said, name);
+        save(folder / name, one + "\r\n \n");
+        if (encoding == MeshEncoding::Ascii)
+          QCOMPARE(joined(loadMesh(folder / name).warnings), QString());
+      }
+  }
+
+  void aCornerOfAnObjIsAWholeNumber() {
+    const Folder folder;
+    const std::string points = "v 0 0 0\nv 5 0 0\nv 0 5 0\n";
+    for (const char* face : {"f 1 2 3", "f 1/1 2/ 3/1/1", "f 1//1 -2//1 3//1"}) {
+      save(folder / "m.obj", points + face);
+      QCOMPARE(loadMesh(folder / "m.obj").mesh.triangles.size(), std::size_t{1});
+    }
+    for (const char* face : {"f 1.5 2 3", "f 1 2e0 3", "f 1 2 3x", "f 1,2,3"}) {
+      save(folder / "m.obj", points + face);
+      QVERIFY2(messageOf([&] { loadMesh(folder / "m.obj"); }).contains("line 4"), face);
+    }
+  }
+
   void linesOfAnObjGoOn() {
     const Folder folder;
     save(folder / "m.obj",
