@@ -2,6 +2,7 @@
 #include "app/cli/field_input.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -44,15 +45,11 @@ std::optional<Volume<float>> fieldOf(const std::string& path, const Progress& pr
   return std::move(loaded.image);
 }
 
-bool reachesBorder(const Volume<std::uint8_t>& mask) {
-  const Index3& n = mask.geometry.size;
-  for (int k = 0; k < n[2]; ++k)
-    for (int j = 0; j < n[1]; ++j) {
-      const bool inner = k > 0 && k < n[2] - 1 && j > 0 && j < n[1] - 1;
-      for (int i = 0; i < n[0]; i += inner ? std::max(n[0] - 1, 1) : 1)
-        if (mask.at(i, j, k) != 0) return true;
-    }
-  return false;
+/// Says that the outside of vessels was taken for their inside.
+void sayInsideOut(double shareOfBorder, const char* what, const char* hint) {
+  if (shareOfBorder > 0.5)
+    printWarning(std::string(what) + " on " + std::to_string(std::lround(100.0 * shareOfBorder)) +
+                 " % of the volume's border, where vessels are not: " + hint);
 }
 
 std::size_t countInside(const Volume<std::uint8_t>& mask) {
@@ -119,6 +116,8 @@ MeshInput readMeshInput(const std::string& path, const MaskChoice& choice, const
   if (choice.label.empty() && !choice.threshold)
     if (auto field = fieldOf(path, progress.sub(0.0, 0.2))) {
       input.phi = std::move(*field);
+      sayInsideOut(shareOfBorder(insideMask(input.phi)), "the function is negative",
+                   "is it positive inside? Then give --threshold 0");
       if (params != nullptr) keepParts(*params, nullptr, input, progress.sub(0.2, 1.0));
       return input;
     }
@@ -135,7 +134,9 @@ MeshInput readMeshInput(const std::string& path, const MaskChoice& choice, const
     if (const std::string words = contactText(contacts); !words.empty()) printWarning(words);
     keepParts(*params, &chosen.mask, input, progress.sub(0.9, 1.0));
   }
-  input.atBorder = reachesBorder(chosen.mask);
+  const double atBorder = shareOfBorder(chosen.mask);
+  sayInsideOut(atBorder, "the mask lies", "is it 0 inside? Then turn it round");
+  input.atBorder = atBorder > 0.0;
   input.voxels = countInside(chosen.mask);
   input.largestShiftVoxels = made.largestShiftVoxels;
   input.maskVolumeMm3 = volumeBetweenCentres(chosen.mask);

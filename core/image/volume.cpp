@@ -84,6 +84,20 @@ Volume<std::uint8_t> insideMask(const Volume<float>& phi) {
   return mask;
 }
 
+double shareOfBorder(const Volume<std::uint8_t>& mask) {
+  const Index3& n = mask.geometry.size;
+  std::size_t all = 0, set = 0;
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j) {
+      const bool inner = k > 0 && k < n[2] - 1 && j > 0 && j < n[1] - 1;
+      for (int i = 0; i < n[0]; i += inner ? std::max(n[0] - 1, 1) : 1) {
+        ++all;
+        set += mask.at(i, j, k) != 0 ? 1 : 0;
+      }
+    }
+  return static_cast<double>(set) / static_cast<double>(std::max<std::size_t>(all, 1));
+}
+
 Components connectedComponents(const Volume<std::uint8_t>& mask, bool fullyConnected) {
   const Geometry& g = mask.geometry;
   Components result{Volume<std::int32_t>(g), {}};

@@ -114,4 +114,8 @@ Components connectedComponents(const Volume<std::uint8_t>& mask, bool fullyConne
 /// 1 where phi < 0, 0 elsewhere.
 Volume<std::uint8_t> insideMask(const Volume<float>& phi);
 
+/// Of the voxels in the outermost planes of a mask, the share that is not 0. Of vessels next to
+/// nothing is; more than half is of a mask that is inside out.
+double shareOfBorder(const Volume<std::uint8_t>& mask);
+
 }  // namespace angiomesh

@@ -2,6 +2,7 @@
 #include "core/pipeline/evolve_step.h"
 
 #include <chrono>
+#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -166,6 +167,10 @@ EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
     throw InputError(voxels == 0 ? "no voxel has this value" : "all voxels have this value",
                      "segmentation.label = " + std::to_string(params.segmentation.label),
                      "choose another label, or another segmentation.method for a scan");
+  if (const double share = shareOfBorder(mask); share > 0.5)
+    warnings.push_back("the label lies on " + std::to_string(std::lround(100.0 * share)) +
+                       " % of the volume's border, where vessels are not: is it what lies around "
+                       "them? Choose another segmentation.label");
   MaskDistance made = distanceOfMask(mask, progress.sub(0.0, 0.6));
   EvolveResult result;
   result.label = {voxels, made.largestShiftVoxels, made.maskVolumeMm3, {}};

@@ -131,6 +131,26 @@ class TestCliMasks : public QObject, CliFolder {
     QVERIFY(!QFile::exists(at("none.ply")));
   }
 
+  void whatIsInsideOutIsSaid() {
+    save(rod(-1.0F, 1.0F), "outward.nrrd");  // as networks and some programs leave it
+    const CliResult outward = cli({"mesh", "outward.nrrd", "-o", "m.ply", "--json"});
+    QVERIFY2(outward.errors.contains("the function is negative on 100 % of the volume's border") &&
+                 outward.errors.contains("--threshold 0"),
+             outward.errors.constData());
+    save(rod(0.0F, 1.0F), "mask.nrrd");
+    const CliResult turned =
+        cli({"mesh", "outward.nrrd", "-o", "m.ply", "--json", "--threshold", "0"});
+    QCOMPARE(turned.errors, QByteArray());
+    QCOMPARE(volume(turned), volume(cli({"mesh", "mask.nrrd", "-o", "m.ply", "--json"})));
+    save(rod(1.0F, 0.0F), "hole.nrrd");
+    QVERIFY(cli({"mesh", "hole.nrrd", "-o", "m.ply"}).errors.contains("the mask lies on 100 %"));
+    const CliResult run = cli({"run", "hole.nrrd", "--set", "segmentation.method=label", "-o",
+                               "around", "--until", "evolve"});
+    QVERIFY(run.output.contains("the label lies on 100 %"));
+    save(rod(0.0F, 1.0F, 20, 0), "through.nrrd");
+    QVERIFY(!cli({"mesh", "through.nrrd", "-o", "m.ply"}).errors.contains("the mask lies on"));
+  }
+
   void labelsAreJoined() {
     Volume<float> labels = rod(0.0F, 1.0F);
     for (int k = 10; k < 20; ++k)
