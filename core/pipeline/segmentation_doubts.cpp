@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/base/few_warnings.h"
+#include "core/pipeline/segments.h"
 #include "core/quality/brighter_around.h"
 
 namespace angiomesh {
@@ -17,20 +18,6 @@ constexpr double kWorthAWord = 0.01;
 constexpr std::size_t kManyHoles = 50;
 constexpr double kManyHolesPerVoxel = 1e-3;
 
-/// The centre of the voxel deepest inside a part, mm LPS.
-Eigen::Vector3d deepest(const Volume<float>& phi, const Volume<std::int32_t>& labels,
-                        std::int32_t label) {
-  std::size_t best = 0;
-  bool any = false;
-  for (std::size_t n = 0; n < labels.voxels.size(); ++n)
-    if (labels.voxels[n] == label && (!any || phi.voxels[n] < phi.voxels[best])) {
-      best = n;
-      any = true;
-    }
-  const Index3 p = phi.geometry.indexOf(best);
-  return phi.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
-}
-
 std::vector<std::string> brighterParts(const Volume<float>& image, const Volume<float>& phi,
                                        const Components& parts, std::size_t inside,
                                        Polarity polarity) {
@@ -40,9 +27,11 @@ std::vector<std::string> brighterParts(const Volume<float>& image, const Volume<
     ++large;
   const std::vector<double> shares = brighterAround(image, phi, parts.labels, large, polarity);
   std::vector<std::string> texts;
+  std::vector<Eigen::Vector3d> inner;
   for (std::size_t n = 0; n < shares.size(); ++n) {
     if (!(shares[n] > kBrighterShare)) continue;
-    const Eigen::Vector3d p = deepest(phi, parts.labels, static_cast<std::int32_t>(n + 1));
+    if (inner.empty()) inner = innerPoints(phi, parts);
+    const Eigen::Vector3d& p = inner[n];
     char text[300];
     std::snprintf(text, sizeof text,
                   "a part that is %.0f %% of the segmentation is no vessel: %.0f %% of what lies "

@@ -37,19 +37,23 @@ std::vector<bool> labelsAt(const Volume<std::int32_t>& labels, std::size_t count
   return hit;
 }
 
-/// For each label, its voxel of smallest phi (deepest inside).
-std::vector<std::size_t> deepestVoxels(const Volume<float>& phi, const Components& found) {
-  const BigVector<std::int32_t>& labels = found.labels.voxels;
-  std::vector<std::size_t> deepest(found.sizes.size(), labels.size());
+}  // namespace
+
+std::vector<Eigen::Vector3d> innerPoints(const Volume<float>& phi, const Components& parts) {
+  const BigVector<std::int32_t>& labels = parts.labels.voxels;
+  std::vector<std::size_t> deepest(parts.sizes.size(), labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] == 0) continue;
     std::size_t& best = deepest[static_cast<std::size_t>(labels[i] - 1)];
     if (best == labels.size() || phi.voxels[i] < phi.voxels[best]) best = i;
   }
-  return deepest;
+  std::vector<Eigen::Vector3d> points;
+  for (const std::size_t voxel : deepest) {
+    const Index3 p = phi.geometry.indexOf(voxel);
+    points.push_back(phi.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]}));
+  }
+  return points;
 }
-
-}  // namespace
 
 Segments selectSegments(const Volume<float>& phi, const SegmentationParams& params,
                         const std::vector<double>& seedsByHand, const Progress& progress) {
@@ -57,7 +61,7 @@ Segments selectSegments(const Volume<float>& phi, const SegmentationParams& para
   const bool byFaces =
       params.method == SegmentationMethod::Label && params.connectivity == MaskConnectivity::Faces;
   Components found = connectedComponents(insideMask(phi), !byFaces);
-  const std::vector<std::size_t> deepest = deepestVoxels(phi, found);
+  const std::vector<Eigen::Vector3d> inner = innerPoints(phi, found);
   const std::size_t count = found.sizes.size();
   const std::vector<bool> dropped = labelsAt(found.labels, count, params.drop);
   const std::vector<bool> seeded = labelsAt(found.labels, count, seedsByHand);
@@ -68,8 +72,7 @@ Segments selectSegments(const Volume<float>& phi, const SegmentationParams& para
     SegmentComponent component;
     component.voxels = found.sizes[n];
     component.volumeMm3 = static_cast<double>(found.sizes[n]) * g.voxelVolumeMm3();
-    const Index3 p = g.indexOf(deepest[n]);
-    component.innerPointLps = g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+    component.innerPointLps = inner[n];
     if (n < measures.size()) component.measure = measures[n];
     component.seeded = seeded[n];
     component.kept = !dropped[n] && component.volumeMm3 >= params.minVolumeMm3 &&

@@ -7,6 +7,9 @@
 
 namespace angiomesh {
 
+/// For each of the parts of phi < 0 the centre of the voxel deepest inside, mm LPS.
+std::vector<Eigen::Vector3d> innerPoints(const Volume<float>& phi, const Components& parts);
+
 /// The components of phi < 0 and which of them go into the surface. `seedsByHand` (LPS) serve keep
 /// = seeded.
 /// @throws NumericError when none is kept
