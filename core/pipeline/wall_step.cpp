@@ -14,7 +14,6 @@
 namespace angiomesh {
 namespace {
 
-/// More of one kind would hide what else there is to say.
 /// Standard deviations of the wall's place that a handle has to exceed to be believed.
 constexpr double kSure = 3.0;
 /// Working voxels: the least point spread of a scanner. That of voxels alone is 0.29.
