@@ -47,7 +47,7 @@ std::optional<Volume<float>> fieldOf(const std::string& path, const Progress& pr
 
 /// Says that the outside of vessels was taken for their inside.
 void sayInsideOut(double shareOfBorder, const char* what, const char* hint) {
-  if (shareOfBorder > 0.5)
+  if (shareOfBorder > kInsideOut)
     printWarning(std::string(what) + " on " + std::to_string(std::lround(100.0 * shareOfBorder)) +
                  " % of the volume's border, where vessels are not: " + hint);
 }
@@ -84,7 +84,9 @@ void keepParts(const Parameters& params, Volume<std::uint8_t>* mask, MeshInput& 
   const Segments segments =
       selectSegments(*phi, choice, params.seeds.points, progress.sub(0.0, 0.5));
   input.phi = *withoutDropped(phi, segments, progress.sub(0.5, 1.0));
-  if (mask != nullptr) leaveOut(segments, choice.connectivity, *mask);
+  if (mask == nullptr) return;
+  leaveOut(segments, choice.connectivity, *mask);
+  input.maskVolumeMm3 = volumeBetweenCentres(*mask);
 }
 
 }  // namespace
@@ -126,6 +128,8 @@ MeshInput readMeshInput(const std::string& path, const MaskChoice& choice, const
   input.labels = std::move(chosen.labels);
   input.otherLabels = !chosen.onlyOne;
   MaskDistance made = distanceOfMask(chosen.mask, progress.sub(0.2, 0.7));
+  input.largestShiftVoxels = made.largestShiftVoxels;
+  input.maskVolumeMm3 = made.maskVolumeMm3;
   input.phi = smoothMask(std::move(made.phi), params ? params->wall : SmoothWallParams{},
                          progress.sub(0.7, 0.8));
   if (params != nullptr) {
@@ -138,8 +142,6 @@ MeshInput readMeshInput(const std::string& path, const MaskChoice& choice, const
   sayInsideOut(atBorder, "the mask lies", "is it 0 inside? Then turn it round");
   input.atBorder = atBorder > 0.0;
   input.voxels = countInside(chosen.mask);
-  input.largestShiftVoxels = made.largestShiftVoxels;
-  input.maskVolumeMm3 = volumeBetweenCentres(chosen.mask);
   return input;
 }
 

@@ -11,6 +11,7 @@
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/mask_distance.h"
 #include "core/levelset/redistance.h"
+#include "core/pipeline/segments.h"
 #include "core/pipeline/wall_step.h"
 
 namespace angiomesh {
@@ -167,7 +168,7 @@ EvolveResult takeLabel(const Volume<float>& image, const Parameters& params,
     throw InputError(voxels == 0 ? "no voxel has this value" : "all voxels have this value",
                      "segmentation.label = " + std::to_string(params.segmentation.label),
                      "choose another label, or another segmentation.method for a scan");
-  if (const double share = shareOfBorder(mask); share > 0.5)
+  if (const double share = shareOfBorder(mask); share > kInsideOut)
     warnings.push_back("the label lies on " + std::to_string(std::lround(100.0 * share)) +
                        " % of the volume's border, where vessels are not: is it what lies around "
                        "them? Choose another segmentation.label");

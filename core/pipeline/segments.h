@@ -7,6 +7,9 @@
 
 namespace angiomesh {
 
+/// A mask that more of the volume's border belongs to is inside out, see shareOfBorder().
+constexpr double kInsideOut = 0.5;
+
 /// For each of the parts of phi < 0 the centre of the voxel deepest inside, mm LPS.
 std::vector<Eigen::Vector3d> innerPoints(const Volume<float>& phi, const Components& parts);
 
