@@ -18,6 +18,15 @@ std::string voxels(int count = 24) {
   return bytes;
 }
 
+/// 2 x 3 x 4 voxels of 1 x 2 x 3 mm, all 1.
+Volume<std::uint8_t> fullMask() {
+  Volume<std::uint8_t> image;
+  image.geometry.size = {2, 3, 4};
+  image.geometry.spacing = {1, 2, 3};
+  image.voxels = BigVector<std::uint8_t>(24, 1);
+  return image;
+}
+
 std::string nrrd(const std::string& fields) {
   return "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 2 3 4\nencoding: raw\n" + fields + "\n\n" +
          voxels();
@@ -245,11 +254,7 @@ class TestImagePlace : public QObject {
     QFETCH(int, qCode);
     QFETCH(QString, warning);
     const Folder f;
-    Volume<std::uint8_t> image;
-    image.geometry.size = {2, 3, 4};
-    image.geometry.spacing = {1, 2, 3};
-    image.voxels = BigVector<std::uint8_t>(24, 1);
-    writeVolume(image, f / "v.nii");
+    writeVolume(fullMask(), f / "v.nii");
     std::string bytes = bytesOf(f / "v.nii");
     put(bytes, 252, static_cast<short>(qCode));
     put(bytes, 254, short{2});
@@ -271,10 +276,7 @@ class TestImagePlace : public QObject {
 
   void namesMayBeInCapitals() {
     const Folder f;
-    Volume<std::uint8_t> image;
-    image.geometry.size = {2, 3, 4};
-    image.geometry.spacing = {1, 2, 3};
-    image.voxels = BigVector<std::uint8_t>(24, 1);
+    const Volume<std::uint8_t> image = fullMask();
     for (const char* name :
          {"V.NII.GZ", "V.NII", "V.NRRD", "W.NHDR", "V.MHA", "X.MHD", "v.Nii.Gz"}) {
       writeVolume(image, f / name);
@@ -410,11 +412,7 @@ class TestImagePlace : public QObject {
 
   void aQformThatIsNoneIsSaid() {
     const Folder f;
-    Volume<std::uint8_t> image;
-    image.geometry.size = {2, 3, 4};
-    image.geometry.spacing = {1, 2, 3};
-    image.voxels = BigVector<std::uint8_t>(24, 1);
-    writeVolume(image, f / "v.nii");
+    writeVolume(fullMask(), f / "v.nii");
     std::string bytes = bytesOf(f / "v.nii");
     put(bytes, 254, short{0});
     QCOMPARE(read("v.nii", bytes).warnings, QString());
