@@ -13,6 +13,7 @@
 #include "bench/itk_volume.h"
 #include "bench/printed_method.h"
 #include "core/image/curvature_flow.h"
+#include "core/levelset/flood.h"
 #include "core/levelset/redistance.h"
 #include "core/lumen/lumen.h"
 #include "core/phantom/phantom.h"

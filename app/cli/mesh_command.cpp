@@ -16,7 +16,7 @@
 #include "core/pipeline/report.h"
 #include "core/pipeline/surface_step.h"
 #include "core/quality/border_slant.h"
-#include "core/quality/mesh_faults.h"
+#include "core/quality/mesh_quality.h"
 #include "core/surface/mesh_edges.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/tri_mesh.h"

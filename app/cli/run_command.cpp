@@ -15,7 +15,7 @@
 #include "core/pipeline/report.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/pipeline/segments.h"
-#include "core/quality/mesh_faults.h"
+#include "core/quality/mesh_quality.h"
 #include "core/quality/overlap.h"
 #include "io/files.h"
 #include "io/image_io.h"

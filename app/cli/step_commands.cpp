@@ -8,7 +8,7 @@
 #include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "core/pipeline/pipeline.h"
-#include "core/quality/mesh_faults.h"
+#include "core/quality/mesh_quality.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/spline_field.h"
 #include "core/surface/wall_field.h"

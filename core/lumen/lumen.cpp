@@ -11,7 +11,6 @@
 #include "core/base/large_pages.h"
 #include "core/base/parallel.h"
 #include "core/levelset/cell_band.h"
-#include "core/levelset/seeds.h"
 #include "core/lumen/axis_smoothing.h"
 #include "core/lumen/local_levels.h"
 
@@ -21,9 +20,8 @@ namespace {
 constexpr std::size_t kGrain = 8192;
 /// Voxels beside the wall are not full: what they tell about the lumen's brightness counts less.
 constexpr float kWallShare = 0.02F;
-constexpr float kAlong = 0.6F;      // cosine: two parts lie end to end
-constexpr float kCoreRatio = 3.0F;  // v over b in the core of a vessel
-constexpr float kFull = 0.75F;      // of the contrast: as bright as the lumen
+constexpr float kAlong = 0.6F;  // cosine: two parts lie end to end
+constexpr float kFull = 0.75F;  // of the contrast: as bright as the lumen
 constexpr std::uint32_t kLeastCore = 30;
 constexpr float kFaintest = -0.33F;  // below the wall's level, of the contrast: no vessel any more
 constexpr float kFar = 0.75F;        // |phi| away from the wall, working voxels
@@ -432,48 +430,6 @@ Volume<float> refineLumen(const Volume<float>& image, const Volume<std::uint8_t>
   if (std::all_of(found.voxels.begin(), found.voxels.end(), [](std::uint8_t f) { return f == 0; }))
     return Volume<float>(image.geometry, kFar);
   return Refiner(image, found, params, polarity, progress).run(progress, evidence);
-}
-
-Volume<float> floodStart(const Volume<float>& vesselness, double b,
-                         const Volume<std::uint8_t>& found) {
-  Volume<float> phi(vesselness.geometry);
-  const auto scale = static_cast<float>(b);
-  parallelFor(0, phi.voxels.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const float below = (scale - vesselness.voxels[i]) / scale;
-      phi.voxels[i] =
-          found.voxels[i] != 0 ? std::clamp(below, -0.5F, -0.01F) : std::clamp(below, 0.01F, 0.5F);
-    }
-  });
-  return phi;
-}
-
-Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b,
-                                  const std::vector<Eigen::Vector3d>& seedsLps, double radiusVoxels,
-                                  std::size_t leastVoxels) {
-  const auto least = static_cast<float>(b);
-  constexpr std::size_t grain = 1 << 16;
-  Volume<std::uint8_t> mask(vesselness.geometry);
-  parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      mask.voxels[i] = static_cast<std::uint8_t>(vesselness.voxels[i] >= least);
-  });
-  const std::vector<std::size_t> seeded =
-      voxelsAroundSeeds(vesselness.geometry, seedsLps, radiusVoxels);
-  for (const std::size_t voxel : seeded) mask.voxels[voxel] = 1;
-  const Components parts = connectedComponents(mask);
-  std::vector<std::uint8_t> kept(parts.sizes.size() + 1, 0);
-  for (std::size_t l = 0; l < parts.sizes.size(); ++l)
-    kept[l + 1] = parts.sizes[l] >= leastVoxels ? 1 : 0;
-  for (const std::size_t voxel : seeded)
-    kept[static_cast<std::size_t>(parts.labels.voxels[voxel])] = 1;
-  parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      mask.voxels[i] = kept[static_cast<std::size_t>(parts.labels.voxels[i])];
-      if (mask.voxels[i] != 0 && vesselness.voxels[i] >= kCoreRatio * least) mask.voxels[i] = 2;
-    }
-  });
-  return mask;
 }
 
 }  // namespace angiomesh

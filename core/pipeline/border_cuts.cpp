@@ -166,7 +166,7 @@ std::vector<std::string> addBorderCuts(const SplineField& field, const Volume<fl
     planes.push_back({slant->centreLps, slant->axisLps});
     names.push_back(name);
     try {
-      away = cutAway(field, phi, planes, names, progress);
+      away = checkedCutAway(field, phi, planes, names, progress);
       taken.insert(name);
     } catch (const InputError& error) {
       planes.pop_back();

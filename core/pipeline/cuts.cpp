@@ -56,7 +56,7 @@ std::optional<std::size_t> portAt(const Vector3d& place, const std::vector<Port>
 
 std::size_t takenBy(const SplineField& field, const Volume<float>& phi, const CutPlane& plane,
                     const std::string& name, const Progress& progress) {
-  return cutAway(field, phi, {plane}, {name}, progress).taken[0];
+  return checkedCutAway(field, phi, {plane}, {name}, progress).taken[0];
 }
 
 /// Where the axis through a vessel's centre meets the plane.
@@ -245,7 +245,7 @@ EndPlan planEndCuts(const SplineField& field, const Volume<float>& phi, const Sk
     planes.push_back({end.pointLps, end.outwardNormalLps});
     names.push_back(endName(number));
     try {
-      plan.away = cutAway(field, phi, planes, names, progress);
+      plan.away = checkedCutAway(field, phi, planes, names, progress);
       plan.planes.push_back(planes.back());
       plan.names.push_back(endName(number++));
     } catch (const InputError& error) {
@@ -272,7 +272,7 @@ CutAway makeCuts(const SplineField& field, const Volume<float>& phi, const PortP
     names.push_back(cut.name);
   }
   const Skeleton skeleton = skeletonOf(phi, progress);
-  CutAway away = cutAway(field, phi, planes, names, progress);
+  CutAway away = checkedCutAway(field, phi, planes, names, progress);
   if (params.cutEndsRadii > 0.0) {
     EndPlan ends = planEndCuts(field, phi, skeleton, away, params.cutEndsRadii, progress);
     remarks.insert(remarks.end(), ends.remarks.begin(), ends.remarks.end());

@@ -9,6 +9,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/levelset/comparison_methods.h"
+#include "core/levelset/flood.h"
 #include "core/levelset/mask_distance.h"
 #include "core/levelset/redistance.h"
 #include "core/pipeline/segments.h"

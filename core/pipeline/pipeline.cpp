@@ -19,7 +19,7 @@
 #include "core/pipeline/segmentation_doubts.h"
 #include "core/pipeline/segments.h"
 #include "core/quality/border_slant.h"
-#include "core/quality/mesh_faults.h"
+#include "core/quality/mesh_quality.h"
 #include "core/surface/wall_field.h"
 #include "core/vesselness/thickest.h"
 

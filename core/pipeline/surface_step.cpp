@@ -8,6 +8,7 @@
 #include "core/base/few_warnings.h"
 #include "core/pipeline/segments.h"
 #include "core/surface/clip_reference.h"
+#include "core/surface/grow_front.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/port_patches.h"
@@ -24,7 +25,9 @@ MadeSurface clippedMarchingCubes(const SplineField& field, const SurfaceParams& 
   const double cellMm = params.cellVoxels * field.geometry().voxelMm();
   PatchMesh mesh = referenceSurface(resampleField(field, cellMm, progress), ends, params.border,
                                     progress.sub(0.3, 0.6));
-  clipReference(mesh, away, field, size, ends, params.border, progress.sub(0.6, 1.0));
+  clipReference(mesh, away, field.geometry().voxelMm(), progress);
+  if (params.border == SurfaceBorder::Cap)
+    capCuts(mesh, away.sections.size(), field, size, ends, progress.sub(0.6, 1.0));
   MadeSurface made;
   made.ports = numberPatches(mesh, ends, away);
   made.mesh = std::move(mesh.mesh);

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/few_warnings.h"
 #include "core/quality/vessel_at.h"
+#include "core/surface/clip_reference.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/section.h"
 
@@ -191,7 +192,7 @@ class Finder {
     if (slant.flagged()) {
       if (++tries_ > kMostTries) return false;
       try {
-        const CutAway away = cutAway(field_, phi_, {section.plane});
+        const CutAway away = checkedCutAway(field_, phi_, {section.plane});
         if (!away.takenAt(port_.centreLps)) return false;
       } catch (const InputError&) {
         return false;

@@ -90,13 +90,4 @@ MeshFaults findFaults(const TriMesh& mesh, bool closed, const Progress& progress
   return faults;
 }
 
-std::string surfaceFault(const TriMesh& mesh, bool closed, const MeshQuality* known,
-                         const Progress& progress) {
-  if (known != nullptr && known->selfIntersections == 0 && known->nonManifoldEdges == 0 &&
-      known->nonManifoldVertices == 0 && known->oriented && (known->closed || !closed))
-    return {};
-  const MeshFaults faults = findFaults(mesh, closed, progress);
-  return faults.none() ? std::string() : "the surface " + faults.text();
-}
-
 }  // namespace angiomesh

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/quality/mesh_quality.h"
 #include "core/surface/tri_mesh.h"
 
 namespace angiomesh {
@@ -33,11 +32,6 @@ void locateFaults(const TriMesh& mesh, MeshFaults& faults);
 
 /// @throws Cancelled
 MeshFaults findFaults(const TriMesh& mesh, bool closed, const Progress& progress = {});
-
-/// "the surface cuts itself in ...", as text() has it, empty where it has no fault. `known`, where
-/// not null, is the mesh's quality, which may tell that at once. @throws Cancelled
-std::string surfaceFault(const TriMesh& mesh, bool closed, const MeshQuality* known = nullptr,
-                         const Progress& progress = {});
 
 /// "L 1.0 P 2.0 S 3.0 mm"
 std::string placeText(const Eigen::Vector3d& pointLps);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/quality/mesh_quality.h"
+#include "core/quality/mesh_faults.h"
 
 #include <algorithm>
 #include <cmath>
@@ -333,6 +334,15 @@ std::vector<float> radiusRatios(const TriMesh& mesh) {
   std::vector<float> ratios;
   for (const TriangleShape& s : shapesOf(mesh)) ratios.push_back(static_cast<float>(s.radiusRatio));
   return ratios;
+}
+
+std::string surfaceFault(const TriMesh& mesh, bool closed, const MeshQuality* known,
+                         const Progress& progress) {
+  if (known != nullptr && known->selfIntersections == 0 && known->nonManifoldEdges == 0 &&
+      known->nonManifoldVertices == 0 && known->oriented && (known->closed || !closed))
+    return {};
+  const MeshFaults faults = findFaults(mesh, closed, progress);
+  return faults.none() ? std::string() : "the surface " + faults.text();
 }
 
 }  // namespace angiomesh

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -79,5 +80,10 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi = nullptr
 /// Smallest angle in degrees and 2 r / R of every triangle; 0 where degenerate.
 std::vector<float> minAngles(const TriMesh& mesh);
 std::vector<float> radiusRatios(const TriMesh& mesh);
+
+/// "the surface cuts itself in ...", as text() has it, empty where it has no fault. `known`, where
+/// not null, is the mesh's quality, which may tell that at once. @throws Cancelled
+std::string surfaceFault(const TriMesh& mesh, bool closed, const MeshQuality* known = nullptr,
+                         const Progress& progress = {});
 
 }  // namespace angiomesh

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/surface/wall_smoother.h"
+#include "core/quality/triangle_shape.h"
 
 namespace angiomesh {
 

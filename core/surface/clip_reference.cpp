@@ -9,7 +9,6 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/surface/grow_front.h"
 #include "core/surface/mesh_edges.h"
 #include "core/surface/reference_surface.h"
 
@@ -317,19 +316,6 @@ class Clipper {
   std::vector<std::uint16_t> cutOf_;  ///< per triangle: 1 + the cut that it is at, 0 elsewhere
 };
 
-// Per cut the loops of the rims that it left.
-std::vector<std::vector<std::vector<std::uint32_t>>> rimsOfCuts(const PatchMesh& mesh,
-                                                                std::size_t cuts) {
-  std::vector<std::map<std::uint32_t, std::uint32_t>> next(cuts);
-  for (const RimEdge& edge : rimEdges(mesh.mesh)) {
-    const std::uint16_t cut = mesh.place[edge.from].shared(mesh.place[edge.to]).cut;
-    if (cut != 0) next[cut - 1U][edge.from] = edge.to;
-  }
-  std::vector<std::vector<std::vector<std::uint32_t>>> rims;
-  for (auto& edges : next) rims.push_back(closedLoops(std::move(edges)));
-  return rims;
-}
-
 }  // namespace
 
 void checkSection(const SplineField& field, const Section& section, const std::string& name) {
@@ -341,27 +327,25 @@ void checkSection(const SplineField& field, const Section& section, const std::s
   Clipper(local, none, g.voxelMm()).check(section, name);
 }
 
-void clipReference(PatchMesh& reference, const CutAway& away, const SplineField& field,
-                   const GuidanceField& size, const EndPlanes& ends, SurfaceBorder border,
+void clipReference(PatchMesh& reference, const CutAway& away, double voxelMm,
                    const Progress& progress) {
   if (away.empty()) return;
-  Clipper clipper(reference, away, field.geometry().voxelMm());
+  Clipper clipper(reference, away, voxelMm);
   for (std::size_t n = 0; n < away.sections.size(); ++n) {
     progress.check();
     clipper.cut(n);
   }
   clipper.drop();
-  if (border == SurfaceBorder::Open) return;
-  const auto rims = rimsOfCuts(reference, away.sections.size());
-  std::vector<FrontPoint> points(reference.mesh.points.size());
-  for (std::size_t n = 0; n < rims.size(); ++n) {
-    for (const std::vector<std::uint32_t>& loop : rims[n])
-      for (const std::uint32_t v : loop) {
-        points[v].point = reference.mesh.points[v];
-        points[v].length = size.at(points[v].point);
-      }
-    fillCap(reference, rims[n], static_cast<int>(6 + n), points, field, size, ends, progress);
-  }
+}
+
+CutAway checkedCutAway(const SplineField& field, const Volume<float>& phi,
+                       const std::vector<CutPlane>& cuts, const std::vector<std::string>& names,
+                       const Progress& progress) {
+  CutAway named;
+  named.names = names;
+  for (std::size_t n = 0; n < cuts.size(); ++n)
+    checkSection(field, sectionOf(field, cuts[n], named.nameOf(n)), named.nameOf(n));
+  return cutAway(field, phi, cuts, names, progress);
 }
 
 }  // namespace angiomesh

@@ -9,7 +9,6 @@
 
 #include "core/base/error.h"
 #include "core/levelset/redistance.h"
-#include "core/surface/clip_reference.h"
 
 namespace angiomesh {
 namespace {
@@ -60,9 +59,7 @@ class Cutter {
 
   CutAway run(const std::vector<CutPlane>& cuts) {
     for (const CutPlane& cut : cuts) {
-      const std::string name = away_.nameOf(away_.sections.size());
-      away_.sections.push_back(sectionOf(field_, cut, name));
-      checkSection(field_, away_.sections.back(), name);
+      away_.sections.push_back(sectionOf(field_, cut, away_.nameOf(away_.sections.size())));
     }
     if (away_.sections.empty()) return std::move(away_);
     checkApart();

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-#include "core/surface/wall_smoother.h"
+#include "core/quality/triangle_shape.h"
 
 namespace angiomesh {
 namespace {

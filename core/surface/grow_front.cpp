@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/parallel.h"
 #include "core/surface/advancing_front.h"
@@ -144,6 +145,19 @@ class Wall {
   SurfaceCover cover_;
 };
 
+// Per cut the loops of the rims that it left.
+std::vector<std::vector<std::vector<std::uint32_t>>> rimsOfCuts(const PatchMesh& mesh,
+                                                                std::size_t cuts) {
+  std::vector<std::map<std::uint32_t, std::uint32_t>> next(cuts);
+  for (const RimEdge& edge : rimEdges(mesh.mesh)) {
+    const std::uint16_t cut = mesh.place[edge.from].shared(mesh.place[edge.to]).cut;
+    if (cut != 0) next[cut - 1U][edge.from] = edge.to;
+  }
+  std::vector<std::vector<std::vector<std::uint32_t>>> rims;
+  for (auto& edges : next) rims.push_back(closedLoops(std::move(edges)));
+  return rims;
+}
+
 }  // namespace
 
 Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const GuidanceField& size) {
@@ -203,6 +217,21 @@ void fillCap(PatchMesh& out, const std::vector<std::vector<std::uint32_t>>& loop
     out.mesh.triangles.push_back({toOut[corners[0]], toOut[corners[1]], toOut[corners[2]]});
     out.patch.push_back(static_cast<std::uint16_t>(1 + plane));
     out.origin.push_back(front.origins()[t]);
+  }
+}
+
+void capCuts(PatchMesh& mesh, std::size_t cuts, const SplineField& field, const GuidanceField& size,
+             const EndPlanes& ends, const Progress& progress) {
+  if (cuts == 0) return;
+  const auto rims = rimsOfCuts(mesh, cuts);
+  std::vector<FrontPoint> points(mesh.mesh.points.size());
+  for (std::size_t n = 0; n < rims.size(); ++n) {
+    for (const std::vector<std::uint32_t>& loop : rims[n])
+      for (const std::uint32_t v : loop) {
+        points[v].point = mesh.mesh.points[v];
+        points[v].length = size.at(points[v].point);
+      }
+    fillCap(mesh, rims[n], static_cast<int>(6 + n), points, field, size, ends, progress);
   }
 }
 

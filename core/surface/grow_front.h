@@ -39,4 +39,8 @@ void fillCap(PatchMesh& out, const std::vector<std::vector<std::uint32_t>>& loop
              const std::vector<FrontPoint>& loopPoints, const SplineField& field,
              const GuidanceField& size, const EndPlanes& ends, const Progress& progress);
 
+/// Caps for the rims that clipReference() left at the sections of cuts. @throws Cancelled
+void capCuts(PatchMesh& mesh, std::size_t cuts, const SplineField& field, const GuidanceField& size,
+             const EndPlanes& ends, const Progress& progress = {});
+
 }  // namespace angiomesh

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/quality/triangle_shape.h"
 #include "core/surface/held_planes.h"
 #include "core/surface/mesh_edges.h"
 
@@ -28,20 +29,6 @@ std::vector<char> closedPatches(const TriMesh& mesh, const SplineField* phi) {
   return closed;
 }
 }  // namespace
-
-double largestCosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  const Eigen::Vector3d ab = b - a, bc = c - b, ca = a - c;
-  const double x = ab.norm(), y = bc.norm(), z = ca.norm();
-  if (!(x > 0.0 && y > 0.0 && z > 0.0)) return 1.0;
-  return std::max({-ab.dot(ca) / (x * z), -bc.dot(ab) / (x * y), -ca.dot(bc) / (y * z)});
-}
-
-Eigen::Vector3d unitNormal(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                           const Eigen::Vector3d& c) {
-  const Eigen::Vector3d n = (b - a).cross(c - a);
-  const double length = n.norm();
-  return length > 0.0 ? Eigen::Vector3d(n / length) : Eigen::Vector3d::Zero();
-}
 
 WallSmoother::WallSmoother(const TriMesh& mesh, const SmoothParams& params, const SplineField* phi,
                            const Wall& wall, const std::vector<Port>& ports,

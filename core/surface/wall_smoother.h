@@ -96,11 +96,4 @@ class WallSmoother {
   std::vector<Vector3d> normals_;  ///< of the wall at the vertices
 };
 
-/// The largest cosine of a triangle's angles, 1 where an edge has no length.
-double largestCosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
-
-/// The unit normal of a triangle, 0 where it has no area.
-Eigen::Vector3d unitNormal(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                           const Eigen::Vector3d& c);
-
 }  // namespace angiomesh

@@ -35,7 +35,9 @@ class Mesher {
         size_(size) {
     reference_ = referenceSurface(sampleField(field, wholeGrid(field.geometry()), progress), ends_,
                                   border, progress.sub(0.15, 0.2));
-    clipReference(reference_, away, field, size_, ends_, border, progress);
+    clipReference(reference_, away, field.geometry().voxelMm(), progress);
+    if (border == SurfaceBorder::Cap)
+      capCuts(reference_, away.sections.size(), field, size_, ends_, progress);
     landmarks_ = landmarksOf(wallOf(reference_), field, size_);
     progress_.report(0.25);
   }

@@ -9,6 +9,7 @@
 #include "core/pipeline/border_cuts.h"
 #include "core/quality/port_advice.h"
 #include "core/quality/vessel_at.h"
+#include "core/surface/clip_reference.h"
 #include "core/surface/wall_field.h"
 
 namespace angiomesh {
@@ -90,7 +91,7 @@ PortJob::Made PortJob::together(const std::vector<std::size_t>& possible,
       chosen.push_back(planes[i]);
       cutNames.push_back(parseCut(cuts[i]).name);
     }
-    return cutAway(*ground.field, *ground.phi, chosen, cutNames, progress);
+    return checkedCutAway(*ground.field, *ground.phi, chosen, cutNames, progress);
   };
   try {
     return {possible, attempt(possible)};

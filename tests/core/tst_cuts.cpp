@@ -8,6 +8,7 @@
 #include "core/phantom/phantom.h"
 #include "core/phantom/shape.h"
 #include "core/quality/mesh_quality.h"
+#include "core/surface/clip_reference.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/mesh_shapes.h"
@@ -26,7 +27,7 @@ struct Cut {
       const std::vector<std::string>& names = {})
       : phi(std::move(volume)),
         field(phi, SplineKind::InterpolatingBspline),
-        away(cutAway(field, phi, cuts, names)) {}
+        away(checkedCutAway(field, phi, cuts, names)) {}
 
   [[nodiscard]] ZeroSetMesh mesh(SurfaceMethod method = SurfaceMethod::AdvancingFront,
                                  SurfaceBorder border = SurfaceBorder::Cap,
@@ -312,7 +313,7 @@ class TestCuts : public QObject {
     QCOMPARE(section.loops.size(), std::size_t{1});
     QVERIFY(section.radiusMm > 8.0);
     try {
-      cutAway(field, phi, {{neck, Vector3d::UnitX()}}, {"pinched"});
+      checkedCutAway(field, phi, {{neck, Vector3d::UnitX()}}, {"pinched"});
       QFAIL("cut");
     } catch (const InputError& error) {
       const QString text = error.what();
@@ -362,7 +363,8 @@ class TestCuts : public QObject {
     for (const SplineKind kind : {SplineKind::InterpolatingBspline, SplineKind::Bspline}) {
       const SplineField field(phi, kind);
       for (double z = 3.0; z < 60.0; z += 0.5) {
-        const CutAway away = cutAway(field, phi, {{{11.5, 10.5, z}, {0.0, 0.0, 1.0}}}, {"out"});
+        const CutAway away =
+            checkedCutAway(field, phi, {{{11.5, 10.5, z}, {0.0, 0.0, 1.0}}}, {"out"});
         // All of the tube beyond, but for specks beside it, and nothing before.
         std::size_t beyond = 0, taken = 0;
         for (std::size_t i = 0; i < phi.voxels.size(); ++i) {

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/levelset/flood.h"
 #include "core/lumen/axis_smoothing.h"
 #include "core/lumen/local_levels.h"
 #include "core/lumen/lumen.h"
