@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "fuzz/fuzz_file.h"
+#include "io/dicom.h"
 #include "io/image_header.h"
 #include "io/image_io.h"
 #include "io/label_image.h"

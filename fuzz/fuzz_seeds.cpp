@@ -10,6 +10,7 @@
 
 #include "io/case_file.h"
 #include "io/case_journal.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
 #include "tests/core/random_parameters.h"

@@ -10,6 +10,7 @@
 #include "core/base/json_text.h"
 #include "io/files.h"
 #include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/staged_folder.h"
 
 namespace angiomesh {

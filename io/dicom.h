@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "io/image_io.h"
+#include "core/base/progress.h"
+#include "core/image/projection.h"
+#include "io/loaded_image.h"
 
 namespace angiomesh {
 
@@ -22,5 +25,19 @@ LoadedImage readDicomStack(const std::shared_ptr<const DicomStack>& stack, bool 
 /// One entry per series, or per volume where a series holds several, by series UID.
 std::vector<ImageSummary> describeDicom(const std::filesystem::path& path, const Progress& progress,
                                         ScanDepth depth);
+
+/// The entry that is meant when none is chosen: the only one, or the only one of three slices and
+/// more with a position, so that localizers and single pictures do not stand in the way.
+std::optional<std::size_t> loneVolume(const std::vector<ImageSummary>& entries);
+
+/// That others were left out beside a loneVolume(); "" where there were none.
+std::string leftOutText(const std::vector<ImageSummary>& entries);
+
+/// True when `wanted` is the end of a volume's id, or of the UID of its series.
+bool fitsSeries(const std::string& id, const std::string& wanted);
+
+/// The middle slice of a DICOM entry, in the window of the file or the 1st to the 99.8th
+/// percentile, pixels square, the longer side `size` pixels. Empty when it cannot be read.
+Picture thumbnail(const ImageSummary& entry, int size);
 
 }  // namespace angiomesh

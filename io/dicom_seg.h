@@ -8,7 +8,7 @@
 #include "core/base/progress.h"
 #include "io/any_volume.h"
 #include "io/dicom_series.h"
-#include "io/label_image.h"
+#include "io/loaded_image.h"
 
 namespace angiomesh {
 

@@ -12,7 +12,7 @@
 #include "core/base/progress.h"
 #include "core/image/volume.h"
 #include "io/finding.h"
-#include "io/image_io.h"
+#include "io/loaded_image.h"
 
 namespace angiomesh {
 

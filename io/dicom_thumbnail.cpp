@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "io/dicom.h"
 #include "io/dicom_series.h"
 
 namespace angiomesh {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/image_write.h"
+
 #include <zlib.h>
 
 #include <Eigen/Dense>
@@ -18,7 +20,6 @@
 #include "core/base/error.h"
 #include "io/files.h"
 #include "io/image_format.h"
-#include "io/image_io.h"
 #include "io/staged_folder.h"
 #include "io/text_scanner.h"
 

@@ -14,15 +14,6 @@
 
 namespace angiomesh {
 
-/// One label of a segmentation.
-struct Label {
-  std::int64_t value = 0;
-  std::string name;  ///< of 3D Slicer's segmentations, else ""
-  int layer = 0;     ///< of 3D Slicer's segmentations whose segments overlap
-  std::size_t voxels = 0;
-  std::string id = {};  ///< of 3D Slicer's segmentations: unlike the name, of one segment only
-};
-
 /// The labels of an image: its values other than 0, ascending, by layers; empty where it is no
 /// label image, because a value is negative or no whole number or there are more than 4096. Values
 /// that other programs left nearly whole, or between 0 and 1, are taken as makeLabels() does.

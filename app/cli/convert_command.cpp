@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/surface/port.h"
 #include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
 #include "io/not_finite.h"

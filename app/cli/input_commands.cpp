@@ -10,8 +10,10 @@
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "core/phantom/truth_json.h"
+#include "io/dicom.h"
 #include "io/files.h"
 #include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/label_image.h"
 #include "io/staged_folder.h"
 

@@ -19,6 +19,7 @@
 #include "core/quality/overlap.h"
 #include "io/files.h"
 #include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
 #include "io/staged_folder.h"

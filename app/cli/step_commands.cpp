@@ -13,6 +13,7 @@
 #include "core/surface/spline_field.h"
 #include "core/surface/wall_field.h"
 #include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh::cli {

@@ -6,6 +6,7 @@
 
 #include "core/surface/tri_mesh.h"
 #include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "tests/app/cli_run.h"
 

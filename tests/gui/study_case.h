@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <filesystem>
 
-#include "io/image_io.h"
+#include "io/image_write.h"
 #include "window_case.h"
 
 namespace angiomesh::test {

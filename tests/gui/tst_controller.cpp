@@ -6,6 +6,7 @@
 
 #include "gui/model/case_controller.h"
 #include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "small_case.h"
 

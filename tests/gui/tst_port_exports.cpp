@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
 #include "port_case.h"

@@ -13,7 +13,7 @@
 #include <numeric>
 
 #include "gui/panel/plot_widget.h"
-#include "io/image_io.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "window_case.h"
 

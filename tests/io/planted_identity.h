@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/phantom/phantom.h"
+#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/io/dicom_writer.h"

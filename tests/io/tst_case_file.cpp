@@ -17,6 +17,7 @@
 #include "io/case_journal.h"
 #include "io/files.h"
 #include "io/find_source.h"
+#include "io/image_write.h"
 #include "io/temporary_place.h"
 #include "tests/core/random_parameters.h"
 #include "tests/io/io_test.h"
