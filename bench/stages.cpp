@@ -12,12 +12,12 @@
 #include "bench/itk_hessian.h"
 #include "bench/itk_volume.h"
 #include "bench/printed_method.h"
-#include "core/image/curvature_flow.h"
 #include "core/levelset/flood.h"
 #include "core/levelset/redistance.h"
 #include "core/lumen/lumen.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
+#include "core/preprocess/curvature_flow.h"
 
 namespace angiomesh::bench {
 namespace {

@@ -8,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "core/image/preprocess.h"
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/evolution.h"
 #include "core/levelset/mask_contacts.h"
@@ -16,6 +15,7 @@
 #include "core/lumen/lumen.h"
 #include "core/lumen/smooth_wall.h"
 #include "core/pipeline/cuts.h"
+#include "core/preprocess/preprocess.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/sizing.h"
 #include "core/surface/smoothing.h"

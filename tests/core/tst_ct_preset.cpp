@@ -4,11 +4,11 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/image/preprocess.h"
 #include "core/phantom/rasterise.h"
 #include "core/phantom/shape.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"
+#include "core/preprocess/preprocess.h"
 #include "core/quality/overlap.h"
 #include "tests/core/analytic.h"
 

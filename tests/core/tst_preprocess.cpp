@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/image/preprocess.h"
+#include "core/preprocess/preprocess.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

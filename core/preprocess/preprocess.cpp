@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/image/preprocess.h"
+#include "core/preprocess/preprocess.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
-#include "core/image/curvature_flow.h"
+#include "core/preprocess/curvature_flow.h"
 #include "core/surface/spline_field.h"
 
 namespace angiomesh {

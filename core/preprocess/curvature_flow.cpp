@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/image/curvature_flow.h"
+#include "core/preprocess/curvature_flow.h"
 
 #include <itkCommand.h>
 #include <itkCurvatureFlowImageFilter.h>
