@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/quality/predicates.h"
+#include "core/mesh/predicates.h"
 
 namespace angiomesh {
 namespace {

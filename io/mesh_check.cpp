@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
 #include "core/surface/port.h"
 #include "io/mesh_io.h"
 #include "io/mesh_patch.h"

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/quality/triangle_shape.h"
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/surface/wall.h"
 #include "io/files.h"
 #include "io/mesh_merge.h"

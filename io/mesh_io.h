@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
 

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <vector>
 
-#include "core/surface/mesh_edges.h"
-#include "core/surface/outward.h"
-#include "core/surface/point_grid.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/outward.h"
+#include "core/mesh/point_grid.h"
 #include "io/point_merger.h"
 
 namespace angiomesh {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
 

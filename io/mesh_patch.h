@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 #include "io/polygon_mesh.h"
 
 namespace angiomesh {

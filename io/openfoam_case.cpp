@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "core/surface/inside_point.h"
-#include "core/surface/mesh_edges.h"
-#include "core/surface/outward.h"
+#include "core/mesh/inside_point.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/outward.h"
 #include "io/files.h"
 #include "io/mesh_io.h"
 #include "io/openfoam_text.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/tri_mesh.h"
 #include "core/surface/port.h"
-#include "core/surface/tri_mesh.h"
 
 namespace angiomesh {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
 #include "io/files.h"
 #include "io/mesh_patch.h"
 #include "io/staged_folder.h"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/image/volume.h"
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 class vtkImageData;
 class vtkMatrix4x4;

@@ -3,7 +3,7 @@
 
 #include "core/image/projection.h"
 #include "core/image/volume.h"
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
 

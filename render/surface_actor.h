@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 class vtkActor;
 class vtkLookupTable;

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 #include "render/port_drag.h"
 
 class vtkRenderer;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/image/volume.h"
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 #include "render/port_marks.h"
 #include "render/slice_scene.h"
 

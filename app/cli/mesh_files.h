@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh::cli {

@@ -8,10 +8,10 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/mesh/tri_mesh.h"
 #include "core/quality/mesh_quality.h"
 #include "core/surface/sizing.h"
 #include "core/surface/spline_field.h"
-#include "core/surface/tri_mesh.h"
 
 namespace angiomesh::cli {
 

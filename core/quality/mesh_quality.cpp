@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/quality/mesh_quality.h"
-#include "core/quality/mesh_faults.h"
+#include "core/mesh/mesh_faults.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/base/parallel.h"
-#include "core/quality/self_intersection.h"
-#include "core/quality/triangle_intersection.h"
-#include "core/quality/triangle_shape.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/self_intersection.h"
+#include "core/mesh/triangle_intersection.h"
+#include "core/mesh/triangle_shape.h"
+#include "core/mesh/triangle_tree.h"
 #include "core/quality/wall_triangles.h"
-#include "core/surface/mesh_edges.h"
-#include "core/surface/triangle_tree.h"
 
 namespace angiomesh {
 namespace {

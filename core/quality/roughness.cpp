@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_shape.h"
+#include "core/mesh/triangle_tree.h"
 #include "core/quality/local_wall.h"
-#include "core/quality/triangle_shape.h"
-#include "core/surface/triangle_tree.h"
 
 namespace angiomesh {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/quality/wall_triangles.h"
-#include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
 namespace {

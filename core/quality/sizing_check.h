@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "core/base/progress.h"
+#include "core/mesh/tri_mesh.h"
 #include "core/surface/guidance_field.h"
-#include "core/surface/tri_mesh.h"
 
 namespace angiomesh {
 

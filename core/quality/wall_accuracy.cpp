@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/quality/local_wall.h"
-#include "core/quality/triangle_shape.h"
 #include "core/quality/wall_triangles.h"
 
 namespace angiomesh {

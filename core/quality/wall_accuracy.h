@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "core/base/progress.h"
+#include "core/mesh/tri_mesh.h"
 #include "core/phantom/wall_truth.h"
-#include "core/surface/tri_mesh.h"
 
 namespace angiomesh {
 

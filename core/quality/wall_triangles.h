@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/image/volume.h"
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/quality/triangle_shape.h"
+#include "core/mesh/triangle_shape.h"
 
 namespace angiomesh {
 

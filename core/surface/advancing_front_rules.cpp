@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/quality/predicates.h"
+#include "core/mesh/predicates.h"
 #include "core/surface/advancing_front.h"
 
 namespace angiomesh {

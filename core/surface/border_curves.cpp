@@ -8,9 +8,9 @@
 #include <map>
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/point_grid.h"
 #include "core/surface/border_trace.h"
-#include "core/surface/mesh_edges.h"
-#include "core/surface/point_grid.h"
 
 namespace angiomesh {
 namespace {

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/surface/reference_surface.h"
 
 namespace angiomesh {

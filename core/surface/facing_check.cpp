@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_tree.h"
 #include "core/surface/cell_bounds.h"
-#include "core/surface/triangle_tree.h"
 
 namespace angiomesh {
 namespace {

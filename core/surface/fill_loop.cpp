@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-#include "core/quality/triangle_shape.h"
+#include "core/mesh/triangle_shape.h"
 
 namespace angiomesh {
 namespace {

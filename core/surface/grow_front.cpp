@@ -7,9 +7,9 @@
 #include <map>
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/surface/advancing_front.h"
 #include "core/surface/border_curves.h"
-#include "core/surface/mesh_edges.h"
 #include "core/surface/surface_cover.h"
 
 namespace angiomesh {

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/surface/end_planes.h"
-#include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
 
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/surface/sagitta_offset.h"
 #include "core/surface/smooth_soundly.h"
 #include "core/surface/smoothing.h"

@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "core/mesh/half_edges.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/surface/fill_loop.h"
-#include "core/surface/half_edges.h"
-#include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
 namespace {

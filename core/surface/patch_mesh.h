@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/mesh/tri_mesh.h"
 #include "core/surface/end_planes.h"
-#include "core/surface/tri_mesh.h"
 
 namespace angiomesh {
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <optional>
 
-#include "core/surface/flat_area.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/flat_area.h"
+#include "core/mesh/mesh_edges.h"
 
 namespace angiomesh {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/surface/flat_area.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/flat_area.h"
+#include "core/mesh/mesh_edges.h"
 
 namespace angiomesh {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
 
 namespace angiomesh {
 

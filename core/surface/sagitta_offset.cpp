@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/surface/held_planes.h"
-#include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
 namespace {

@@ -11,7 +11,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
-#include "core/surface/flat_area.h"
+#include "core/mesh/flat_area.h"
 #include "core/surface/marching_square.h"
 #include "core/surface/root.h"
 

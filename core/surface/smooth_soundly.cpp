@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/surface/smooth_soundly.h"
 
-#include "core/quality/self_intersection.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/self_intersection.h"
 
 namespace angiomesh {
 namespace {

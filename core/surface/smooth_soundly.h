@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
 

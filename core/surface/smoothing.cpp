@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "core/base/parallel.h"
-#include "core/surface/half_edges.h"
+#include "core/mesh/half_edges.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/surface/held_planes.h"
-#include "core/surface/mesh_edges.h"
 #include "core/surface/smooth_soundly.h"
 
 namespace angiomesh {

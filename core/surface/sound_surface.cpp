@@ -6,13 +6,13 @@
 #include <map>
 #include <utility>
 
-#include "core/quality/mesh_faults.h"
-#include "core/quality/self_intersection.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/mesh_faults.h"
+#include "core/mesh/point_grid.h"
+#include "core/mesh/self_intersection.h"
+#include "core/mesh/triangle_tree.h"
 #include "core/surface/mend_mesh.h"
-#include "core/surface/mesh_edges.h"
-#include "core/surface/point_grid.h"
 #include "core/surface/remesh.h"
-#include "core/surface/triangle_tree.h"
 
 namespace angiomesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
 
 namespace angiomesh {
 

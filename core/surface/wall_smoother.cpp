@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/quality/triangle_shape.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/surface/held_planes.h"
-#include "core/surface/mesh_edges.h"
 
 namespace angiomesh {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/surface/half_edges.h"
+#include "core/mesh/half_edges.h"
 #include "core/surface/port.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/wall.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/quality/triangle_shape.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/surface/wall_smoother.h"
 
 namespace angiomesh {

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/quality/mesh_faults.h"
+#include "core/mesh/mesh_faults.h"
 #include "core/surface/clip_reference.h"
 #include "core/surface/grow_front.h"
 #include "core/surface/mend_mesh.h"

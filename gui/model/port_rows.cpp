@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "core/surface/flat_area.h"
+#include "core/mesh/flat_area.h"
 
 namespace angiomesh {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/image/volume.h"
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/vtk_view.h"
 #include "render/port_mark.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/tri_mesh.h"
 #include "core/phantom/phantom.h"
-#include "core/surface/tri_mesh.h"
 #include "io/image_io.h"
 #include "io/image_write.h"
 #include "io/mesh_io.h"

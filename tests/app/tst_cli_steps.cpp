@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 #include "io/image_io.h"
 #include "io/image_write.h"
 #include "io/mesh_io.h"

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <filesystem>
 
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
 #include "io/mesh_io.h"
 #include "tests/app/cli_process.h"
 #include "tests/core/mesh_shapes.h"

@@ -10,7 +10,7 @@
 
 #include "core/base/random.h"
 #include "core/image/volume.h"
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 #include "tests/core/analytic.h"
 
 // Meshes and fields with known properties.

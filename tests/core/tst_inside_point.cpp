@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/surface/inside_point.h"
+#include "core/mesh/inside_point.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

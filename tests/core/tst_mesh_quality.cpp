@@ -5,13 +5,13 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/predicates.h"
+#include "core/mesh/self_intersection.h"
+#include "core/mesh/triangle_intersection.h"
+#include "core/mesh/triangle_shape.h"
+#include "core/mesh/triangle_tree.h"
 #include "core/quality/mesh_quality.h"
-#include "core/quality/predicates.h"
-#include "core/quality/self_intersection.h"
-#include "core/quality/triangle_intersection.h"
-#include "core/quality/triangle_shape.h"
 #include "core/surface/marching_cubes.h"
-#include "core/surface/triangle_tree.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

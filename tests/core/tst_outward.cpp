@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
 
 #include <QTest>
 

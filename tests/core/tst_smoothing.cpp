@@ -5,12 +5,12 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/half_edges.h"
+#include "core/mesh/self_intersection.h"
+#include "core/mesh/triangle_tree.h"
 #include "core/quality/mesh_quality.h"
-#include "core/quality/self_intersection.h"
-#include "core/surface/half_edges.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/smoothing.h"
-#include "core/surface/triangle_tree.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

@@ -4,8 +4,8 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/mesh/mesh_faults.h"
 #include "core/pipeline/surface_step.h"
-#include "core/quality/mesh_faults.h"
 #include "core/quality/mesh_quality.h"
 #include "core/surface/cell_bounds.h"
 #include "core/surface/facing_check.h"

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "core/base/error.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

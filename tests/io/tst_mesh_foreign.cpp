@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/outward.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/outward.h"
 #include "core/surface/port.h"
 #include "io/cut_polygon.h"
 #include "io/mesh_io.h"

@@ -23,7 +23,7 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
 #include "core/surface/port.h"
 #include "core/surface/port_colour.h"
 #include "io/mesh_io.h"

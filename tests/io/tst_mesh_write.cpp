@@ -18,8 +18,8 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/quality/triangle_shape.h"
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
+#include "core/mesh/triangle_shape.h"
 #include "io/mesh_io.h"
 #include "tests/io/io_test.h"
 #include "tests/io/mesh_samples.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
 #include "io/mesh_io.h"
 #include "io/openfoam_case.h"
 #include "tests/io/external_mesher.h"

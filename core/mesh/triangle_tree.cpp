@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/triangle_tree.h"
+#include "core/mesh/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/outward.h"
+#include "core/mesh/outward.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
 
-#include "core/quality/predicates.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/predicates.h"
 
 namespace angiomesh {
 namespace {

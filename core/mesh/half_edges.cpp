@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/half_edges.h"
+#include "core/mesh/half_edges.h"
 
 namespace angiomesh {
 

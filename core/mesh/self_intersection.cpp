@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/self_intersection.h"
+#include "core/mesh/self_intersection.h"
 
 #include <algorithm>
 #include <bit>
 
 #include "core/base/parallel.h"
-#include "core/quality/triangle_intersection.h"
-#include "core/surface/box_tree.h"
-#include "core/surface/triangle_tree.h"
+#include "core/mesh/box_tree.h"
+#include "core/mesh/triangle_intersection.h"
+#include "core/mesh/triangle_tree.h"
 
 namespace angiomesh {
 namespace {

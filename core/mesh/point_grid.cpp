@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/point_grid.h"
+#include "core/mesh/point_grid.h"
 
 namespace angiomesh {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
 
 #include "core/base/error.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
 
 namespace angiomesh {
 namespace {

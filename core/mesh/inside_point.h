@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/inside_point.h"
+#include "core/mesh/inside_point.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/surface/mesh_edges.h"
-#include "core/surface/triangle_tree.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/triangle_tree.h"
 
 namespace angiomesh {
 namespace {

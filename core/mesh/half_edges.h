@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/surface/mesh_edges.h"
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "core/surface/tri_mesh.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
 

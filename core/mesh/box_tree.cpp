@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/box_tree.h"
+#include "core/mesh/box_tree.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
 #include "core/base/parallel.h"
-#include "core/surface/triangle_tree.h"
+#include "core/mesh/triangle_tree.h"
 
 namespace angiomesh {
 namespace {

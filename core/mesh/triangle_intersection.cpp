@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/triangle_intersection.h"
+#include "core/mesh/triangle_intersection.h"
 
-#include "core/quality/predicates.h"
+#include "core/mesh/predicates.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/triangle_shape.h"
+#include "core/mesh/triangle_shape.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

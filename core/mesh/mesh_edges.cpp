@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/mesh_edges.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/predicates.h"
+#include "core/mesh/predicates.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/mesh_faults.h"
+#include "core/mesh/mesh_faults.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <map>
 
-#include "core/quality/self_intersection.h"
-#include "core/surface/half_edges.h"
-#include "core/surface/mesh_edges.h"
+#include "core/mesh/half_edges.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/self_intersection.h"
 
 namespace angiomesh {
 namespace {
