@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/image/volume.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/quality/mesh_quality.h"
 #include "core/surface/sizing.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh::cli {
 

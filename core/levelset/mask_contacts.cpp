@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/surface/wall_field.h"
+#include "core/field/wall_field.h"
 
 namespace angiomesh {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/field/spline_field.h"
 #include "core/levelset/cell_band.h"
 #include "core/levelset/redistance.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 namespace {

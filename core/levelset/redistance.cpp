@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/surface/spline_field.h"
+#include "core/field/spline_field.h"
 
 namespace angiomesh {
 namespace {

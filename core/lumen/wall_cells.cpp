@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/base/parallel.h"
-#include "core/surface/spline_field.h"
+#include "core/field/spline_field.h"
 
 namespace angiomesh {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/base/few_warnings.h"
+#include "core/field/wall_field.h"
 #include "core/levelset/close_handles.h"
 #include "core/levelset/redistance.h"
-#include "core/surface/wall_field.h"
 
 namespace angiomesh {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
+#include "core/field/spline_field.h"
 #include "core/preprocess/curvature_flow.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 namespace {

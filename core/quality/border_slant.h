@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/field/spline_field.h"
 #include "core/surface/port.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

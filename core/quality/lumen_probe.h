@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/surface/spline_field.h"
+#include "core/field/spline_field.h"
 
 namespace angiomesh {
 

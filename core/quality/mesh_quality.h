@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/quality/roughness.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/phantom/phantom.h"
-#include "core/surface/spline_field.h"
 
 // Measures of a segmentation against the walls and centre lines that a phantom knows exactly.
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/surface/spline_field.h"
+#include "core/field/spline_field.h"
 
 namespace angiomesh {
 

@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/field/root.h"
 #include "core/surface/marching_square.h"
-#include "core/surface/root.h"
 
 namespace angiomesh {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/field/spline_field.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/end_planes.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/image/volume.h"
 #include "core/surface/section.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

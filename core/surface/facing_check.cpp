@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/field/cell_bounds.h"
 #include "core/mesh/triangle_tree.h"
-#include "core/surface/cell_bounds.h"
 
 namespace angiomesh {
 namespace {

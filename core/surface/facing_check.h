@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/surface/patch_mesh.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "core/field/spline_field.h"
 #include "core/surface/guidance_field.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

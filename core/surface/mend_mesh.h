@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/field/spline_field.h"
 #include "core/surface/patch_mesh.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/surface/end_planes.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/patch_mesh.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 
+#include "core/field/spline_field.h"
 #include "core/surface/end_planes.h"
 #include "core/surface/remesh.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

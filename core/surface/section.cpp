@@ -11,9 +11,9 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/field/root.h"
 #include "core/mesh/flat_area.h"
 #include "core/surface/marching_square.h"
-#include "core/surface/root.h"
 
 namespace angiomesh {
 namespace {

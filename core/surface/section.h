@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/field/spline_field.h"
 #include "core/surface/end_planes.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

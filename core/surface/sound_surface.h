@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/surface/end_planes.h"
 #include "core/surface/grow_front.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/patch_mesh.h"
-#include "core/surface/spline_field.h"
 #include "core/surface/surface_check.h"
 #include "core/surface/zero_set_mesh.h"
 

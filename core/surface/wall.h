@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/mesh/triangle_tree.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/field/spline_field.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/patch_mesh.h"
 #include "core/surface/port.h"
 #include "core/surface/sizing.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

@@ -2,9 +2,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/field/wall_field.h"
 #include "core/pipeline/cuts.h"
 #include "core/pipeline/expected_surface.h"
-#include "core/surface/wall_field.h"
 #include "gui/model/case_controller.h"
 
 namespace angiomesh {

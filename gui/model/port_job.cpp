@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/field/wall_field.h"
 #include "core/pipeline/border_cuts.h"
 #include "core/quality/port_advice.h"
 #include "core/quality/vessel_at.h"
 #include "core/surface/clip_reference.h"
-#include "core/surface/wall_field.h"
 
 namespace angiomesh {
 

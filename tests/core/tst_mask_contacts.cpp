@@ -2,11 +2,11 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/field/wall_field.h"
 #include "core/levelset/mask_contacts.h"
 #include "core/levelset/mask_distance.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/wall_step.h"
-#include "core/surface/wall_field.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/mesh_shapes.h"
 

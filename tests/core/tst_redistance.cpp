@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/field/spline_field.h"
 #include "core/levelset/redistance.h"
-#include "core/surface/spline_field.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

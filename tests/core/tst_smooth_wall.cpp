@@ -8,11 +8,11 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/field/spline_field.h"
 #include "core/levelset/mask_distance.h"
 #include "core/levelset/redistance.h"
 #include "core/lumen/local_quadric.h"
 #include "core/lumen/smooth_wall.h"
-#include "core/surface/spline_field.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

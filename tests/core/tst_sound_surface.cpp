@@ -4,10 +4,10 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/field/cell_bounds.h"
 #include "core/mesh/mesh_faults.h"
 #include "core/pipeline/surface_step.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/cell_bounds.h"
 #include "core/surface/facing_check.h"
 #include "core/surface/smooth_soundly.h"
 #include "core/surface/smoothing.h"

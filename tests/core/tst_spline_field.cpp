@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/surface/spline_field.h"
+#include "core/field/spline_field.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/surface/wall_field.h"
+#include "core/field/wall_field.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

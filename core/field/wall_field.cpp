@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/wall_field.h"
+#include "core/field/wall_field.h"
 
 #include <Eigen/Core>
 #include <algorithm>

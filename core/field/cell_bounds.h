@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "core/surface/spline_field.h"
+#include "core/field/spline_field.h"
 
 namespace angiomesh {
 

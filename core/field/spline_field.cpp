@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/spline_field.h"
+#include "core/field/spline_field.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

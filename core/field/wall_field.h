@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/field/spline_field.h"
 #include "core/image/volume.h"
-#include "core/surface/spline_field.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/cell_bounds.h"
+#include "core/field/cell_bounds.h"
 
 #include <algorithm>
 #include <array>
