@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/cli/session.h"
+#include "core/distance/mask_distance.h"
 #include "core/levelset/mask_contacts.h"
-#include "core/levelset/mask_distance.h"
 #include "core/pipeline/segments.h"
 #include "core/pipeline/wall_step.h"
 #include "io/image_io.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/distance/cell_band.h"
 #include "core/image/volume.h"
-#include "core/levelset/cell_band.h"
 
 namespace angiomesh {
 

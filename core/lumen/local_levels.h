@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/levelset/cell_band.h"
+#include "core/distance/cell_band.h"
 
 namespace angiomesh {
 

@@ -10,7 +10,7 @@
 
 #include "core/base/large_pages.h"
 #include "core/base/parallel.h"
-#include "core/levelset/cell_band.h"
+#include "core/distance/cell_band.h"
 #include "core/lumen/axis_smoothing.h"
 #include "core/lumen/local_levels.h"
 

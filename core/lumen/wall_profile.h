@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/levelset/cell_band.h"
+#include "core/distance/cell_band.h"
 #include "core/lumen/wall_cells.h"
 
 namespace angiomesh {

@@ -8,10 +8,10 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/distance/mask_distance.h"
+#include "core/distance/redistance.h"
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/flood.h"
-#include "core/levelset/mask_distance.h"
-#include "core/levelset/redistance.h"
 #include "core/pipeline/segments.h"
 #include "core/pipeline/wall_step.h"
 

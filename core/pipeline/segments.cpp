@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/levelset/redistance.h"
+#include "core/distance/redistance.h"
 
 namespace angiomesh {
 namespace {

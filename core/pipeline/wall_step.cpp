@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/base/few_warnings.h"
+#include "core/distance/redistance.h"
 #include "core/field/wall_field.h"
 #include "core/levelset/close_handles.h"
-#include "core/levelset/redistance.h"
 
 namespace angiomesh {
 namespace {

@@ -8,7 +8,7 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
-#include "core/levelset/redistance.h"
+#include "core/distance/redistance.h"
 
 namespace angiomesh {
 namespace {

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/levelset/redistance.h"
+#include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
 #include "io/image_io.h"
 #include "io/image_write.h"

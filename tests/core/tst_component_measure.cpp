@@ -2,7 +2,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/levelset/redistance.h"
+#include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/component_measure.h"
 #include "tests/core/analytic.h"

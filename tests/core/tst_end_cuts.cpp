@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/levelset/redistance.h"
+#include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/end_cuts.h"
 #include "tests/core/analytic.h"

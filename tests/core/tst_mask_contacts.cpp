@@ -2,9 +2,9 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/distance/mask_distance.h"
 #include "core/field/wall_field.h"
 #include "core/levelset/mask_contacts.h"
-#include "core/levelset/mask_distance.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/wall_step.h"
 #include "core/surface/zero_set_mesh.h"

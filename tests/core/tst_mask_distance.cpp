@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/mask_distance.h"
+#include "core/distance/mask_distance.h"
 
 #include <Eigen/Geometry>
 

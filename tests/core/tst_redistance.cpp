@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/distance/redistance.h"
 #include "core/field/spline_field.h"
-#include "core/levelset/redistance.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/levelset/redistance.h"
+#include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/skeleton.h"
 #include "tests/core/analytic.h"

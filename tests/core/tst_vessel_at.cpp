@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/levelset/redistance.h"
+#include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/vessel_at.h"
 #include "tests/core/analytic.h"

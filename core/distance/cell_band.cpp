@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/cell_band.h"
+#include "core/distance/cell_band.h"
 
 #include <algorithm>
 

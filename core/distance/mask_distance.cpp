@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/mask_distance.h"
+#include "core/distance/mask_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/distance/cell_band.h"
+#include "core/distance/redistance.h"
 #include "core/field/spline_field.h"
-#include "core/levelset/cell_band.h"
-#include "core/levelset/redistance.h"
 
 namespace angiomesh {
 namespace {

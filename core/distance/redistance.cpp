@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/redistance.h"
+#include "core/distance/redistance.h"
 
 #include <algorithm>
 #include <array>
