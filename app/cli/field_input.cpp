@@ -8,9 +8,9 @@
 
 #include "app/cli/session.h"
 #include "core/distance/mask_distance.h"
-#include "core/levelset/mask_contacts.h"
 #include "core/pipeline/segments.h"
 #include "core/pipeline/wall_step.h"
+#include "core/topology/mask_contacts.h"
 #include "io/image_io.h"
 #include "io/mask_values.h"
 

@@ -6,10 +6,10 @@
 
 #include "core/base/parallel.h"
 #include "core/field/wall_field.h"
-#include "core/levelset/voxel_topology.h"
 #include "core/lumen/local_levels.h"
 #include "core/lumen/local_quadric.h"
 #include "core/lumen/wall_cells.h"
+#include "core/topology/voxel_topology.h"
 
 namespace angiomesh {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/evolution.h"
-#include "core/levelset/mask_contacts.h"
 #include "core/levelset/seeds.h"
 #include "core/lumen/lumen.h"
 #include "core/lumen/smooth_wall.h"
@@ -20,6 +19,7 @@
 #include "core/surface/sizing.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
+#include "core/topology/mask_contacts.h"
 #include "core/vesselness/vesselness.h"
 
 namespace angiomesh {

@@ -9,7 +9,7 @@
 #include "core/base/few_warnings.h"
 #include "core/distance/redistance.h"
 #include "core/field/wall_field.h"
-#include "core/levelset/close_handles.h"
+#include "core/topology/close_handles.h"
 
 namespace angiomesh {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/levelset/close_handles.h"
-#include "core/levelset/handles.h"
-#include "core/levelset/voxel_topology.h"
 #include "core/quality/mesh_quality.h"
 #include "core/surface/marching_cubes.h"
+#include "core/topology/close_handles.h"
+#include "core/topology/handles.h"
+#include "core/topology/voxel_topology.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

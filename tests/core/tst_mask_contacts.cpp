@@ -4,10 +4,10 @@
 
 #include "core/distance/mask_distance.h"
 #include "core/field/wall_field.h"
-#include "core/levelset/mask_contacts.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/wall_step.h"
 #include "core/surface/zero_set_mesh.h"
+#include "core/topology/mask_contacts.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

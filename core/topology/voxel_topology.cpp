@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/voxel_topology.h"
+#include "core/topology/voxel_topology.h"
 
 #include <bit>
 

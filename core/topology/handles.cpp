@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/handles.h"
+#include "core/topology/handles.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/levelset/voxel_topology.h"
+#include "core/topology/voxel_topology.h"
 
 namespace angiomesh {
 namespace {

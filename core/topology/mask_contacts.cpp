@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/mask_contacts.h"
+#include "core/topology/mask_contacts.h"
 
 #include <algorithm>
 #include <array>

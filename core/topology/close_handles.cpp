@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/levelset/close_handles.h"
+#include "core/topology/close_handles.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/levelset/voxel_topology.h"
+#include "core/topology/voxel_topology.h"
 
 namespace angiomesh {
 namespace {
