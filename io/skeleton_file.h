@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/quality/skeleton.h"
+#include "core/centreline/skeleton.h"
 
 namespace angiomesh {
 

@@ -8,7 +8,7 @@
 #include "app/cli/field_input.h"
 #include "app/cli/options.h"
 #include "core/base/error.h"
-#include "core/quality/skeleton.h"
+#include "core/centreline/skeleton.h"
 #include "io/skeleton_file.h"
 
 namespace angiomesh::cli {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/centreline/skeleton.h"
 #include "core/pipeline/pipeline.h"
-#include "core/quality/skeleton.h"
 
 namespace angiomesh::cli {
 

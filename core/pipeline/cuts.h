@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/centreline/skeleton.h"
 #include "core/field/spline_field.h"
 #include "core/image/volume.h"
-#include "core/quality/skeleton.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/port.h"
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/centreline/component_measure.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/surface_step.h"
-#include "core/quality/component_measure.h"
 #include "core/quality/mesh_quality.h"
 
 namespace angiomesh {

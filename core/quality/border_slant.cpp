@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/few_warnings.h"
-#include "core/quality/vessel_at.h"
+#include "core/centreline/vessel_at.h"
 #include "core/surface/clip_reference.h"
 #include "core/surface/cut_away.h"
 #include "core/surface/section.h"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/quality/vessel_at.h"
+#include "core/centreline/vessel_at.h"
 
 namespace angiomesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/quality/skeleton.h"
+#include "core/centreline/skeleton.h"
 #include "core/surface/cut_away.h"
 
 namespace angiomesh {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/centreline/vessel_at.h"
 #include "core/field/wall_field.h"
 #include "core/pipeline/border_cuts.h"
 #include "core/quality/port_advice.h"
-#include "core/quality/vessel_at.h"
 #include "core/surface/clip_reference.h"
 
 namespace angiomesh {

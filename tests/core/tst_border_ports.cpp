@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/centreline/skeleton.h"
 #include "core/field/wall_field.h"
 #include "core/pipeline/border_cuts.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/surface_step.h"
 #include "core/quality/border_slant.h"
-#include "core/quality/skeleton.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

@@ -2,9 +2,9 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/centreline/component_measure.h"
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
-#include "core/quality/component_measure.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

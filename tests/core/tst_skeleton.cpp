@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/centreline/skeleton.h"
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
-#include "core/quality/skeleton.h"
 #include "tests/core/analytic.h"
 #include "tests/core/phantom_case.h"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/centreline/vessel_at.h"
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
-#include "core/quality/vessel_at.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

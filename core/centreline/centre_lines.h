@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/centreline/voxel_set.h"
 #include "core/image/volume.h"
-#include "core/quality/voxel_set.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/branch_line.h"
+#include "core/centreline/branch_line.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/centre_lines.h"
+#include "core/centreline/centre_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/quality/lumen_probe.h"
-#include "core/quality/skeleton.h"
+#include "core/centreline/lumen_probe.h"
+#include "core/centreline/skeleton.h"
 
 namespace angiomesh {
 

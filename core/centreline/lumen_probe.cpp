@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/lumen_probe.h"
+#include "core/centreline/lumen_probe.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

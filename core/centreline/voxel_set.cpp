@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/voxel_set.h"
+#include "core/centreline/voxel_set.h"
 
 #include <cmath>
 

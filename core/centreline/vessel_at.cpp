@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/vessel_at.h"
+#include "core/centreline/vessel_at.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/exact_math.h"
-#include "core/quality/lumen_probe.h"
+#include "core/centreline/lumen_probe.h"
 
 namespace angiomesh {
 namespace {

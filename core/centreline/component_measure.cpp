@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/component_measure.h"
+#include "core/centreline/component_measure.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "core/quality/centre_lines.h"
-#include "core/quality/voxel_set.h"
+#include "core/centreline/centre_lines.h"
+#include "core/centreline/voxel_set.h"
 
 namespace angiomesh {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/quality/centre_lines.h"
-#include "core/quality/skeleton.h"
+#include "core/centreline/centre_lines.h"
+#include "core/centreline/skeleton.h"
 
 namespace angiomesh {
 

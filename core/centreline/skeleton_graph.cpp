@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/skeleton_graph.h"
+#include "core/centreline/skeleton_graph.h"
 
 #include <algorithm>
 #include <limits>

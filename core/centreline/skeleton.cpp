@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/skeleton.h"
+#include "core/centreline/skeleton.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/quality/branch_line.h"
-#include "core/quality/centre_lines.h"
-#include "core/quality/lumen_probe.h"
-#include "core/quality/skeleton_graph.h"
-#include "core/quality/vessel_at.h"
-#include "core/quality/voxel_set.h"
+#include "core/centreline/branch_line.h"
+#include "core/centreline/centre_lines.h"
+#include "core/centreline/lumen_probe.h"
+#include "core/centreline/skeleton_graph.h"
+#include "core/centreline/vessel_at.h"
+#include "core/centreline/voxel_set.h"
 
 namespace angiomesh {
 namespace {
