@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/outward.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 #include "io/mesh_io.h"
 #include "io/mesh_patch.h"
 #include "io/mesh_place.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 #include "io/text_scanner.h"
 
 namespace angiomesh {

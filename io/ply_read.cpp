@@ -2,7 +2,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 #include "io/mesh_number.h"
 #include "io/mesh_patch.h"
 #include "io/polygon_mesh.h"

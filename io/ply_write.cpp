@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "core/surface/port_colour.h"
+#include "core/openings/port_colour.h"
 #include "io/mesh_text.h"
 #include "io/polygon_mesh.h"
 

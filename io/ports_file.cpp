@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
-#include "core/surface/port_json.h"
+#include "core/openings/port_json.h"
 #include "io/files.h"
 
 namespace angiomesh {

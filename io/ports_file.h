@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 
 namespace angiomesh {
 

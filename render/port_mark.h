@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/surface/end_planes.h"
+#include "core/openings/end_planes.h"
 
 namespace angiomesh {
 

@@ -7,7 +7,7 @@
 #include "app/cli/mesh_files.h"
 #include "app/cli/options.h"
 #include "core/base/error.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 #include "io/image_io.h"
 #include "io/image_write.h"
 #include "io/mesh_io.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/openings/port.h"
 #include "core/pipeline/cuts.h"
-#include "core/surface/port.h"
 
 namespace angiomesh {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 
 namespace angiomesh {
 namespace {

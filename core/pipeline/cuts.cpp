@@ -10,12 +10,12 @@
 
 #include "core/base/error.h"
 #include "core/centreline/vessel_at.h"
+#include "core/openings/port.h"
 #include "core/pipeline/border_cuts.h"
 #include "core/quality/border_slant.h"
 #include "core/quality/end_cuts.h"
 #include "core/quality/port_advice.h"
 #include "core/surface/clip_reference.h"
-#include "core/surface/port.h"
 
 namespace angiomesh {
 namespace {

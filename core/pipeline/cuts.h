@@ -11,8 +11,8 @@
 #include "core/centreline/skeleton.h"
 #include "core/field/spline_field.h"
 #include "core/image/volume.h"
-#include "core/surface/cut_away.h"
-#include "core/surface/port.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/port.h"
 
 namespace angiomesh {
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/field/spline_field.h"
+#include "core/openings/cut_away.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/segments.h"
 #include "core/pipeline/surface_step.h"
-#include "core/surface/cut_away.h"
 #include "core/surface/guidance_field.h"
 
 namespace angiomesh {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/parallel.h"
-#include "core/surface/port_json.h"
+#include "core/openings/port_json.h"
 
 namespace angiomesh {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/port.h"
 #include "core/pipeline/parameters.h"
-#include "core/surface/cut_away.h"
 #include "core/surface/guidance_field.h"
-#include "core/surface/port.h"
 #include "core/topology/handles.h"
 
 namespace angiomesh {

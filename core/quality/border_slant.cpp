@@ -10,9 +10,9 @@
 #include "core/base/error.h"
 #include "core/base/few_warnings.h"
 #include "core/centreline/vessel_at.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/section.h"
 #include "core/surface/clip_reference.h"
-#include "core/surface/cut_away.h"
-#include "core/surface/section.h"
 
 namespace angiomesh {
 namespace {

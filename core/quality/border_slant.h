@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/field/spline_field.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 
 namespace angiomesh {
 

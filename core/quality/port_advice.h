@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/centreline/skeleton.h"
-#include "core/surface/cut_away.h"
+#include "core/openings/cut_away.h"
 
 namespace angiomesh {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/surface/cut_away.h"
-#include "core/surface/end_planes.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/end_planes.h"
 #include "core/surface/front_surface.h"
 
 namespace angiomesh {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/field/root.h"
-#include "core/surface/marching_square.h"
+#include "core/openings/marching_square.h"
 
 namespace angiomesh {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/field/spline_field.h"
-#include "core/surface/cut_away.h"
-#include "core/surface/end_planes.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/end_planes.h"
 
 namespace angiomesh {
 

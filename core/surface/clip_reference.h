@@ -6,9 +6,9 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
-#include "core/surface/cut_away.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/section.h"
 #include "core/surface/patch_mesh.h"
-#include "core/surface/section.h"
 
 namespace angiomesh {
 

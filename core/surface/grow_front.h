@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/surface/cut_away.h"
-#include "core/surface/end_planes.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/end_planes.h"
 #include "core/surface/front_surface.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/patch_mesh.h"

@@ -9,7 +9,7 @@
 
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
-#include "core/surface/cut_away.h"
+#include "core/openings/cut_away.h"
 
 namespace angiomesh {
 namespace {

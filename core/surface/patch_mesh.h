@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
-#include "core/surface/end_planes.h"
+#include "core/openings/end_planes.h"
 
 namespace angiomesh {
 

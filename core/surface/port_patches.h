@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/surface/cut_away.h"
-#include "core/surface/end_planes.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/end_planes.h"
+#include "core/openings/port.h"
 #include "core/surface/patch_mesh.h"
-#include "core/surface/port.h"
 
 namespace angiomesh {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "core/field/spline_field.h"
-#include "core/surface/end_planes.h"
+#include "core/openings/end_planes.h"
 #include "core/surface/remesh.h"
 
 namespace angiomesh {

@@ -7,7 +7,7 @@
 #include "core/field/spline_field.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/tri_mesh.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 
 namespace angiomesh {
 

@@ -8,7 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/held_planes.h"
+#include "core/openings/held_planes.h"
 #include "core/surface/smooth_soundly.h"
 
 namespace angiomesh {

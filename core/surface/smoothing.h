@@ -8,7 +8,7 @@
 #include "core/base/progress.h"
 #include "core/field/spline_field.h"
 #include "core/mesh/tri_mesh.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 
 namespace angiomesh {
 

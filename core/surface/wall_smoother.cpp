@@ -8,7 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/triangle_shape.h"
-#include "core/surface/held_planes.h"
+#include "core/openings/held_planes.h"
 
 namespace angiomesh {
 namespace {

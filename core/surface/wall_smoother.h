@@ -8,7 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/half_edges.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/wall.h"
 

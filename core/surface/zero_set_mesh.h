@@ -7,11 +7,11 @@
 
 #include "core/base/progress.h"
 #include "core/field/spline_field.h"
-#include "core/surface/cut_away.h"
+#include "core/openings/cut_away.h"
+#include "core/openings/port.h"
 #include "core/surface/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/patch_mesh.h"
-#include "core/surface/port.h"
 #include "core/surface/sizing.h"
 
 namespace angiomesh {

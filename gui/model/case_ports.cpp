@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/surface/port_colour.h"
+#include "core/openings/port_colour.h"
 #include "gui/model/port_edits.h"
 #include "io/ports_file.h"
 

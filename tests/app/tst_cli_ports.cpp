@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
 #include "tests/app/cli_process.h"

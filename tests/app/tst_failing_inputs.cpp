@@ -5,8 +5,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/openings/port.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/port.h"
 #include "io/image_io.h"
 #include "io/mesh_io.h"
 #include "tests/app/cli_process.h"

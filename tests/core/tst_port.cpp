@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
 
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

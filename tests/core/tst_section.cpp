@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/surface/section.h"
+#include "core/openings/section.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

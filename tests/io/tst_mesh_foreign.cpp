@@ -14,8 +14,8 @@
 #include <cmath>
 
 #include "core/mesh/outward.h"
+#include "core/openings/port.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/port.h"
 #include "io/cut_polygon.h"
 #include "io/mesh_io.h"
 #include "io/mesh_merge.h"

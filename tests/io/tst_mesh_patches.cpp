@@ -24,8 +24,8 @@
 
 #include "core/base/error.h"
 #include "core/mesh/outward.h"
-#include "core/surface/port.h"
-#include "core/surface/port_colour.h"
+#include "core/openings/port.h"
+#include "core/openings/port_colour.h"
 #include "io/mesh_io.h"
 #include "io/patch_files.h"
 #include "tests/io/io_test.h"

@@ -8,7 +8,7 @@
 #include "core/base/progress.h"
 #include "core/field/spline_field.h"
 #include "core/image/volume.h"
-#include "core/surface/section.h"
+#include "core/openings/section.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/port_colour.h"
+#include "core/openings/port_colour.h"
 
 namespace angiomesh {
 

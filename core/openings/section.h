@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/field/spline_field.h"
-#include "core/surface/end_planes.h"
+#include "core/openings/end_planes.h"
 
 namespace angiomesh {
 

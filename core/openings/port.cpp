@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include "core/image/volume.h"
 #include "core/mesh/tri_mesh.h"
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 
 namespace angiomesh {
 

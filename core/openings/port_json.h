@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/surface/port.h"
+#include "core/openings/port.h"
 
 namespace angiomesh {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/held_planes.h"
+#include "core/openings/held_planes.h"
 
 #include <Eigen/Geometry>
 
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/end_planes.h"
+#include "core/openings/end_planes.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/end_planes.h"
+#include "core/openings/end_planes.h"
 
 #include <Eigen/Geometry>
 #include <array>

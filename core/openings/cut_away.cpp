@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/cut_away.h"
+#include "core/openings/cut_away.h"
 
 #include <algorithm>
 #include <array>

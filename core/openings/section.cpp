@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/section.h"
+#include "core/openings/section.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/field/root.h"
 #include "core/mesh/flat_area.h"
-#include "core/surface/marching_square.h"
+#include "core/openings/marching_square.h"
 
 namespace angiomesh {
 namespace {
