@@ -14,7 +14,7 @@
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 #include "io/image_io.h"
 
 using namespace angiomesh;

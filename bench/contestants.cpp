@@ -12,7 +12,7 @@
 
 #include "bench/cgal_meshes.h"
 #include "core/field/spline_field.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/zero_set_mesh.h"
 

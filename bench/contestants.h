@@ -7,7 +7,7 @@
 
 #include "core/image/volume.h"
 #include "core/mesh/tri_mesh.h"
-#include "core/surface/sizing.h"
+#include "core/sizing/sizing.h"
 
 namespace angiomesh::bench {
 

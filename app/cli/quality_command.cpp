@@ -17,7 +17,7 @@
 #include "core/pipeline/report.h"
 #include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 #include "io/files.h"
 #include "io/mesh_io.h"
 

@@ -11,7 +11,7 @@
 #include "core/image/volume.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/sizing.h"
+#include "core/sizing/sizing.h"
 
 namespace angiomesh::cli {
 

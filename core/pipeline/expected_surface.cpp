@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/large_pages.h"
-#include "core/surface/guidance_samples.h"
+#include "core/sizing/guidance_samples.h"
 
 namespace angiomesh {
 namespace {

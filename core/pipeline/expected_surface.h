@@ -10,7 +10,7 @@
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/segments.h"
 #include "core/pipeline/surface_step.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 
 namespace angiomesh {
 

@@ -11,7 +11,7 @@
 #include "core/openings/cut_away.h"
 #include "core/openings/port.h"
 #include "core/pipeline/parameters.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 #include "core/topology/handles.h"
 
 namespace angiomesh {

@@ -5,7 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/tri_mesh.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 
 namespace angiomesh {
 

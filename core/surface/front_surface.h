@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "core/field/spline_field.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 
 namespace angiomesh {
 

@@ -4,7 +4,7 @@
 #include "core/base/progress.h"
 #include "core/field/spline_field.h"
 #include "core/openings/end_planes.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 #include "core/surface/patch_mesh.h"
 
 namespace angiomesh {

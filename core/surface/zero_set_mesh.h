@@ -9,10 +9,10 @@
 #include "core/field/spline_field.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/port.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
+#include "core/sizing/sizing.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/patch_mesh.h"
-#include "core/surface/sizing.h"
 
 namespace angiomesh {
 

@@ -7,8 +7,8 @@
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/zero_set_measure.h"
-#include "core/surface/guidance_field.h"
-#include "core/surface/guidance_samples.h"
+#include "core/sizing/guidance_field.h"
+#include "core/sizing/guidance_samples.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

@@ -7,7 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 #include "core/surface/marching_cubes.h"
 #include "core/surface/remesh.h"
 #include "core/surface/remesh_mesh.h"

@@ -8,7 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/field/spline_field.h"
-#include "core/surface/sizing.h"
+#include "core/sizing/sizing.h"
 
 namespace angiomesh {
 

@@ -8,8 +8,8 @@
 
 #include "core/base/progress.h"
 #include "core/field/spline_field.h"
-#include "core/surface/guidance_field.h"
-#include "core/surface/sizing.h"
+#include "core/sizing/guidance_field.h"
+#include "core/sizing/sizing.h"
 
 // The first half of the guidance field: which cells the zero set passes through, sample points on
 // it, and how long edges want to be there.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/guidance_samples.h"
+#include "core/sizing/guidance_samples.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

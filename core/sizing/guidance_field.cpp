@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/guidance_field.h"
+#include "core/sizing/guidance_field.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/surface/guidance_samples.h"
+#include "core/sizing/guidance_samples.h"
 
 namespace angiomesh {
 namespace {
