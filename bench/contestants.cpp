@@ -11,9 +11,9 @@
 #include <algorithm>
 
 #include "bench/cgal_meshes.h"
+#include "core/contour/marching_cubes.h"
 #include "core/field/spline_field.h"
 #include "core/sizing/guidance_field.h"
-#include "core/surface/marching_cubes.h"
 #include "core/surface/zero_set_mesh.h"
 
 namespace angiomesh::bench {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/surface/marching_cubes.h"
+#include "core/contour/marching_cubes.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 

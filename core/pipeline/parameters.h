@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/contour/marching_cubes.h"
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/evolution.h"
 #include "core/levelset/seeds.h"
@@ -16,7 +17,6 @@
 #include "core/pipeline/cuts.h"
 #include "core/preprocess/preprocess.h"
 #include "core/sizing/sizing.h"
-#include "core/surface/marching_cubes.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 #include "core/topology/mask_contacts.h"

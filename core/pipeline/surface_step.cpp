@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "core/base/few_warnings.h"
+#include "core/contour/marching_cubes.h"
+#include "core/contour/port_patches.h"
+#include "core/contour/reference_surface.h"
 #include "core/pipeline/segments.h"
 #include "core/sizing/guidance_field.h"
 #include "core/surface/clip_reference.h"
 #include "core/surface/grow_front.h"
-#include "core/surface/marching_cubes.h"
-#include "core/surface/port_patches.h"
-#include "core/surface/reference_surface.h"
 
 namespace angiomesh {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/contour/patch_mesh.h"
 #include "core/mesh/edge_map.h"
 #include "core/mesh/point_grid.h"
 #include "core/surface/front_surface.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 

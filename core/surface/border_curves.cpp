@@ -8,9 +8,9 @@
 #include <map>
 
 #include "core/base/parallel.h"
+#include "core/contour/border_trace.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/point_grid.h"
-#include "core/surface/border_trace.h"
 
 namespace angiomesh {
 namespace {

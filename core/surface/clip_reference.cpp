@@ -9,8 +9,8 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/contour/reference_surface.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/reference_surface.h"
 
 namespace angiomesh {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/contour/patch_mesh.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/section.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/contour/patch_mesh.h"
 #include "core/field/spline_field.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/contour/marching_cubes.h"
+#include "core/contour/patch_mesh.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/end_planes.h"
 #include "core/surface/front_surface.h"
-#include "core/surface/marching_cubes.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 

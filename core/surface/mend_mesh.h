@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/contour/patch_mesh.h"
 #include "core/field/spline_field.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 

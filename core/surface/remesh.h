@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/contour/patch_mesh.h"
 #include "core/field/spline_field.h"
 #include "core/openings/end_planes.h"
 #include "core/sizing/guidance_field.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 

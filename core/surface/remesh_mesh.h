@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/surface/patch_mesh.h"
+#include "core/contour/patch_mesh.h"
 
 namespace angiomesh {
 

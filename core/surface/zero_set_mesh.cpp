@@ -8,12 +8,12 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/contour/port_patches.h"
+#include "core/contour/reference_surface.h"
 #include "core/mesh/mesh_faults.h"
 #include "core/surface/clip_reference.h"
 #include "core/surface/grow_front.h"
 #include "core/surface/mend_mesh.h"
-#include "core/surface/port_patches.h"
-#include "core/surface/reference_surface.h"
 #include "core/surface/remesh.h"
 #include "core/surface/sound_surface.h"
 #include "core/surface/surface_check.h"

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/contour/marching_cubes.h"
+#include "core/contour/patch_mesh.h"
 #include "core/field/spline_field.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/port.h"
 #include "core/sizing/guidance_field.h"
 #include "core/sizing/sizing.h"
-#include "core/surface/marching_cubes.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 

@@ -7,8 +7,8 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/contour/marching_cubes.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/marching_cubes.h"
 #include "core/topology/close_handles.h"
 #include "core/topology/handles.h"
 #include "core/topology/voxel_topology.h"

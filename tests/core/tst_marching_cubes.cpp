@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/contour/marching_cubes.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/marching_cubes.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

@@ -5,13 +5,13 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/contour/marching_cubes.h"
 #include "core/mesh/predicates.h"
 #include "core/mesh/self_intersection.h"
 #include "core/mesh/triangle_intersection.h"
 #include "core/mesh/triangle_shape.h"
 #include "core/mesh/triangle_tree.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/marching_cubes.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

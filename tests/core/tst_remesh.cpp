@@ -5,10 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/contour/marching_cubes.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/mesh_quality.h"
 #include "core/sizing/guidance_field.h"
-#include "core/surface/marching_cubes.h"
 #include "core/surface/remesh.h"
 #include "core/surface/remesh_mesh.h"
 #include "tests/core/mesh_shapes.h"

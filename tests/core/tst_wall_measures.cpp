@@ -4,9 +4,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/contour/marching_cubes.h"
 #include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"
-#include "core/surface/marching_cubes.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/port_patches.h"
+#include "core/contour/port_patches.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

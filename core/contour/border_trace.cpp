@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/border_trace.h"
+#include "core/contour/border_trace.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

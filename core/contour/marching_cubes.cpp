@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/marching_cubes.h"
+#include "core/contour/marching_cubes.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

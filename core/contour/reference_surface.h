@@ -4,9 +4,9 @@
 #include <Eigen/Geometry>
 
 #include "core/base/progress.h"
+#include "core/contour/marching_cubes.h"
+#include "core/contour/patch_mesh.h"
 #include "core/field/spline_field.h"
-#include "core/surface/marching_cubes.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 

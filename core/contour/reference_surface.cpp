@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/reference_surface.h"
+#include "core/contour/reference_surface.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/contour/patch_mesh.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/end_planes.h"
 #include "core/openings/port.h"
-#include "core/surface/patch_mesh.h"
 
 namespace angiomesh {
 
