@@ -9,8 +9,8 @@
 #include "app/cli/mesh_files.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/cuts/cuts.h"
 #include "core/field/wall_field.h"
-#include "core/pipeline/cuts.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
 

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "core/contour/marching_cubes.h"
+#include "core/cuts/cuts.h"
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/evolution.h"
 #include "core/levelset/seeds.h"
 #include "core/lumen/lumen.h"
 #include "core/lumen/smooth_wall.h"
-#include "core/pipeline/cuts.h"
 #include "core/preprocess/preprocess.h"
 #include "core/sizing/sizing.h"
 #include "core/surface/smoothing.h"

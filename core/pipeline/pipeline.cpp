@@ -14,12 +14,12 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/cuts/border_slant.h"
 #include "core/field/wall_field.h"
 #include "core/pipeline/evolve_step.h"
 #include "core/pipeline/expected_surface.h"
 #include "core/pipeline/segmentation_doubts.h"
 #include "core/pipeline/segments.h"
-#include "core/quality/border_slant.h"
 #include "core/quality/mesh_quality.h"
 #include "core/vesselness/thickest.h"
 

@@ -9,9 +9,9 @@
 #include "core/contour/marching_cubes.h"
 #include "core/contour/port_patches.h"
 #include "core/contour/reference_surface.h"
+#include "core/cuts/clip_reference.h"
 #include "core/pipeline/segments.h"
 #include "core/sizing/guidance_field.h"
-#include "core/surface/clip_reference.h"
 #include "core/surface/grow_front.h"
 
 namespace angiomesh {

@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/cuts/cuts.h"
 #include "core/field/wall_field.h"
-#include "core/pipeline/cuts.h"
 #include "core/pipeline/expected_surface.h"
 #include "gui/model/case_controller.h"
 

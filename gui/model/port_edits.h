@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pipeline/cuts.h"
+#include "core/cuts/cuts.h"
 
 namespace angiomesh {
 

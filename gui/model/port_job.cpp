@@ -7,10 +7,10 @@
 
 #include "core/base/error.h"
 #include "core/centreline/vessel_at.h"
+#include "core/cuts/border_cuts.h"
+#include "core/cuts/clip_reference.h"
+#include "core/cuts/port_advice.h"
 #include "core/field/wall_field.h"
-#include "core/pipeline/border_cuts.h"
-#include "core/quality/port_advice.h"
-#include "core/surface/clip_reference.h"
 
 namespace angiomesh {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/pipeline/cuts.h"
+#include "core/cuts/cuts.h"
 
 namespace angiomesh {
 

@@ -5,11 +5,11 @@
 
 #include "core/base/error.h"
 #include "core/centreline/skeleton.h"
+#include "core/cuts/border_cuts.h"
+#include "core/cuts/border_slant.h"
 #include "core/field/wall_field.h"
-#include "core/pipeline/border_cuts.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/surface_step.h"
-#include "core/quality/border_slant.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

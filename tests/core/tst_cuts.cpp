@@ -5,10 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/cuts/clip_reference.h"
 #include "core/phantom/phantom.h"
 #include "core/phantom/shape.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/clip_reference.h"
 #include "core/surface/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/mesh_shapes.h"

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/cuts/end_cuts.h"
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
-#include "core/quality/end_cuts.h"
 #include "tests/core/analytic.h"
 #include "tests/core/phantom_case.h"
 

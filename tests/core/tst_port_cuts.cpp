@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/cuts/cuts.h"
 #include "core/phantom/phantom.h"
-#include "core/pipeline/cuts.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/surface_step.h"
 #include "tests/core/mesh_shapes.h"

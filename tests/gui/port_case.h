@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-#include "core/pipeline/cuts.h"
+#include "core/cuts/cuts.h"
 #include "gui/model/case_ports.h"
 #include "window_case.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/port_advice.h"
+#include "core/cuts/port_advice.h"
 
 #include <cmath>
 #include <cstdio>

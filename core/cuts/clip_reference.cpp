@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/clip_reference.h"
+#include "core/cuts/clip_reference.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

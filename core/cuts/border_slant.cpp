@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/border_slant.h"
+#include "core/cuts/border_slant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include "core/base/error.h"
 #include "core/base/few_warnings.h"
 #include "core/centreline/vessel_at.h"
+#include "core/cuts/clip_reference.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/section.h"
-#include "core/surface/clip_reference.h"
 
 namespace angiomesh {
 namespace {

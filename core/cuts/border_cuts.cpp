@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/pipeline/border_cuts.h"
+#include "core/cuts/border_cuts.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/quality/border_slant.h"
+#include "core/cuts/border_slant.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/pipeline/cuts.h"
+#include "core/cuts/cuts.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 #include "core/base/error.h"
 #include "core/centreline/vessel_at.h"
+#include "core/cuts/border_cuts.h"
+#include "core/cuts/border_slant.h"
+#include "core/cuts/clip_reference.h"
+#include "core/cuts/end_cuts.h"
+#include "core/cuts/port_advice.h"
 #include "core/openings/port.h"
-#include "core/pipeline/border_cuts.h"
-#include "core/quality/border_slant.h"
-#include "core/quality/end_cuts.h"
-#include "core/quality/port_advice.h"
-#include "core/surface/clip_reference.h"
 
 namespace angiomesh {
 namespace {

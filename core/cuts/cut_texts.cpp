@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/pipeline/cuts.h"
+#include "core/cuts/cuts.h"
 
 #include <algorithm>
 #include <array>

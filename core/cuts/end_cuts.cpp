@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/end_cuts.h"
+#include "core/cuts/end_cuts.h"
 
 #include <algorithm>
 #include <cmath>

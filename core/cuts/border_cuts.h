@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/cuts/cuts.h"
 #include "core/openings/port.h"
-#include "core/pipeline/cuts.h"
 
 namespace angiomesh {
 
