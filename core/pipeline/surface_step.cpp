@@ -10,9 +10,9 @@
 #include "core/contour/port_patches.h"
 #include "core/contour/reference_surface.h"
 #include "core/cuts/clip_reference.h"
+#include "core/front/grow_front.h"
 #include "core/pipeline/segments.h"
 #include "core/sizing/guidance_field.h"
-#include "core/surface/grow_front.h"
 
 namespace angiomesh {
 namespace {

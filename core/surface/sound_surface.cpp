@@ -6,12 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "core/front/mend_mesh.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_faults.h"
 #include "core/mesh/point_grid.h"
 #include "core/mesh/self_intersection.h"
 #include "core/mesh/triangle_tree.h"
-#include "core/surface/mend_mesh.h"
 #include "core/surface/remesh.h"
 
 namespace angiomesh {

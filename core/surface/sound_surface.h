@@ -7,9 +7,9 @@
 #include "core/base/progress.h"
 #include "core/contour/patch_mesh.h"
 #include "core/field/spline_field.h"
+#include "core/front/grow_front.h"
 #include "core/openings/end_planes.h"
 #include "core/sizing/guidance_field.h"
-#include "core/surface/grow_front.h"
 #include "core/surface/surface_check.h"
 #include "core/surface/zero_set_mesh.h"
 

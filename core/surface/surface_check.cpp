@@ -9,11 +9,11 @@
 #include <map>
 
 #include "core/base/parallel.h"
+#include "core/front/surface_cover.h"
 #include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_faults.h"
 #include "core/mesh/triangle_tree.h"
 #include "core/surface/facing_check.h"
-#include "core/surface/surface_cover.h"
 
 namespace angiomesh {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/front/grow_front.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/grow_front.h"
 #include "core/surface/zero_set_mesh.h"
 
 namespace angiomesh {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/surface/front_surface.h"
+#include "core/front/front_surface.h"
 
 namespace angiomesh {
 

@@ -8,9 +8,9 @@
 #include "core/base/progress.h"
 #include "core/contour/marching_cubes.h"
 #include "core/contour/patch_mesh.h"
+#include "core/front/front_surface.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/end_planes.h"
-#include "core/surface/front_surface.h"
 
 namespace angiomesh {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/front/front_surface.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/end_planes.h"
-#include "core/surface/front_surface.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/grow_front.h"
+#include "core/front/grow_front.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,10 +7,10 @@
 #include <map>
 
 #include "core/base/parallel.h"
+#include "core/front/advancing_front.h"
+#include "core/front/border_curves.h"
+#include "core/front/surface_cover.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/advancing_front.h"
-#include "core/surface/border_curves.h"
-#include "core/surface/surface_cover.h"
 
 namespace angiomesh {
 namespace {

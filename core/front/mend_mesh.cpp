@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/mend_mesh.h"
+#include "core/front/mend_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
 
+#include "core/front/fill_loop.h"
 #include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/fill_loop.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/advancing_front.h"
+#include "core/front/advancing_front.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

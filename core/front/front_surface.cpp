@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/front_surface.h"
+#include "core/front/front_surface.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

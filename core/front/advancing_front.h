@@ -8,9 +8,9 @@
 
 #include "core/base/progress.h"
 #include "core/contour/patch_mesh.h"
+#include "core/front/front_surface.h"
 #include "core/mesh/edge_map.h"
 #include "core/mesh/point_grid.h"
-#include "core/surface/front_surface.h"
 
 namespace angiomesh {
 

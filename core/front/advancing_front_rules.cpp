@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/front/advancing_front.h"
 #include "core/mesh/predicates.h"
-#include "core/surface/advancing_front.h"
 
 namespace angiomesh {
 namespace {

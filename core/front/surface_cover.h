@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/front/front_surface.h"
 #include "core/mesh/point_grid.h"
-#include "core/surface/front_surface.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/border_curves.h"
+#include "core/front/border_curves.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/advancing_front.h"
-#include "core/surface/fill_loop.h"
+#include "core/front/advancing_front.h"
+#include "core/front/fill_loop.h"
 
 namespace angiomesh {
 

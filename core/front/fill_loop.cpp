@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/fill_loop.h"
+#include "core/front/fill_loop.h"
 
 #include <Eigen/Geometry>
 #include <limits>
