@@ -12,7 +12,7 @@
 #include "core/mesh/point_grid.h"
 #include "core/mesh/self_intersection.h"
 #include "core/mesh/triangle_tree.h"
-#include "core/surface/remesh.h"
+#include "core/remesh/remesh.h"
 
 namespace angiomesh {
 namespace {

@@ -14,7 +14,7 @@
 #include "core/front/grow_front.h"
 #include "core/front/mend_mesh.h"
 #include "core/mesh/mesh_faults.h"
-#include "core/surface/remesh.h"
+#include "core/remesh/remesh.h"
 #include "core/surface/sound_surface.h"
 #include "core/surface/surface_check.h"
 

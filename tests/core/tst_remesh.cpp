@@ -8,9 +8,9 @@
 #include "core/contour/marching_cubes.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/mesh_quality.h"
+#include "core/remesh/remesh.h"
+#include "core/remesh/remesh_mesh.h"
 #include "core/sizing/guidance_field.h"
-#include "core/surface/remesh.h"
-#include "core/surface/remesh_mesh.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

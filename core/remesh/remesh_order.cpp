@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/surface/remesh_mesh.h"
+#include "core/remesh/remesh_mesh.h"
 
 namespace angiomesh {
 namespace {

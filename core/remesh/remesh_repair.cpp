@@ -4,8 +4,8 @@
 #include <queue>
 
 #include "core/base/parallel.h"
-#include "core/surface/remesh_shape.h"
-#include "core/surface/remesh_worker.h"
+#include "core/remesh/remesh_shape.h"
+#include "core/remesh/remesh_worker.h"
 
 namespace angiomesh {
 namespace {

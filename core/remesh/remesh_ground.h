@@ -5,7 +5,7 @@
 
 #include "core/field/spline_field.h"
 #include "core/openings/end_planes.h"
-#include "core/surface/remesh.h"
+#include "core/remesh/remesh.h"
 
 namespace angiomesh {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/surface/remesh_ground.h"
-#include "core/surface/remesh_mesh.h"
+#include "core/remesh/remesh_ground.h"
+#include "core/remesh/remesh_mesh.h"
 
 namespace angiomesh {
 

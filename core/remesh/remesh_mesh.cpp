@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/remesh_mesh.h"
+#include "core/remesh/remesh_mesh.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/remesh_worker.h"
+#include "core/remesh/remesh_worker.h"
 
 #include <Eigen/Geometry>
 #include <bit>
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/surface/remesh_shape.h"
+#include "core/remesh/remesh_shape.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/remesh_ground.h"
+#include "core/remesh/remesh_ground.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/remesh.h"
+#include "core/remesh/remesh.h"
 
-#include "core/surface/remesh_ground.h"
-#include "core/surface/remesh_worker.h"
+#include "core/remesh/remesh_ground.h"
+#include "core/remesh/remesh_worker.h"
 
 namespace angiomesh {
 namespace {
