@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/mesh/outward.h"
 #include "core/mesh/triangle_shape.h"
-#include "core/surface/wall.h"
+#include "core/smooth/wall.h"
 #include "io/files.h"
 #include "io/mesh_merge.h"
 #include "io/mesh_patch.h"

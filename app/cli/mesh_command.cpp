@@ -20,7 +20,7 @@
 #include "core/pipeline/report.h"
 #include "core/pipeline/surface_step.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/smoothing.h"
+#include "core/smooth/smoothing.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
 #include "io/ports_file.h"

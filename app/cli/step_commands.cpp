@@ -11,7 +11,7 @@
 #include "core/field/wall_field.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/smoothing.h"
+#include "core/smooth/smoothing.h"
 #include "io/image_io.h"
 #include "io/image_write.h"
 #include "io/mesh_io.h"

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "core/contour/marching_cubes.h"
-#include "core/surface/smoothing.h"
+#include "core/smooth/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 
 namespace angiomesh::cli {

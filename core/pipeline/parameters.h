@@ -17,7 +17,7 @@
 #include "core/lumen/smooth_wall.h"
 #include "core/preprocess/preprocess.h"
 #include "core/sizing/sizing.h"
-#include "core/surface/smoothing.h"
+#include "core/smooth/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 #include "core/topology/mask_contacts.h"
 #include "core/vesselness/vesselness.h"

@@ -9,7 +9,7 @@
 #include "core/phantom/phantom.h"
 #include "core/phantom/shape.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/smoothing.h"
+#include "core/smooth/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/mesh_shapes.h"
 

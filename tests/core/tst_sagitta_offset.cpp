@@ -5,8 +5,8 @@
 #include "core/base/parallel.h"
 #include "core/phantom/phantom.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/sagitta_offset.h"
-#include "core/surface/smoothing.h"
+#include "core/smooth/sagitta_offset.h"
+#include "core/smooth/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/mesh_shapes.h"
 

@@ -10,7 +10,7 @@
 #include "core/mesh/self_intersection.h"
 #include "core/mesh/triangle_tree.h"
 #include "core/quality/mesh_quality.h"
-#include "core/surface/smoothing.h"
+#include "core/smooth/smoothing.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/mesh/triangle_shape.h"
-#include "core/surface/wall_smoother.h"
+#include "core/smooth/wall_smoother.h"
 
 namespace angiomesh {
 

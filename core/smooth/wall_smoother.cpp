@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/wall_smoother.h"
+#include "core/smooth/wall_smoother.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

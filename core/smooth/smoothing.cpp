@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/smoothing.h"
+#include "core/smooth/smoothing.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/openings/held_planes.h"
-#include "core/surface/smooth_soundly.h"
+#include "core/smooth/smooth_soundly.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/sagitta_offset.h"
+#include "core/smooth/sagitta_offset.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

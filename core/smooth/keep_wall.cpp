@@ -2,11 +2,11 @@
 #include <memory>
 
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/sagitta_offset.h"
-#include "core/surface/smooth_soundly.h"
-#include "core/surface/smoothing.h"
-#include "core/surface/wall.h"
-#include "core/surface/wall_smoother.h"
+#include "core/smooth/sagitta_offset.h"
+#include "core/smooth/smooth_soundly.h"
+#include "core/smooth/smoothing.h"
+#include "core/smooth/wall.h"
+#include "core/smooth/wall_smoother.h"
 
 namespace angiomesh {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/base/progress.h"
 #include "core/mesh/half_edges.h"
 #include "core/openings/port.h"
-#include "core/surface/smoothing.h"
-#include "core/surface/wall.h"
+#include "core/smooth/smoothing.h"
+#include "core/smooth/wall.h"
 
 namespace angiomesh {
 

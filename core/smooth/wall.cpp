@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/wall.h"
+#include "core/smooth/wall.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/surface/smooth_soundly.h"
+#include "core/smooth/smooth_soundly.h"
 
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/self_intersection.h"
