@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "core/base/few_warnings.h"
+#include "core/pipeline/brighter_around.h"
 #include "core/pipeline/segments.h"
-#include "core/quality/brighter_around.h"
 
 namespace angiomesh {
 namespace {

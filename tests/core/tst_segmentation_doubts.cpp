@@ -2,8 +2,8 @@
 #include <QTest>
 #include <algorithm>
 
+#include "core/pipeline/brighter_around.h"
 #include "core/pipeline/segmentation_doubts.h"
-#include "core/quality/brighter_around.h"
 #include "tests/core/analytic.h"
 
 using namespace angiomesh;

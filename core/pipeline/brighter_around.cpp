@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/quality/brighter_around.h"
+#include "core/pipeline/brighter_around.h"
 
 #include <algorithm>
 #include <cmath>
