@@ -6,7 +6,7 @@
 #include "fuzz/fuzz_parameters.h"
 #include "io/case_file.h"
 #include "io/case_journal.h"
-#include "io/files.h"
+#include "io/file/files.h"
 
 namespace angiomesh::fuzz {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "io/memory_file.h"
+#include "io/file/memory_file.h"
 
 namespace angiomesh::fuzz {
 

@@ -8,10 +8,10 @@
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 #include "io/image_io.h"
 #include "io/image_write.h"
-#include "io/staged_folder.h"
 
 namespace angiomesh {
 namespace {

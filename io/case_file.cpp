@@ -11,9 +11,9 @@
 #include "core/base/json_text.h"
 #include "core/pipeline/report.h"
 #include "io/case_journal.h"
-#include "io/files.h"
-#include "io/staged_folder.h"
-#include "io/temporary_place.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
+#include "io/file/temporary_place.h"
 
 namespace angiomesh {
 namespace {

@@ -14,8 +14,8 @@
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "io/case_file.h"
-#include "io/files.h"
-#include "io/staged_folder.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 
 namespace angiomesh {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/open_file.h"
+#include "io/file/open_file.h"
 
 namespace angiomesh {
 namespace {

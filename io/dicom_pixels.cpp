@@ -24,9 +24,9 @@
 #include "io/dicom_rle.h"
 #include "io/dicom_series.h"
 #include "io/dicom_source.h"
+#include "io/file/memory_file.h"
+#include "io/file/open_file.h"
 #include "io/itk_image.h"
-#include "io/memory_file.h"
-#include "io/open_file.h"
 
 namespace angiomesh {
 namespace {

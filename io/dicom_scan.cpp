@@ -11,9 +11,9 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "io/dicom_series.h"
+#include "io/file/open_file.h"
+#include "io/file/text_scanner.h"
 #include "io/image_format.h"
-#include "io/open_file.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

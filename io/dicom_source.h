@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "io/memory_file.h"
+#include "io/file/memory_file.h"
 
 class OFCondition;
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
 
 namespace angiomesh {
 

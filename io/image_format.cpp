@@ -14,8 +14,8 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "io/files.h"
-#include "io/open_file.h"
+#include "io/file/files.h"
+#include "io/file/open_file.h"
 
 namespace angiomesh {
 namespace {

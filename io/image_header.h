@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "io/file/memory_file.h"
 #include "io/image_format.h"
-#include "io/memory_file.h"
 #include "io/voxel_data.h"
 
 namespace angiomesh {

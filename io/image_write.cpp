@@ -18,10 +18,10 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
+#include "io/file/text_scanner.h"
 #include "io/image_format.h"
-#include "io/staged_folder.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

@@ -16,9 +16,9 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "io/file/memory_file.h"
+#include "io/file/quiet_terminal.h"
 #include "io/image_header.h"
-#include "io/memory_file.h"
-#include "io/quiet_terminal.h"
 
 namespace angiomesh {
 namespace {

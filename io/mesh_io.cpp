@@ -11,13 +11,13 @@
 #include "core/mesh/outward.h"
 #include "core/mesh/triangle_shape.h"
 #include "core/smooth/wall.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/text_scanner.h"
 #include "io/mesh_merge.h"
 #include "io/mesh_patch.h"
 #include "io/mesh_place.h"
 #include "io/point_merger.h"
 #include "io/polygon_mesh.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

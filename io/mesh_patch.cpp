@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/openings/port.h"
-#include "io/text_scanner.h"
+#include "io/file/text_scanner.h"
 
 namespace angiomesh {
 namespace {

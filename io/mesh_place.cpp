@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/mesh_place.h"
 
-#include "io/text_scanner.h"
+#include "io/file/text_scanner.h"
 
 namespace angiomesh {
 namespace {

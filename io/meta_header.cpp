@@ -3,9 +3,9 @@
 #include <bit>
 #include <fstream>
 
+#include "io/file/length_unit.h"
 #include "io/header_text.h"
 #include "io/image_header.h"
-#include "io/length_unit.h"
 
 namespace angiomesh {
 namespace {

@@ -12,10 +12,10 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/open_file.h"
 #include "io/header_text.h"
 #include "io/image_header.h"
-#include "io/open_file.h"
 
 namespace angiomesh {
 namespace {

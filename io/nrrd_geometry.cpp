@@ -8,9 +8,9 @@
 #include <limits>
 #include <sstream>
 
+#include "io/file/length_unit.h"
+#include "io/file/text_scanner.h"
 #include "io/header_text.h"
-#include "io/length_unit.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "io/file/text_scanner.h"
 #include "io/header_text.h"
 #include "io/image_header.h"
 #include "io/nrrd_geometry.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

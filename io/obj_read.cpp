@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "io/file/text_scanner.h"
 #include "io/mesh_patch.h"
 #include "io/polygon_mesh.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

@@ -12,11 +12,11 @@
 #include "core/mesh/inside_point.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/outward.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 #include "io/mesh_io.h"
 #include "io/openfoam_text.h"
 #include "io/patch_files.h"
-#include "io/staged_folder.h"
 
 namespace angiomesh {
 namespace {

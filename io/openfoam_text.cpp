@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/mesh_text.h"
+#include "io/file/mesh_text.h"
 
 namespace angiomesh {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "core/base/error.h"
 #include "core/mesh/outward.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
+#include "io/file/text_scanner.h"
 #include "io/mesh_patch.h"
-#include "io/staged_folder.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {}  // namespace

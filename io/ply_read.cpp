@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/openings/port.h"
-#include "io/mesh_number.h"
+#include "io/file/mesh_number.h"
 #include "io/mesh_patch.h"
 #include "io/polygon_mesh.h"
 

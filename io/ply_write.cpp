@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/openings/port_colour.h"
-#include "io/mesh_text.h"
+#include "io/file/mesh_text.h"
 #include "io/polygon_mesh.h"
 
 namespace angiomesh {

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/openings/port_json.h"
-#include "io/files.h"
+#include "io/file/files.h"
 
 namespace angiomesh {
 namespace {

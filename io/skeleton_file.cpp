@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/mesh_text.h"
 #include "io/mesh_io.h"
-#include "io/mesh_text.h"
 
 namespace angiomesh {
 namespace {

@@ -4,11 +4,11 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/text_scanner.h"
 #include "io/mesh_patch.h"
 #include "io/point_merger.h"
 #include "io/polygon_mesh.h"
-#include "io/text_scanner.h"
 
 namespace angiomesh {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 
+#include "io/file/mesh_text.h"
 #include "io/mesh_patch.h"
-#include "io/mesh_text.h"
 #include "io/polygon_mesh.h"
 
 namespace angiomesh {

@@ -12,8 +12,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "io/files.h"
-#include "io/open_file.h"
+#include "io/file/files.h"
+#include "io/file/open_file.h"
 #include "io/voxel_text.h"
 
 namespace angiomesh {

@@ -12,7 +12,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
-#include "io/open_file.h"
+#include "io/file/open_file.h"
 
 namespace angiomesh {
 namespace {

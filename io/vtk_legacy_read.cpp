@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "io/mesh_number.h"
+#include "io/file/mesh_number.h"
 #include "io/mesh_patch.h"
 #include "io/polygon_mesh.h"
 #include "io/vtp_data.h"

@@ -24,8 +24,8 @@
 
 #include "core/base/error.h"
 #include "io/cut_polygon.h"
+#include "io/file/quiet_terminal.h"
 #include "io/polygon_mesh.h"
-#include "io/quiet_terminal.h"
 #include "io/vtp_data.h"
 
 namespace angiomesh {

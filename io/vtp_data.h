@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/mesh_number.h"
+#include "io/file/mesh_number.h"
 
 namespace angiomesh {
 

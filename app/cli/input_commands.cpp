@@ -11,11 +11,11 @@
 #include "core/base/error.h"
 #include "core/phantom/truth_json.h"
 #include "io/dicom.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 #include "io/image_io.h"
 #include "io/image_write.h"
 #include "io/label_image.h"
-#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {

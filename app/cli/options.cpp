@@ -12,7 +12,7 @@
 
 #include "app/cli/session.h"
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
 #include "io/ports_file.h"
 
 namespace angiomesh::cli {

@@ -18,7 +18,7 @@
 #include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"
 #include "core/sizing/guidance_field.h"
-#include "io/files.h"
+#include "io/file/files.h"
 #include "io/mesh_io.h"
 
 namespace angiomesh::cli {

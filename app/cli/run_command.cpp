@@ -17,12 +17,12 @@
 #include "core/pipeline/segments.h"
 #include "core/quality/mesh_quality.h"
 #include "core/quality/overlap.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 #include "io/image_io.h"
 #include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
-#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
 #include "io/image_io.h"
 #include "io/mesh_io.h"
 #include "render/mesh_panels.h"

@@ -15,9 +15,9 @@
 #include "app/cli/study_table.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 #include "io/image_io.h"
-#include "io/staged_folder.h"
 #include "render/mesh_panels.h"
 
 namespace angiomesh::cli {

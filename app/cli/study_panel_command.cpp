@@ -10,8 +10,8 @@
 
 #include "app/cli/options.h"
 #include "app/cli/study_panel.h"
-#include "io/files.h"
-#include "io/staged_folder.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {

@@ -10,9 +10,9 @@
 #include "app/cli/study_ports.h"
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 #include "io/image_io.h"
-#include "io/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {

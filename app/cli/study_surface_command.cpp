@@ -14,8 +14,8 @@
 #include "app/cli/wall_text.h"
 #include "core/base/error.h"
 #include "core/pipeline/report.h"
-#include "io/files.h"
-#include "io/staged_folder.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {

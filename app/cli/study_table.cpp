@@ -15,8 +15,8 @@
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/quality/overlap.h"
-#include "io/files.h"
-#include "io/staged_folder.h"
+#include "io/file/files.h"
+#include "io/file/staged_folder.h"
 
 namespace angiomesh::cli {
 namespace {

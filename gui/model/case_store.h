@@ -11,7 +11,7 @@
 #include "io/case_cache.h"
 #include "io/case_file.h"
 #include "io/case_journal.h"
-#include "io/file_lock.h"
+#include "io/file/file_lock.h"
 
 namespace angiomesh {
 

@@ -9,7 +9,7 @@
 #include "core/phantom/phantom.h"
 #include "core/pipeline/report.h"
 #include "io/dicom.h"
-#include "io/files.h"
+#include "io/file/files.h"
 #include "io/openfoam_case.h"
 #include "io/patch_files.h"
 #include "io/ports_file.h"

@@ -15,10 +15,10 @@
 #include "core/phantom/phantom.h"
 #include "io/case_cache.h"
 #include "io/case_journal.h"
-#include "io/files.h"
+#include "io/file/files.h"
+#include "io/file/temporary_place.h"
 #include "io/find_source.h"
 #include "io/image_write.h"
-#include "io/temporary_place.h"
 #include "tests/core/random_parameters.h"
 #include "tests/io/io_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/files.h"
+#include "io/file/files.h"
 
 #include <QTest>
 #include <set>

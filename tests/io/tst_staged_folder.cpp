@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/staged_folder.h"
+#include "io/file/staged_folder.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
 #include "tests/io/io_test.h"
 
 using namespace angiomesh;

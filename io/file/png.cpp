@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/file/files.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/open_file.h"
+#include "io/file/open_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/length_unit.h"
+#include "io/file/length_unit.h"
 
-#include "io/text_scanner.h"
+#include "io/file/text_scanner.h"
 
 namespace angiomesh {
 

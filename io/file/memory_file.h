@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/open_file.h"
+#include "io/file/open_file.h"
 
 namespace angiomesh {
 

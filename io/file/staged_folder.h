@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/file_lock.h"
-#include "io/temporary_place.h"
+#include "io/file/file_lock.h"
+#include "io/file/temporary_place.h"
 
 namespace angiomesh {
 

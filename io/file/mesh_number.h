@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/text_scanner.h"
+#include "io/file/text_scanner.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/staged_folder.h"
+#include "io/file/staged_folder.h"
 
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
-#include "io/files.h"
+#include "io/file/files.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/temporary_place.h"
+#include "io/file/temporary_place.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -18,7 +18,7 @@
 #include <system_error>
 #include <vector>
 
-#include "io/file_lock.h"
+#include "io/file/file_lock.h"
 
 namespace angiomesh {
 namespace {

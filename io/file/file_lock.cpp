@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/file_lock.h"
+#include "io/file/file_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mesh_number.h"
+#include "io/file/mesh_number.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/quiet_terminal.h"
+#include "io/file/quiet_terminal.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/files.h"
+#include "io/file/files.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,8 +13,8 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "io/staged_folder.h"
-#include "io/temporary_place.h"
+#include "io/file/staged_folder.h"
+#include "io/file/temporary_place.h"
 
 namespace angiomesh {
 namespace {
