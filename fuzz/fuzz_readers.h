@@ -11,10 +11,10 @@
 #include "core/base/error.h"
 #include "fuzz/fuzz_file.h"
 #include "io/dicom.h"
-#include "io/image_header.h"
 #include "io/image_io.h"
 #include "io/label_image.h"
 #include "io/mesh_io.h"
+#include "io/volume/image_header.h"
 
 /// What an input is handed to, by the fuzzers and by the test that goes through the kept inputs. A
 /// refusal is an Error; anything else that is thrown is a fault, and so is an Error within must().

@@ -10,9 +10,9 @@
 
 #include "io/case_file.h"
 #include "io/case_journal.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
+#include "io/volume/image_write.h"
 #include "tests/core/random_parameters.h"
 #include "tests/io/dicom_writer.h"
 #include "tests/io/jpeg2000_writer.h"

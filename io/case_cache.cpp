@@ -11,7 +11,7 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/image_io.h"
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 
 namespace angiomesh {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "io/dicom_series.h"
-#include "io/geometry_check.h"
 #include "io/slice_orientation.h"
+#include "io/volume/geometry_check.h"
 
 namespace angiomesh {
 namespace {

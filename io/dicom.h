@@ -9,7 +9,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/projection.h"
-#include "io/loaded_image.h"
+#include "io/volume/loaded_image.h"
 
 namespace angiomesh {
 

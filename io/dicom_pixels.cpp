@@ -26,7 +26,7 @@
 #include "io/dicom_source.h"
 #include "io/file/memory_file.h"
 #include "io/file/open_file.h"
-#include "io/itk_image.h"
+#include "io/volume/itk_image.h"
 
 namespace angiomesh {
 namespace {

@@ -13,7 +13,7 @@
 #include "io/dicom_series.h"
 #include "io/file/open_file.h"
 #include "io/file/text_scanner.h"
-#include "io/image_format.h"
+#include "io/volume/image_format.h"
 
 namespace angiomesh {
 namespace {

@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "core/base/large_pages.h"
 #include "io/dicom_source.h"
-#include "io/image_format.h"
 #include "io/slice_orientation.h"
+#include "io/volume/image_format.h"
 
 namespace angiomesh {
 namespace {

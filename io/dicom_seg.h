@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "io/any_volume.h"
 #include "io/dicom_series.h"
-#include "io/loaded_image.h"
+#include "io/volume/any_volume.h"
+#include "io/volume/loaded_image.h"
 
 namespace angiomesh {
 

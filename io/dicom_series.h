@@ -11,8 +11,8 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
-#include "io/finding.h"
-#include "io/loaded_image.h"
+#include "io/volume/finding.h"
+#include "io/volume/loaded_image.h"
 
 namespace angiomesh {
 

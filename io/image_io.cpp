@@ -12,13 +12,13 @@
 #include "core/base/error.h"
 #include "io/dicom.h"
 #include "io/dicom_seg.h"
-#include "io/geometry_check.h"
-#include "io/header_text.h"
-#include "io/image_header.h"
-#include "io/itk_image.h"
-#include "io/mask_values.h"
-#include "io/not_finite.h"
-#include "io/voxel_convert.h"
+#include "io/volume/geometry_check.h"
+#include "io/volume/header_text.h"
+#include "io/volume/image_header.h"
+#include "io/volume/itk_image.h"
+#include "io/volume/mask_values.h"
+#include "io/volume/not_finite.h"
+#include "io/volume/voxel_convert.h"
 
 namespace angiomesh {
 namespace {

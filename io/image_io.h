@@ -7,8 +7,8 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
-#include "io/any_volume.h"
-#include "io/loaded_image.h"
+#include "io/volume/any_volume.h"
+#include "io/volume/loaded_image.h"
 
 namespace angiomesh {
 

@@ -10,9 +10,9 @@
 
 #include "core/base/error.h"
 #include "io/dicom_seg.h"
-#include "io/image_header.h"
 #include "io/label_choice.h"
-#include "io/mask_values.h"
+#include "io/volume/image_header.h"
+#include "io/volume/mask_values.h"
 
 namespace angiomesh {
 namespace {

@@ -9,12 +9,12 @@
 #include "core/base/error.h"
 #include "core/openings/port.h"
 #include "io/image_io.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
-#include "io/not_finite.h"
 #include "io/openfoam_case.h"
 #include "io/patch_files.h"
+#include "io/volume/image_write.h"
+#include "io/volume/not_finite.h"
 
 namespace angiomesh::cli {
 namespace {

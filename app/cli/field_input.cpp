@@ -12,7 +12,7 @@
 #include "core/pipeline/wall_step.h"
 #include "core/topology/mask_contacts.h"
 #include "io/image_io.h"
-#include "io/mask_values.h"
+#include "io/volume/mask_values.h"
 
 namespace angiomesh::cli {
 namespace {

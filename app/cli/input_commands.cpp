@@ -14,8 +14,8 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/image_io.h"
-#include "io/image_write.h"
 #include "io/label_image.h"
+#include "io/volume/image_write.h"
 
 namespace angiomesh::cli {
 namespace {

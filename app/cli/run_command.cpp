@@ -20,9 +20,9 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/image_io.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
+#include "io/volume/image_write.h"
 
 namespace angiomesh::cli {
 namespace {

@@ -13,8 +13,8 @@
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
 #include "io/image_io.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
+#include "io/volume/image_write.h"
 
 namespace angiomesh::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "io/image_io.h"
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 #include "tests/app/cli_run.h"
 
 using namespace angiomesh;

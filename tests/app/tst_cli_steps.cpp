@@ -6,8 +6,8 @@
 
 #include "core/mesh/tri_mesh.h"
 #include "io/image_io.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
+#include "io/volume/image_write.h"
 #include "tests/app/cli_run.h"
 
 using namespace angiomesh;

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <filesystem>
 
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 #include "window_case.h"
 
 namespace angiomesh::test {

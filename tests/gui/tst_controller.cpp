@@ -6,8 +6,8 @@
 
 #include "gui/model/case_controller.h"
 #include "io/image_io.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
+#include "io/volume/image_write.h"
 #include "small_case.h"
 
 using namespace angiomesh;

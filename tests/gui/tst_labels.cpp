@@ -6,7 +6,7 @@
 
 #include "gui/model/case_controller.h"
 #include "gui/panel/label_dialog.h"
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 #include "window_case.h"
 
 using namespace angiomesh;

@@ -12,7 +12,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 #include "window_case.h"
 
 using namespace angiomesh;

@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "io/image_io.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
+#include "io/volume/image_write.h"
 #include "port_case.h"
 
 using namespace angiomesh;

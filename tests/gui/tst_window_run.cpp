@@ -13,8 +13,8 @@
 #include <numeric>
 
 #include "gui/panel/plot_widget.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
+#include "io/volume/image_write.h"
 #include "window_case.h"
 
 using namespace angiomesh;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/phantom/phantom.h"
-#include "io/image_write.h"
 #include "io/mesh_io.h"
+#include "io/volume/image_write.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/io/dicom_writer.h"
 #include "tests/io/identity_search.h"

@@ -18,7 +18,7 @@
 #include "io/file/files.h"
 #include "io/file/temporary_place.h"
 #include "io/find_source.h"
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 #include "tests/core/random_parameters.h"
 #include "tests/io/io_test.h"
 

@@ -15,7 +15,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 #include "tests/io/io_test.h"
 
 using namespace angiomesh;

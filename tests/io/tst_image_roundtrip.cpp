@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 #include "io/image_io.h"
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 #include "tests/io/io_test.h"
 
 using namespace angiomesh;

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "io/file/memory_file.h"
-#include "io/image_format.h"
-#include "io/voxel_data.h"
+#include "io/volume/image_format.h"
+#include "io/volume/voxel_data.h"
 
 namespace angiomesh {
 

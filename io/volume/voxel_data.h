@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "io/any_volume.h"
+#include "io/volume/any_volume.h"
 
 namespace angiomesh {
 

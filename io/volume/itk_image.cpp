@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/itk_image.h"
+#include "io/volume/itk_image.h"
 
 // Before ITK, whose own older copy of Eigen does not mix with the system's: the same include guards
 // then keep it out.
@@ -18,7 +18,7 @@
 #include "core/base/error.h"
 #include "io/file/memory_file.h"
 #include "io/file/quiet_terminal.h"
-#include "io/image_header.h"
+#include "io/volume/image_header.h"
 
 namespace angiomesh {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/image_header.h"
+#include "io/volume/image_header.h"
 
 namespace angiomesh {
 

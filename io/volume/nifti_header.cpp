@@ -14,8 +14,8 @@
 #include "core/base/error.h"
 #include "io/file/files.h"
 #include "io/file/open_file.h"
-#include "io/header_text.h"
-#include "io/image_header.h"
+#include "io/volume/header_text.h"
+#include "io/volume/image_header.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/image_format.h"
+#include "io/volume/image_format.h"
 
 #include <zlib.h>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "io/voxel_data.h"
+#include "io/volume/voxel_data.h"
 
 namespace angiomesh {
 

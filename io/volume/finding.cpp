@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/finding.h"
+#include "io/volume/finding.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/geometry_check.h"
+#include "io/volume/geometry_check.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/image/volume.h"
-#include "io/any_volume.h"
+#include "io/volume/any_volume.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/image_write.h"
+#include "io/volume/image_write.h"
 
 #include <zlib.h>
 
@@ -21,7 +21,7 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/file/text_scanner.h"
-#include "io/image_format.h"
+#include "io/volume/image_format.h"
 
 namespace angiomesh {
 namespace {

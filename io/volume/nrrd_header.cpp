@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "io/file/text_scanner.h"
-#include "io/header_text.h"
-#include "io/image_header.h"
-#include "io/nrrd_geometry.h"
+#include "io/volume/header_text.h"
+#include "io/volume/image_header.h"
+#include "io/volume/nrrd_geometry.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/voxel_text.h"
+#include "io/volume/voxel_text.h"
 
 #include <cerrno>
 #include <charconv>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/voxel_data.h"
+#include "io/volume/voxel_data.h"
 
 #include <zlib.h>
 
@@ -14,7 +14,7 @@
 #include "core/base/parallel.h"
 #include "io/file/files.h"
 #include "io/file/open_file.h"
-#include "io/voxel_text.h"
+#include "io/volume/voxel_text.h"
 
 namespace angiomesh {
 namespace {

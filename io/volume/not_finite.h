@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/any_volume.h"
+#include "io/volume/any_volume.h"
 
 namespace angiomesh {
 

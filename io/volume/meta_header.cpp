@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "io/file/length_unit.h"
-#include "io/header_text.h"
-#include "io/image_header.h"
+#include "io/volume/header_text.h"
+#include "io/volume/image_header.h"
 
 namespace angiomesh {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/image/volume.h"
-#include "io/finding.h"
+#include "io/volume/finding.h"
 
 namespace angiomesh {
 

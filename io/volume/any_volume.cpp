@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/any_volume.h"
+#include "io/volume/any_volume.h"
 
 #include <algorithm>
 #include <cmath>

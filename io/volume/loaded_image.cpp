@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/loaded_image.h"
+#include "io/volume/loaded_image.h"
 
 #include <algorithm>
 

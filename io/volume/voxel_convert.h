@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/image/volume.h"
-#include "io/voxel_data.h"
+#include "io/volume/voxel_data.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/image_header.h"
+#include "io/volume/image_header.h"
 
 #include "core/base/error.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/any_volume.h"
+#include "io/volume/any_volume.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mask_values.h"
+#include "io/volume/mask_values.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/voxel_convert.h"
+#include "io/volume/voxel_convert.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/header_text.h"
+#include "io/volume/header_text.h"
 
 #include <algorithm>
 #include <cctype>

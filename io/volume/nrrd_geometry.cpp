@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/nrrd_geometry.h"
+#include "io/volume/nrrd_geometry.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "io/file/length_unit.h"
 #include "io/file/text_scanner.h"
-#include "io/header_text.h"
+#include "io/volume/header_text.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/not_finite.h"
+#include "io/volume/not_finite.h"
 
 #include <algorithm>
 #include <cmath>
