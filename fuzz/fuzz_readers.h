@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "fuzz/fuzz_file.h"
-#include "io/dicom.h"
+#include "io/dicom/dicom.h"
 #include "io/image_io.h"
 #include "io/label_image.h"
 #include "io/mesh_io.h"

@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "io/dicom.h"
-#include "io/dicom_seg.h"
+#include "io/dicom/dicom.h"
+#include "io/dicom/dicom_seg.h"
 #include "io/volume/geometry_check.h"
 #include "io/volume/header_text.h"
 #include "io/volume/image_header.h"

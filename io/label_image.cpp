@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
-#include "io/dicom_seg.h"
+#include "io/dicom/dicom_seg.h"
 #include "io/label_choice.h"
 #include "io/volume/image_header.h"
 #include "io/volume/mask_values.h"

@@ -10,7 +10,7 @@
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "core/phantom/truth_json.h"
-#include "io/dicom.h"
+#include "io/dicom/dicom.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/image_io.h"

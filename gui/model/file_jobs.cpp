@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/report.h"
-#include "io/dicom.h"
+#include "io/dicom/dicom.h"
 #include "io/file/files.h"
 #include "io/openfoam_case.h"
 #include "io/patch_files.h"

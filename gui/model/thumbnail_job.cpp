@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/model/thumbnail_job.h"
-#include "io/dicom.h"
+#include "io/dicom/dicom.h"
 
 #include <exception>
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <random>
 
-#include "io/dicom.h"
+#include "io/dicom/dicom.h"
 #include "tests/io/dicom_writer.h"
 
 using namespace angiomesh;

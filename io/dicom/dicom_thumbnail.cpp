@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "io/dicom.h"
-#include "io/dicom_series.h"
+#include "io/dicom/dicom.h"
+#include "io/dicom/dicom_series.h"
 
 namespace angiomesh {
 namespace {

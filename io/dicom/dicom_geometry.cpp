@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "io/dicom_series.h"
-#include "io/slice_orientation.h"
+#include "io/dicom/dicom_series.h"
+#include "io/dicom/slice_orientation.h"
 
 namespace angiomesh {
 namespace {

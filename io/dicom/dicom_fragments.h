@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/dicom_series.h"
+#include "io/dicom/dicom_series.h"
 
 class DcmDataset;
 class DcmPixelSequence;

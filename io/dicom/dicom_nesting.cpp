@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/dicom_nesting.h"
+#include "io/dicom/dicom_nesting.h"
 
 #include <array>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "io/dicom_series.h"
+#include "io/dicom/dicom_series.h"
 #include "io/volume/any_volume.h"
 #include "io/volume/loaded_image.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/dicom_seg.h"
+#include "io/dicom/dicom_seg.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -10,8 +10,8 @@
 
 #include "core/base/error.h"
 #include "core/base/large_pages.h"
-#include "io/dicom_source.h"
-#include "io/slice_orientation.h"
+#include "io/dicom/dicom_source.h"
+#include "io/dicom/slice_orientation.h"
 #include "io/volume/image_format.h"
 
 namespace angiomesh {

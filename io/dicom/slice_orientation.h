@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "io/dicom_series.h"
+#include "io/dicom/dicom_series.h"
 
 namespace angiomesh {
 

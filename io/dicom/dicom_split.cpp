@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "io/dicom_series.h"
-#include "io/slice_orientation.h"
+#include "io/dicom/dicom_series.h"
+#include "io/dicom/slice_orientation.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/dicom_rle.h"
+#include "io/dicom/dicom_rle.h"
 
 #include <algorithm>
 #include <cstdint>

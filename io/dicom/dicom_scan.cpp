@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "io/dicom_series.h"
+#include "io/dicom/dicom_series.h"
 #include "io/file/open_file.h"
 #include "io/file/text_scanner.h"
 #include "io/volume/image_format.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/dicom.h"
+#include "io/dicom/dicom.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/base/error.h"
-#include "io/dicom_series.h"
-#include "io/slice_orientation.h"
+#include "io/dicom/dicom_series.h"
+#include "io/dicom/slice_orientation.h"
 #include "io/volume/geometry_check.h"
 
 namespace angiomesh {

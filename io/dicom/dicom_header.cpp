@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "io/dicom_nesting.h"
-#include "io/dicom_series.h"
-#include "io/dicom_source.h"
+#include "io/dicom/dicom_nesting.h"
+#include "io/dicom/dicom_series.h"
+#include "io/dicom/dicom_source.h"
 
 namespace angiomesh {
 namespace {
