@@ -18,7 +18,7 @@
 #include "bench/peak_memory.h"
 #include "bench/program.h"
 #include "core/base/parallel.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 
 using namespace angiomesh;
 namespace fs = std::filesystem;

@@ -15,7 +15,7 @@
 #include "core/phantom/phantom.h"
 #include "core/quality/mesh_quality.h"
 #include "core/sizing/guidance_field.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 
 using namespace angiomesh;
 

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "fuzz/fuzz_readers.h"
-#include "io/label_choice.h"
+#include "io/scan/label_choice.h"
 
 namespace angiomesh::fuzz {
 

@@ -11,9 +11,9 @@
 #include "core/base/error.h"
 #include "fuzz/fuzz_file.h"
 #include "io/dicom/dicom.h"
-#include "io/image_io.h"
-#include "io/label_image.h"
 #include "io/mesh_io.h"
+#include "io/scan/image_io.h"
+#include "io/scan/label_image.h"
 #include "io/volume/image_header.h"
 
 /// What an input is handed to, by the fuzzers and by the test that goes through the kept inputs. A

@@ -10,7 +10,7 @@
 #include "core/base/json_text.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 
 namespace angiomesh {

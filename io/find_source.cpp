@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "io/label_image.h"
+#include "io/scan/label_image.h"
 
 namespace angiomesh {
 namespace {

@@ -8,11 +8,11 @@
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "core/openings/port.h"
-#include "io/image_io.h"
 #include "io/mesh_io.h"
 #include "io/mesh_place.h"
 #include "io/openfoam_case.h"
 #include "io/patch_files.h"
+#include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 #include "io/volume/not_finite.h"
 

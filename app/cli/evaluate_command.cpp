@@ -6,7 +6,7 @@
 #include "app/cli/field_input.h"
 #include "app/cli/summary.h"
 #include "core/pipeline/report.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 
 namespace angiomesh::cli {
 namespace {

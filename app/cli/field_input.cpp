@@ -11,7 +11,7 @@
 #include "core/pipeline/segments.h"
 #include "core/pipeline/wall_step.h"
 #include "core/topology/mask_contacts.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 #include "io/volume/mask_values.h"
 
 namespace angiomesh::cli {

@@ -9,7 +9,7 @@
 #include "core/base/progress.h"
 #include "core/image/volume.h"
 #include "core/pipeline/parameters.h"
-#include "io/label_image.h"
+#include "io/scan/label_image.h"
 
 namespace angiomesh::cli {
 

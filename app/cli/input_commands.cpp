@@ -13,8 +13,8 @@
 #include "io/dicom/dicom.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
-#include "io/image_io.h"
-#include "io/label_image.h"
+#include "io/scan/image_io.h"
+#include "io/scan/label_image.h"
 #include "io/volume/image_write.h"
 
 namespace angiomesh::cli {

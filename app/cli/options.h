@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/pipeline/parameters.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 
 namespace angiomesh::cli {
 

@@ -8,8 +8,8 @@
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "io/file/files.h"
-#include "io/image_io.h"
 #include "io/mesh_io.h"
+#include "io/scan/image_io.h"
 #include "render/mesh_panels.h"
 #include "render/offscreen.h"
 

@@ -12,8 +12,8 @@
 #include "core/pipeline/pipeline.h"
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
-#include "io/image_io.h"
 #include "io/mesh_io.h"
+#include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 
 namespace angiomesh::cli {

@@ -17,7 +17,7 @@
 #include "core/phantom/phantom.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 #include "render/mesh_panels.h"
 
 namespace angiomesh::cli {

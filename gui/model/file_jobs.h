@@ -10,9 +10,9 @@
 
 #include "core/base/progress.h"
 #include "core/pipeline/pipeline.h"
-#include "io/image_io.h"
-#include "io/label_image.h"
 #include "io/mesh_io.h"
+#include "io/scan/image_io.h"
+#include "io/scan/label_image.h"
 
 namespace angiomesh {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 
 namespace angiomesh {
 

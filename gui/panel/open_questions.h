@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "gui/model/job_runner.h"
-#include "io/image_io.h"
-#include "io/label_image.h"
+#include "io/scan/image_io.h"
+#include "io/scan/label_image.h"
 
 class QWidget;
 

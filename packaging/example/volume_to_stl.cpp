@@ -3,8 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
-#include "io/image_io.h"
 #include "io/mesh_io.h"
+#include "io/scan/image_io.h"
 
 // volume-to-stl IMAGE STL: the vessels of an angiogram as a surface, LPS mm.
 int main(int argc, char** argv) {

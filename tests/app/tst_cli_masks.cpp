@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 #include "tests/app/cli_run.h"
 

@@ -7,8 +7,8 @@
 
 #include "core/openings/port.h"
 #include "core/quality/mesh_quality.h"
-#include "io/image_io.h"
 #include "io/mesh_io.h"
+#include "io/scan/image_io.h"
 #include "tests/app/cli_process.h"
 
 using namespace angiomesh;

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/pipeline/pipeline.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 
 using namespace angiomesh;
 

@@ -5,7 +5,7 @@
 
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 #include "tests/app/cli_process.h"
 

@@ -7,9 +7,9 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "io/image_io.h"
 #include "io/mesh_io.h"
 #include "io/ports_file.h"
+#include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 #include "port_case.h"
 

@@ -14,7 +14,7 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 #include "tests/io/io_test.h"
 
 namespace angiomesh::test {

@@ -4,7 +4,7 @@
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
 
-#include "io/label_image.h"
+#include "io/scan/label_image.h"
 #include "tests/io/jpeg2000_writer.h"
 
 using namespace angiomesh;

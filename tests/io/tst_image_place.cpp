@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/base/error.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 #include "tests/io/io_test.h"
 

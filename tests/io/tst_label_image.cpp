@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/label_image.h"
+#include "io/scan/label_image.h"
 
 #include <QTest>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 #include "tests/io/io_test.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/image_io.h"
 #include "io/mesh_io.h"
+#include "io/scan/image_io.h"
 
 #include <vtkCellArray.h>
 #include <vtkFieldData.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/label_choice.h"
+#include "io/scan/label_choice.h"
 
 #include <algorithm>
 #include <sstream>

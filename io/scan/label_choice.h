@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/label_image.h"
+#include "io/scan/label_image.h"
 
 namespace angiomesh {
 

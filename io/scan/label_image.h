@@ -10,7 +10,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
-#include "io/image_io.h"
+#include "io/scan/image_io.h"
 
 namespace angiomesh {
 

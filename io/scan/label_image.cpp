@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/label_image.h"
+#include "io/scan/label_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "io/dicom/dicom_seg.h"
-#include "io/label_choice.h"
+#include "io/scan/label_choice.h"
 #include "io/volume/image_header.h"
 #include "io/volume/mask_values.h"
 
