@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "fuzz/fuzz_file.h"
 #include "io/dicom/dicom.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/scan/label_image.h"
 #include "io/volume/image_header.h"

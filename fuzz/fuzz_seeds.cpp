@@ -10,7 +10,7 @@
 
 #include "io/case_file.h"
 #include "io/case_journal.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/ports_file.h"
 #include "io/volume/image_write.h"
 #include "tests/core/random_parameters.h"

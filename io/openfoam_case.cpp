@@ -14,9 +14,9 @@
 #include "core/mesh/outward.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
+#include "io/mesh/patch_files.h"
 #include "io/openfoam_text.h"
-#include "io/patch_files.h"
 
 namespace angiomesh {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "io/file/files.h"
 #include "io/file/mesh_text.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 
 namespace angiomesh {
 namespace {

@@ -21,8 +21,8 @@
 #include "core/pipeline/surface_step.h"
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
-#include "io/mesh_io.h"
-#include "io/mesh_place.h"
+#include "io/mesh/mesh_io.h"
+#include "io/mesh/mesh_place.h"
 #include "io/ports_file.h"
 
 namespace angiomesh::cli {

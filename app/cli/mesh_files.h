@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 
 namespace angiomesh::cli {
 

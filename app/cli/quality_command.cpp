@@ -19,7 +19,7 @@
 #include "core/quality/zero_set_measure.h"
 #include "core/sizing/guidance_field.h"
 #include "io/file/files.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 
 namespace angiomesh::cli {
 namespace {

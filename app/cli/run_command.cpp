@@ -19,7 +19,7 @@
 #include "core/quality/overlap.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/ports_file.h"
 #include "io/scan/image_io.h"
 #include "io/volume/image_write.h"

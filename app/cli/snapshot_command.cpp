@@ -8,7 +8,7 @@
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "io/file/files.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "render/mesh_panels.h"
 #include "render/offscreen.h"

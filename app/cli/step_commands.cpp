@@ -12,7 +12,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 

@@ -11,7 +11,7 @@
 #include "core/base/random.h"
 #include "core/cuts/cuts.h"
 #include "core/field/wall_field.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/ports_file.h"
 
 namespace angiomesh::cli {

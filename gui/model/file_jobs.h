@@ -10,7 +10,7 @@
 
 #include "core/base/progress.h"
 #include "core/pipeline/pipeline.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/scan/label_image.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "gui/model/run_job.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 
 class QCheckBox;
 class QComboBox;

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 
 // volume-to-stl IMAGE STL: the vessels of an angiogram as a surface, LPS mm.

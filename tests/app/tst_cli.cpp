@@ -6,7 +6,7 @@
 
 #include "core/mesh/tri_mesh.h"
 #include "core/phantom/phantom.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 #include "tests/app/cli_run.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/mesh/outward.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "tests/app/cli_process.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/io/mesh_samples.h"

@@ -7,7 +7,7 @@
 
 #include "core/openings/port.h"
 #include "core/quality/mesh_quality.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "tests/app/cli_process.h"
 

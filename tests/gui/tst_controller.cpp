@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "gui/model/case_controller.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
 #include "small_case.h"

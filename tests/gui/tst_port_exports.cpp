@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/ports_file.h"
 #include "io/scan/image_io.h"
 #include "io/volume/image_write.h"

@@ -13,7 +13,7 @@
 #include <numeric>
 
 #include "gui/panel/plot_widget.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/volume/image_write.h"
 #include "window_case.h"
 

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <vector>
 
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "tests/io/io_test.h"
 
 // Programs that fill surfaces, if they are installed: what a flow solver's mesher says of a surface

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/phantom/phantom.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/volume/image_write.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/io/dicom_writer.h"

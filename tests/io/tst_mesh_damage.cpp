@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/base/error.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "tests/io/io_test.h"
 #include "tests/io/mesh_samples.h"
 

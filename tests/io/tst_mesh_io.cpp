@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 
 #include <vtkCellArray.h>

@@ -26,8 +26,8 @@
 #include "core/mesh/outward.h"
 #include "core/openings/port.h"
 #include "core/openings/port_colour.h"
-#include "io/mesh_io.h"
-#include "io/patch_files.h"
+#include "io/mesh/mesh_io.h"
+#include "io/mesh/patch_files.h"
 #include "tests/io/io_test.h"
 #include "tests/io/mesh_samples.h"
 

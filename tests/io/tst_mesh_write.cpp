@@ -20,7 +20,7 @@
 #include "core/base/error.h"
 #include "core/mesh/outward.h"
 #include "core/mesh/triangle_shape.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 #include "tests/io/io_test.h"
 #include "tests/io/mesh_samples.h"
 

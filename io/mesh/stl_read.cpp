@@ -6,9 +6,9 @@
 #include "core/base/error.h"
 #include "io/file/files.h"
 #include "io/file/text_scanner.h"
-#include "io/mesh_patch.h"
-#include "io/point_merger.h"
-#include "io/polygon_mesh.h"
+#include "io/mesh/mesh_patch.h"
+#include "io/mesh/point_merger.h"
+#include "io/mesh/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {

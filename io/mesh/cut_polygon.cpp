@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/cut_polygon.h"
+#include "io/mesh/cut_polygon.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

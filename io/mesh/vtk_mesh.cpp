@@ -23,10 +23,10 @@
 #include <exception>
 
 #include "core/base/error.h"
-#include "io/cut_polygon.h"
 #include "io/file/quiet_terminal.h"
-#include "io/polygon_mesh.h"
-#include "io/vtp_data.h"
+#include "io/mesh/cut_polygon.h"
+#include "io/mesh/polygon_mesh.h"
+#include "io/mesh/vtp_data.h"
 
 namespace angiomesh {
 namespace {

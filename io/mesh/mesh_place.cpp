@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mesh_place.h"
+#include "io/mesh/mesh_place.h"
 
 #include "io/file/text_scanner.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mesh_header.h"
+#include "io/mesh/mesh_header.h"
 
 #include <algorithm>
 #include <cctype>

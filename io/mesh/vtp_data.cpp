@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/vtp_data.h"
+#include "io/mesh/vtp_data.h"
 
 #include <zlib.h>
 

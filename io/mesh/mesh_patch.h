@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
-#include "io/polygon_mesh.h"
+#include "io/mesh/polygon_mesh.h"
 
 namespace angiomesh {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 
 namespace angiomesh {
 

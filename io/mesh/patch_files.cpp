@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/patch_files.h"
+#include "io/mesh/patch_files.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,7 +13,7 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/file/text_scanner.h"
-#include "io/mesh_patch.h"
+#include "io/mesh/mesh_patch.h"
 
 namespace angiomesh {
 namespace {}  // namespace

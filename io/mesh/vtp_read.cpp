@@ -5,9 +5,9 @@
 
 #include "core/base/error.h"
 #include "io/file/mesh_number.h"
-#include "io/mesh_patch.h"
-#include "io/polygon_mesh.h"
-#include "io/vtp_data.h"
+#include "io/mesh/mesh_patch.h"
+#include "io/mesh/polygon_mesh.h"
+#include "io/mesh/vtp_data.h"
 
 namespace angiomesh {
 namespace {

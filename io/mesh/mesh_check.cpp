@@ -6,10 +6,10 @@
 #include "core/base/error.h"
 #include "core/mesh/outward.h"
 #include "core/openings/port.h"
-#include "io/mesh_io.h"
-#include "io/mesh_patch.h"
-#include "io/mesh_place.h"
-#include "io/point_merger.h"
+#include "io/mesh/mesh_io.h"
+#include "io/mesh/mesh_patch.h"
+#include "io/mesh/mesh_place.h"
+#include "io/mesh/point_merger.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mesh_patch.h"
+#include "io/mesh/mesh_patch.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

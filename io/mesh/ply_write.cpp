@@ -3,7 +3,7 @@
 
 #include "core/openings/port_colour.h"
 #include "io/file/mesh_text.h"
-#include "io/polygon_mesh.h"
+#include "io/mesh/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {

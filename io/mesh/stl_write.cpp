@@ -2,8 +2,8 @@
 #include <Eigen/Geometry>
 
 #include "io/file/mesh_text.h"
-#include "io/mesh_patch.h"
-#include "io/polygon_mesh.h"
+#include "io/mesh/mesh_patch.h"
+#include "io/mesh/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
-#include "io/mesh_header.h"
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_header.h"
+#include "io/mesh/mesh_io.h"
 
 namespace angiomesh {
 

@@ -4,8 +4,8 @@
 
 #include "core/base/error.h"
 #include "io/file/text_scanner.h"
-#include "io/mesh_patch.h"
-#include "io/polygon_mesh.h"
+#include "io/mesh/mesh_patch.h"
+#include "io/mesh/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {

@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/openings/port.h"
 #include "io/file/mesh_number.h"
-#include "io/mesh_patch.h"
-#include "io/polygon_mesh.h"
+#include "io/mesh/mesh_patch.h"
+#include "io/mesh/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mesh_merge.h"
+#include "io/mesh/mesh_merge.h"
 
 #include <limits>
 #include <numeric>
@@ -8,7 +8,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/outward.h"
 #include "core/mesh/point_grid.h"
-#include "io/point_merger.h"
+#include "io/mesh/point_merger.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mesh_io.h"
+#include "io/mesh/mesh_io.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,11 +13,11 @@
 #include "core/smooth/wall.h"
 #include "io/file/files.h"
 #include "io/file/text_scanner.h"
-#include "io/mesh_merge.h"
-#include "io/mesh_patch.h"
-#include "io/mesh_place.h"
-#include "io/point_merger.h"
-#include "io/polygon_mesh.h"
+#include "io/mesh/mesh_merge.h"
+#include "io/mesh/mesh_patch.h"
+#include "io/mesh/mesh_place.h"
+#include "io/mesh/point_merger.h"
+#include "io/mesh/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {
