@@ -5,7 +5,7 @@
 
 #include "core/pipeline/parameters.h"
 #include "fuzz/fuzz_readers.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 
 namespace angiomesh::fuzz {
 

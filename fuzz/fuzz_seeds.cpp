@@ -11,7 +11,7 @@
 #include "io/case_file.h"
 #include "io/case_journal.h"
 #include "io/mesh/mesh_io.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 #include "io/volume/image_write.h"
 #include "tests/core/random_parameters.h"
 #include "tests/io/dicom_writer.h"

@@ -23,7 +23,7 @@
 #include "core/smooth/smoothing.h"
 #include "io/mesh/mesh_io.h"
 #include "io/mesh/mesh_place.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 
 namespace angiomesh::cli {
 namespace {

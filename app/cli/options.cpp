@@ -13,7 +13,7 @@
 #include "app/cli/session.h"
 #include "core/base/error.h"
 #include "io/file/files.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 
 namespace angiomesh::cli {
 namespace {

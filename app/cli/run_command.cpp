@@ -20,8 +20,8 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/mesh/mesh_io.h"
-#include "io/ports_file.h"
 #include "io/scan/image_io.h"
+#include "io/vessel/ports_file.h"
 #include "io/volume/image_write.h"
 
 namespace angiomesh::cli {

@@ -9,7 +9,7 @@
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "core/centreline/skeleton.h"
-#include "io/skeleton_file.h"
+#include "io/vessel/skeleton_file.h"
 
 namespace angiomesh::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/cuts/cuts.h"
 #include "core/field/wall_field.h"
 #include "io/mesh/mesh_io.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 
 namespace angiomesh::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "gui/model/case_controller.h"
 #include "gui/model/step_text.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 
 namespace angiomesh {
 

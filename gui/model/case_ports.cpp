@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/openings/port_colour.h"
 #include "gui/model/port_edits.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 
 namespace angiomesh {
 

@@ -11,8 +11,8 @@
 #include "io/dicom/dicom.h"
 #include "io/file/files.h"
 #include "io/mesh/patch_files.h"
-#include "io/openfoam_case.h"
-#include "io/ports_file.h"
+#include "io/vessel/openfoam_case.h"
+#include "io/vessel/ports_file.h"
 
 namespace angiomesh {
 

@@ -7,7 +7,7 @@
 
 #include "core/openings/port.h"
 #include "io/mesh/mesh_io.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 #include "tests/app/cli_process.h"
 #include "tests/io/external_mesher.h"
 

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "io/mesh/mesh_io.h"
-#include "io/ports_file.h"
 #include "io/scan/image_io.h"
+#include "io/vessel/ports_file.h"
 #include "io/volume/image_write.h"
 #include "port_case.h"
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/mesh/outward.h"
 #include "io/mesh/mesh_io.h"
-#include "io/openfoam_case.h"
+#include "io/vessel/openfoam_case.h"
 #include "tests/io/external_mesher.h"
 #include "tests/io/mesh_samples.h"
 

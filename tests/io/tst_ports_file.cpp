@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 #include "tests/io/io_test.h"
 
 using namespace angiomesh;

@@ -11,7 +11,7 @@
 #include <QTest>
 
 #include "core/base/error.h"
-#include "io/skeleton_file.h"
+#include "io/vessel/skeleton_file.h"
 #include "tests/io/io_test.h"
 
 using namespace angiomesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/skeleton_file.h"
+#include "io/vessel/skeleton_file.h"
 
 #include <cstdint>
 #include <string>

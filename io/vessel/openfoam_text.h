@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "io/openfoam_case.h"
+#include "io/vessel/openfoam_case.h"
 
 namespace angiomesh {
 

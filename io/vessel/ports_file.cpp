@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/ports_file.h"
+#include "io/vessel/ports_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/openfoam_text.h"
+#include "io/vessel/openfoam_text.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/openfoam_case.h"
+#include "io/vessel/openfoam_case.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include "io/file/staged_folder.h"
 #include "io/mesh/mesh_io.h"
 #include "io/mesh/patch_files.h"
-#include "io/openfoam_text.h"
+#include "io/vessel/openfoam_text.h"
 
 namespace angiomesh {
 namespace {
