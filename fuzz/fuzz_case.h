@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "fuzz/fuzz_parameters.h"
-#include "io/case_file.h"
-#include "io/case_journal.h"
+#include "io/case/case_file.h"
+#include "io/case/case_journal.h"
 #include "io/file/files.h"
 
 namespace angiomesh::fuzz {

@@ -8,8 +8,8 @@
 #include <vtkPolyDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "io/case_file.h"
-#include "io/case_journal.h"
+#include "io/case/case_file.h"
+#include "io/case/case_journal.h"
 #include "io/mesh/mesh_io.h"
 #include "io/vessel/ports_file.h"
 #include "io/volume/image_write.h"

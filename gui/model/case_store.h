@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "gui/model/job_runner.h"
-#include "io/case_cache.h"
-#include "io/case_file.h"
-#include "io/case_journal.h"
+#include "io/case/case_cache.h"
+#include "io/case/case_file.h"
+#include "io/case/case_journal.h"
 #include "io/file/file_lock.h"
 
 namespace angiomesh {

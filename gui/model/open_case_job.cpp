@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "io/case_cache.h"
-#include "io/find_source.h"
+#include "io/case/case_cache.h"
+#include "io/case/find_source.h"
 
 namespace angiomesh {
 

@@ -4,8 +4,8 @@
 #include <QPlainTextEdit>
 #include <QSignalSpy>
 
-#include "io/case_file.h"
-#include "io/case_journal.h"
+#include "io/case/case_file.h"
+#include "io/case/case_journal.h"
 #include "study_case.h"
 
 using namespace angiomesh;

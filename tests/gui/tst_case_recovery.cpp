@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "io/case_file.h"
-#include "io/case_journal.h"
+#include "io/case/case_file.h"
+#include "io/case/case_journal.h"
 #include "study_case.h"
 
 using namespace angiomesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,11 +13,11 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
-#include "io/case_cache.h"
-#include "io/case_journal.h"
+#include "io/case/case_cache.h"
+#include "io/case/case_journal.h"
+#include "io/case/find_source.h"
 #include "io/file/files.h"
 #include "io/file/temporary_place.h"
-#include "io/find_source.h"
 #include "io/volume/image_write.h"
 #include "tests/core/random_parameters.h"
 #include "tests/io/io_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/case_journal.h"
+#include "io/case/case_journal.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 

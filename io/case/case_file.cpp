@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/pipeline/report.h"
-#include "io/case_journal.h"
+#include "io/case/case_journal.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/file/temporary_place.h"

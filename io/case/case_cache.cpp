@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/case_cache.h"
+#include "io/case/case_cache.h"
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>

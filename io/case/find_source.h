@@ -7,7 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/pipeline/pipeline.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/scan/image_io.h"
 
 namespace angiomesh {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/find_source.h"
+#include "io/case/find_source.h"
 
 #include <algorithm>
 #include <system_error>
