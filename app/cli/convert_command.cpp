@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/cli/commands.h"
-#include "app/cli/mesh_files.h"
-#include "app/cli/options.h"
+#include "app/session/mesh_files.h"
+#include "app/session/options.h"
 #include "core/base/error.h"
 #include "core/openings/port.h"
 #include "io/mesh/mesh_io.h"

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/field_input.h"
-#include "app/cli/summary.h"
+#include "app/session/field_input.h"
+#include "app/session/summary.h"
 #include "core/pipeline/report.h"
 #include "io/scan/image_io.h"
 

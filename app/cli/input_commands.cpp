@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/options.h"
+#include "app/session/options.h"
 #include "core/base/error.h"
 #include "core/phantom/truth_json.h"
 #include "io/dicom/dicom.h"

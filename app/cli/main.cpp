@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/cli/commands.h"
-#include "app/cli/program.h"
+#include "app/session/program.h"
 #include "core/base/error.h"
 
 namespace angiomesh::cli {

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/field_input.h"
-#include "app/cli/mesh_files.h"
-#include "app/cli/options.h"
-#include "app/cli/summary.h"
+#include "app/session/field_input.h"
+#include "app/session/mesh_files.h"
+#include "app/session/options.h"
+#include "app/session/summary.h"
 #include "core/base/error.h"
 #include "core/cuts/border_slant.h"
 #include "core/cuts/cuts.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/commands.h"
-#include "app/cli/program.h"
+#include "app/session/program.h"
 
 // The commands of angiomesh-cli that draw: see main.cpp.
 int main(int argc, char** argv) {

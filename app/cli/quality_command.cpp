@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "app/cli/commands.h"
-#include "app/cli/field_input.h"
-#include "app/cli/mesh_files.h"
-#include "app/cli/options.h"
-#include "app/cli/summary.h"
-#include "app/cli/wall_text.h"
+#include "app/session/field_input.h"
+#include "app/session/mesh_files.h"
+#include "app/session/options.h"
+#include "app/session/summary.h"
+#include "app/session/wall_text.h"
 #include "core/base/error.h"
 #include "core/field/spline_field.h"
 #include "core/field/wall_field.h"

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "app/cli/commands.h"
-#include "app/cli/field_input.h"
-#include "app/cli/mesh_files.h"
-#include "app/cli/options.h"
-#include "app/cli/summary.h"
+#include "app/session/field_input.h"
+#include "app/session/mesh_files.h"
+#include "app/session/options.h"
+#include "app/session/summary.h"
 #include "core/base/error.h"
 #include "core/image/projection.h"
 #include "core/pipeline/report.h"

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/field_input.h"
-#include "app/cli/options.h"
+#include "app/session/field_input.h"
+#include "app/session/options.h"
 #include "core/base/error.h"
 #include "core/centreline/skeleton.h"
 #include "io/vessel/skeleton_file.h"

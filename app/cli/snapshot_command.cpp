@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/commands.h"
-#include "app/cli/options.h"
+#include "app/session/options.h"
 #include "core/base/error.h"
 #include "io/file/files.h"
 #include "io/mesh/mesh_io.h"

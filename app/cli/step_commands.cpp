@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "app/cli/commands.h"
-#include "app/cli/field_input.h"
-#include "app/cli/mesh_files.h"
-#include "app/cli/options.h"
+#include "app/session/field_input.h"
+#include "app/session/mesh_files.h"
+#include "app/session/options.h"
 #include "core/field/spline_field.h"
 #include "core/field/wall_field.h"
 #include "core/pipeline/pipeline.h"

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/cli/options.h"
 #include "app/cli/study_panel.h"
+#include "app/session/options.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 

@@ -3,7 +3,7 @@
 
 #include <CLI/App.hpp>
 
-#include "app/cli/session.h"
+#include "app/session/session.h"
 
 namespace angiomesh::cli {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/cli/mesh_files.h"
+#include "app/session/mesh_files.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/cuts/cuts.h"

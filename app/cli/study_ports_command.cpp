@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/options.h"
 #include "app/cli/study_panel_command.h"
 #include "app/cli/study_ports.h"
+#include "app/session/options.h"
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "io/file/files.h"

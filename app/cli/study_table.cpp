@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/options.h"
+#include "app/session/options.h"
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"

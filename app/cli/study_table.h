@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "app/cli/session.h"
+#include "app/session/session.h"
 #include "core/phantom/phantom.h"
 
 namespace angiomesh::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/wall_text.h"
+#include "app/session/wall_text.h"
 
 #include <cmath>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include <CLI/App.hpp>
 #include <functional>
 
-#include "app/cli/session.h"
+#include "app/session/session.h"
 
 namespace angiomesh::cli {
 

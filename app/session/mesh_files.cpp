@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/mesh_files.h"
+#include "app/session/mesh_files.h"
 
 #include <algorithm>
 #include <cctype>
 #include <set>
 
-#include "app/cli/session.h"
+#include "app/session/session.h"
 
 namespace angiomesh::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/options.h"
+#include "app/session/options.h"
 
 #include <unistd.h>
 
@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/cli/session.h"
+#include "app/session/session.h"
 #include "core/base/error.h"
 #include "io/file/files.h"
 #include "io/vessel/ports_file.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/field_input.h"
+#include "app/session/field_input.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
-#include "app/cli/session.h"
+#include "app/session/session.h"
 #include "core/distance/mask_distance.h"
 #include "core/pipeline/segments.h"
 #include "core/pipeline/wall_step.h"

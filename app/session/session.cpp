@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/session.h"
+#include "app/session/session.h"
 
 #include <fcntl.h>
 #include <unistd.h>

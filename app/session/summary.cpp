@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/summary.h"
+#include "app/session/summary.h"
 
 #include <algorithm>
 #include <cmath>

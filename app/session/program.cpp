@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/program.h"
+#include "app/session/program.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "app/cli/options.h"
-#include "app/cli/session.h"
+#include "app/session/options.h"
+#include "app/session/session.h"
 #include "core/pipeline/report.h"
 
 namespace angiomesh::cli {
