@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "app/cli/commands.h"
-#include "app/cli/study_figures.h"
 #include "app/cli/study_panel_command.h"
-#include "app/cli/study_segmentation.h"
 #include "app/cli/study_surface_command.h"
 #include "app/cli/study_table.h"
 #include "app/session/field_input.h"
 #include "app/session/options.h"
+#include "app/study/study_figures.h"
+#include "app/study/study_segmentation.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "io/file/files.h"

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/cli/study_panel.h"
 #include "app/session/options.h"
+#include "app/study/study_panel.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 

@@ -6,8 +6,8 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/study_panel_command.h"
-#include "app/cli/study_ports.h"
 #include "app/session/options.h"
+#include "app/study/study_ports.h"
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "io/file/files.h"

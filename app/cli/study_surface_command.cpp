@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/cli/study_surface.h"
 #include "app/session/options.h"
 #include "app/session/wall_text.h"
+#include "app/study/study_surface.h"
 #include "core/base/error.h"
 #include "core/pipeline/report.h"
 #include "io/file/files.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/study_figures.h"
+#include "app/study/study_figures.h"
 
 #include <algorithm>
 #include <chrono>

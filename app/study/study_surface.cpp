@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/study_surface.h"
+#include "app/study/study_surface.h"
 
 #include <algorithm>
 #include <cmath>

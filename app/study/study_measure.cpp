@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "app/cli/study_panel.h"
+#include "app/study/study_panel.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/study_ports.h"
+#include "app/study/study_ports.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

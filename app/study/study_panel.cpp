@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/study_panel.h"
+#include "app/study/study_panel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/study_segmentation.h"
+#include "app/study/study_segmentation.h"
 
 #include <array>
 #include <cstdio>
@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/cli/figure_pictures.h"
+#include "app/study/figure_pictures.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/figure_pictures.h"
+#include "app/study/figure_pictures.h"
 
 #include <algorithm>
 #include <array>
