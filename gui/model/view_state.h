@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "gui/model/case_controller.h"
-#include "gui/view/slice_view.h"
+#include "gui/model/mouse_tool.h"
+#include "render/slice_raster.h"
 
 namespace angiomesh {
 

@@ -9,16 +9,11 @@
 #include <vector>
 
 #include "core/image/volume.h"
+#include "gui/model/mouse_tool.h"
 #include "gui/view/vtk_view.h"
 #include "render/slice_scene.h"
 
 namespace angiomesh {
-
-/// What a plain left click or drag does in a slice pane.
-enum class Tool { Navigate, PickSeed, DrawRoi, CutVessel };
-
-/// What the left button does with Tool::Navigate: window/level, or the crosshair.
-enum class MouseScheme { Radiology, Engineering };
 
 /// One slice pane. Positions are mm LPS. Middle button pans, right zooms, the wheel steps slices
 /// (Ctrl: zooms, Alt: slab thickness), Shift with the moving mouse sets the crosshair, a double
