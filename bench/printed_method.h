@@ -4,7 +4,7 @@
 #include "bench/itk_fronts.h"
 #include "bench/itk_hessian.h"
 #include "core/image/volume.h"
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 
 namespace angiomesh::bench {
 

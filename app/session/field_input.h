@@ -8,7 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/volume.h"
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 #include "io/scan/label_image.h"
 
 namespace angiomesh::cli {

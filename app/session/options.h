@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 #include "io/scan/image_io.h"
 
 namespace angiomesh::cli {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/parameters/parameters.h"
 #include "core/phantom/phantom.h"
-#include "core/pipeline/parameters.h"
 
 namespace angiomesh::cli {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/image/projection.h"
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 
 namespace angiomesh::cli {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/parameters/parameters.h"
 #include "core/phantom/phantom.h"
-#include "core/pipeline/parameters.h"
 #include "core/quality/mesh_quality.h"
 #include "core/quality/wall_accuracy.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/field/spline_field.h"
 #include "core/openings/cut_away.h"
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 #include "core/pipeline/segments.h"
 #include "core/pipeline/surface_step.h"
 #include "core/sizing/guidance_field.h"

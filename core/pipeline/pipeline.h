@@ -12,7 +12,7 @@
 
 #include "core/base/progress.h"
 #include "core/centreline/component_measure.h"
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 #include "core/pipeline/surface_step.h"
 #include "core/quality/mesh_quality.h"
 

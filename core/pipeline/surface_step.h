@@ -10,7 +10,7 @@
 #include "core/image/volume.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/port.h"
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 #include "core/sizing/guidance_field.h"
 #include "core/topology/handles.h"
 

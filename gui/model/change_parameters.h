@@ -4,7 +4,7 @@
 #include <QString>
 #include <QUndoCommand>
 
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 
 namespace angiomesh {
 

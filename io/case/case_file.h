@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/image/volume.h"
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 
 namespace angiomesh {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 
 namespace angiomesh::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/pipeline/field_table.h"
+#include "core/parameters/field_table.h"
 
 namespace angiomesh {
 namespace {

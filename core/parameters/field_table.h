@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 
 // What the one description of the parameters is written with.
 namespace angiomesh {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/pipeline/parameters.h"
+#include "core/parameters/parameters.h"
 
 #include <algorithm>
 #include <charconv>
