@@ -9,6 +9,7 @@
 #include "bench/printed_method.h"
 #include "bench/program.h"
 #include "core/base/parallel.h"
+#include "core/parameters/field.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/overlap.h"

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bench/program.h"
+#include "core/parameters/field.h"
 #include "gui/model/case_store.h"
 
 namespace angiomesh::bench {

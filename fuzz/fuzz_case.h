@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "core/parameters/field.h"
 #include "fuzz/fuzz_parameters.h"
 #include "io/case/case_file.h"
 #include "io/case/case_journal.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/parameters/parameters.h"
+#include "core/parameters/field.h"
 #include "fuzz/fuzz_readers.h"
 #include "io/vessel/ports_file.h"
 

@@ -8,6 +8,7 @@
 #include <vtkPolyDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "core/parameters/field.h"
 #include "io/case/case_file.h"
 #include "io/case/case_journal.h"
 #include "io/mesh/mesh_io.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/commands.h"
-#include "core/parameters/parameters.h"
+#include "core/parameters/field.h"
 
 namespace angiomesh::cli {
 namespace {

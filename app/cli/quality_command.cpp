@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/field/spline_field.h"
 #include "core/field/wall_field.h"
+#include "core/parameters/field.h"
 #include "core/phantom/truth_json.h"
 #include "core/pipeline/report.h"
 #include "core/quality/sizing_check.h"

@@ -12,6 +12,7 @@
 #include "app/session/summary.h"
 #include "core/base/error.h"
 #include "core/image/projection.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/pipeline/segments.h"

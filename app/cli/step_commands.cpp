@@ -9,6 +9,7 @@
 #include "app/session/options.h"
 #include "core/field/spline_field.h"
 #include "core/field/wall_field.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"

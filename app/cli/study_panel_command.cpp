@@ -10,6 +10,7 @@
 
 #include "app/session/options.h"
 #include "app/study/study_panel.h"
+#include "core/parameters/field.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 

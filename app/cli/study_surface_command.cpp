@@ -13,6 +13,7 @@
 #include "app/session/wall_text.h"
 #include "app/study/study_surface.h"
 #include "core/base/error.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/report.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"

@@ -56,7 +56,7 @@ std::vector<Row> rowsOf(const Phantom& tree, Parameters params, const Progress& 
         const Progress part = progress.sub(0.1 + 0.9 * done, 0.1 + 0.9 * (done + 1.0 / kRows));
         params.levelset.gamma = gamma;
         params.levelset.d = d;
-        params.levelset.xi = xi;
+        params.thresholds.xi = xi;
         Volume<std::uint8_t> found(tree.truth.geometry);
         try {
           const RunResult run = pipeline.run(params, until, part);

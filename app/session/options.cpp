@@ -12,6 +12,7 @@
 
 #include "app/session/session.h"
 #include "core/base/error.h"
+#include "core/parameters/field.h"
 #include "io/file/files.h"
 #include "io/vessel/ports_file.h"
 

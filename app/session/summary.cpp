@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/session/summary.h"
 
+#include "core/parameters/field.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -43,6 +43,8 @@ struct PortParams {
   bool cutBorders = false;        ///< see addBorderCuts()
   /// As parsePortNaming() takes them: ports and what they are called instead.
   std::vector<std::string> names = {};
+
+  bool operator==(const PortParams&) const = default;
 };
 
 /// What a port is to be called that has not got its name from a cut.

@@ -42,6 +42,8 @@ struct ComparisonParams {
   std::optional<double> thresholdLower, thresholdUpper;
   double thresholdSigmaVoxels = 0.7;  ///< of a Gaussian before
   bool thresholdFromSeeds = true;     ///< only the parts that hold a seed
+
+  bool operator==(const ComparisonParams&) const = default;
 };
 
 struct ComparisonResult {

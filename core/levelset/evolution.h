@@ -18,16 +18,15 @@ enum class StartRule {
 struct LevelSetParams {
   StartRule start = StartRule::Flood;
   int floodLeastVoxels = 30;  ///< parts of this size need no seed
-  double gamma = 0.7, d = 0.2, xi = 20.0;
+  double gamma = 0.7, d = 0.2;
   bool acrossCrests = true;  ///< the front moves where upwind differences vanish, too
   double stepVoxels = 0.5;   ///< no value changes by more in an iteration; at most 0.5
-  std::optional<double> b;   ///< empty: by bRule
-  ThresholdRule bRule = ThresholdRule::Contrast;
-  double bMin = 0.05, bMax = 0.15;
   int maxIterations = 500;
   int checkEvery = 20;
   double tolerance = 0.05;
   double toleranceDelta = 0.005;
+
+  bool operator==(const LevelSetParams&) const = default;
 };
 
 enum class StopReason { Running, Converged, Settled, Limit, Stopped };

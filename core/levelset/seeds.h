@@ -16,6 +16,8 @@ struct SeedParams {
                        ///< is vessel
   double radiusVoxels = 1.0;   ///< of the starting spheres, working voxels
   std::vector<double> points;  ///< x,y,z,... LPS mm: seeds by hand, added to the automatic ones
+
+  bool operator==(const SeedParams&) const = default;
 };
 
 /// Seeds as positions in LPS mm, in order of memory; seeds by hand last.

@@ -24,6 +24,8 @@ struct LumenParams {
   /// space alone counts.
   int meanSteps = 100;
   double reachVoxels = 3.0;  ///< from what was found to where the wall is looked for
+
+  bool operator==(const LumenParams&) const = default;
 };
 
 /// Where vessels have been found (1; 2 at their cores, which tell vessels apart), the wall anew:

@@ -19,6 +19,8 @@ struct SmoothWallParams {
   /// radii of 1.3 to 6 voxels and noise up to a quarter of the contrast.
   double reach = 5.5;
   std::optional<double> spreadVoxels;  ///< of the image's point spread; empty: measured
+
+  bool operator==(const SmoothWallParams&) const = default;
 };
 
 /// What came of it.

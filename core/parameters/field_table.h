@@ -1,37 +1,105 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
-#include "core/parameters/parameters.h"
+#include "core/parameters/field.h"
 
 // What the one description of the parameters is written with.
 namespace angiomesh {
 
+/// What a slider's ends are given in.
+enum class SliderUnit { Value, Voxel, Window };
+
+/// A field while it is described; each call returns the row.
+class Row {
+ public:
+  explicit Row(Field& field) : field_(field) {}
+
+  Row& main() { return set(field_.main, true); }
+  Row& logarithmic() { return set(field_.logarithmic, true); }
+  Row& emptyWord(const char* word) { return set(field_.emptyWord, word); }
+  Row& rises(const char* what) { return set(field_.rise, what); }
+  Row& place() { return set(field_.place, true); }
+  Row& ofSpeed() { return set(field_.ofSpeed, true); }
+  /// A form shows the value times this.
+  Row& shownTimes(double factor) { return set(field_.shownTimes, factor); }
+  /// It is in no key: what it changes is given at once.
+  Row& remakesNothing() { return set(field_.remakes, false); }
+  Row& ofMask(Step step) { return set(field_.ofMask, step); }
+  Row& onlyOfMask(Step step) {
+    field_.ofScan.reset();
+    return ofMask(step);
+  }
+  Row& notBelow(const char* key) { return set(field_.notBelow, key); }
+  Row& above(const char* key) {
+    field_.strictlyAbove = true;
+    return notBelow(key);
+  }
+  Row& idle(std::function<std::string(const Parameters&)> why) {
+    return set(field_.idle, std::move(why));
+  }
+  Row& suggest(std::function<double(const Parameters&, const FieldContext&)> value) {
+    return set(field_.suggestion, std::move(value));
+  }
+  Row& slider(double low, double high, SliderUnit unit = SliderUnit::Value) {
+    return set(field_.slider, [low, high, unit](const FieldContext& c) {
+      const double one = unit == SliderUnit::Voxel    ? c.voxelMm
+                         : unit == SliderUnit::Window ? c.window
+                                                      : 1.0;
+      return std::array<double, 2>{low * one, high * one};
+    });
+  }
+  Row& slider(std::function<std::array<double, 2>(const FieldContext&)> ends) {
+    return set(field_.slider, std::move(ends));
+  }
+
+ private:
+  template <class T, class V>
+  Row& set(T& member, V&& value) {
+    member = std::forward<V>(value);
+    return *this;
+  }
+
+  Field& field_;
+};
+
+/// Which images the fields of a section are read of.
+enum class ReadOf { Scans, All };
+
 /// Collects the fields; each add...() names a member by a function Parameters& -> member&.
 class FieldTable {
  public:
-  template <class M>
-  Field& real(const char* key, M member, double minimum, double maximum, const char* unit,
-              const char* help) {
-    Field& field = add(key, FieldKind::Real, minimum, maximum, unit, help);
-    bind<double>(field, member);
-    return field;
+  /// The rows that follow belong to this step.
+  void begin(Step step, ReadOf images) {
+    step_ = step;
+    images_ = images;
   }
 
   template <class M>
-  Field& integer(const char* key, M member, double minimum, double maximum, const char* help) {
-    Field& field = add(key, FieldKind::Integer, minimum, maximum, "", help);
+  Row real(const char* key, const char* label, M member, double minimum, double maximum,
+           const char* unit, const char* help) {
+    Field& field = add(key, label, FieldKind::Real, minimum, maximum, unit, help);
+    bind<double>(field, member);
+    return Row(field);
+  }
+
+  template <class M>
+  Row integer(const char* key, const char* label, M member, double minimum, double maximum,
+              const char* help) {
+    Field& field = add(key, label, FieldKind::Integer, minimum, maximum, "", help);
     bind<std::int64_t>(field, member);
-    return field;
+    return Row(field);
   }
 
   /// A whole number of which 0 stands for "none".
   template <class M>
-  Field& countOrNone(const char* key, M member, double minimum, double maximum, const char* help) {
-    Field& field = add(key, FieldKind::Integer, minimum, maximum, "", help);
+  Row countOrNone(const char* key, const char* label, M member, double minimum, double maximum,
+                  const char* help) {
+    Field& field = add(key, label, FieldKind::Integer, minimum, maximum, "", help);
     field.emptyWord = "none";
     field.zeroIsEmpty = true;
     field.get = [member](const Parameters& p) -> FieldValue {
@@ -43,20 +111,21 @@ class FieldTable {
       const auto* count = std::get_if<std::int64_t>(&value);
       member(p) = count != nullptr ? static_cast<int>(*count) : 0;
     };
-    return field;
+    return Row(field);
   }
 
   template <class M>
-  Field& boolean(const char* key, M member, const char* help) {
-    Field& field = add(key, FieldKind::Boolean, 0.0, 1.0, "", help);
+  Row boolean(const char* key, const char* label, M member, const char* help) {
+    Field& field = add(key, label, FieldKind::Boolean, 0.0, 1.0, "", help);
     bind<bool>(field, member);
-    return field;
+    return Row(field);
   }
 
   /// The enumerators of the member's type in order, by name.
   template <class M>
-  Field& choice(const char* key, M member, std::vector<std::string> names, const char* help) {
-    Field& field = add(key, FieldKind::Choice, 0.0, 0.0, "", help);
+  Row choice(const char* key, const char* label, M member, std::vector<std::string> names,
+             const char* help) {
+    Field& field = add(key, label, FieldKind::Choice, 0.0, 0.0, "", help);
     field.choices = names;
     field.get = [member, names](const Parameters& p) -> FieldValue {
       return names[static_cast<std::size_t>(member(const_cast<Parameters&>(p)))];
@@ -68,32 +137,32 @@ class FieldTable {
           to = static_cast<std::remove_reference_t<decltype(to)>>(i);
         }
     };
-    return field;
+    return Row(field);
   }
 
   /// x,y,z,... in mm LPS
   template <class M>
-  Field& points(const char* key, M member, const char* help) {
-    Field& field = add(key, FieldKind::Numbers, -1e5, 1e5, "mm", help);
+  Row points(const char* key, const char* label, M member, const char* help) {
+    Field& field = add(key, label, FieldKind::Numbers, -1e5, 1e5, "mm", help);
     field.groupOf = 3;
     bindList<double>(field, member);
-    return field;
+    return Row(field);
   }
 
   /// Each of the form that `check` takes; none is the empty list.
   template <class M>
-  Field& texts(const char* key, M member, const char* form, const char* help,
-               std::function<void(const std::string&)> check) {
-    Field& field = add(key, FieldKind::Texts, 0.0, 0.0, "", help);
+  Row texts(const char* key, const char* label, M member, const char* form, const char* help,
+            std::function<void(const std::string&)> check) {
+    Field& field = add(key, label, FieldKind::Texts, 0.0, 0.0, "", help);
     field.form = form;
     field.check = std::move(check);
     bindList<std::string>(field, member);
-    return field;
+    return Row(field);
   }
 
   template <class M>
-  Field& box(const char* key, M member, const char* help) {
-    Field& field = add(key, FieldKind::Numbers, -1e5, 1e5, "mm", help);
+  Row box(const char* key, const char* label, M member, const char* help) {
+    Field& field = add(key, label, FieldKind::Numbers, -1e5, 1e5, "mm", help);
     field.groupOf = 6;
     field.emptyWord = "none";
     field.get = [member](const Parameters& p) -> FieldValue {
@@ -111,16 +180,20 @@ class FieldTable {
       corners.emplace();
       for (std::size_t i = 0; i < 6; ++i) (*corners)[i] = (*numbers)[i];
     };
-    return field;
+    return Row(field);
   }
 
-  std::vector<Field> take() { return std::move(fields_); }
+  std::vector<Field> take() { return {fields_.begin(), fields_.end()}; }
 
  private:
-  Field& add(const char* key, FieldKind kind, double minimum, double maximum, const char* unit,
-             const char* help) {
+  Field& add(const char* key, const char* label, FieldKind kind, double minimum, double maximum,
+             const char* unit, const char* help) {
     Field field;
     field.key = key;
+    field.label = label;
+    field.step = step_;
+    field.ofScan = step_;
+    if (images_ == ReadOf::All) field.ofMask = step_;
     field.kind = kind;
     field.minimum = minimum;
     field.maximum = maximum;
@@ -172,14 +245,21 @@ class FieldTable {
     };
   }
 
-  std::vector<Field> fields_;
+  std::deque<Field> fields_;
+  Step step_ = Step::Preprocess;
+  ReadOf images_ = ReadOf::All;
 };
 
 /// The member of the parameters that a field stores, for FieldTable.
 #define ANGIOMESH_MEMBER(path) \
   [](Parameters & p) -> auto& { return p.path; }
 
-/// The fields of the ports, the surface and smoothing.
+/// Of scans until there is a speed; of the segmentation; of the rest.
+void addScanFields(FieldTable& table);
+void addSegmentationFields(FieldTable& table);
 void addSurfaceFields(FieldTable& table);
+
+/// "it is used only with segmentation.method label", or "" where that is the method.
+std::string idleUnless(const Parameters& params, SegmentationMethod method);
 
 }  // namespace angiomesh

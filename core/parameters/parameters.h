@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/contour/marching_cubes.h"
@@ -34,6 +32,8 @@ struct SegmentationParams {
   double minVolumeMm3 = 0.0;
   std::vector<double>
       drop;  ///< x,y,z,... LPS mm: the components that hold these points are left out
+
+  bool operator==(const SegmentationParams&) const = default;
 };
 
 struct SurfaceParams {
@@ -46,6 +46,8 @@ struct SurfaceParams {
   /// A surface of which more are expected is not begun; 0: any is. Empty: what memory and half an
   /// hour hold, see SurfaceLimits.
   std::optional<int> maxTriangles;
+
+  bool operator==(const SurfaceParams&) const = default;
 };
 
 /// Everything that a run depends on besides its input.
@@ -54,6 +56,7 @@ struct Parameters {
   VesselnessParams vesselness;
   SeedParams seeds;
   LevelSetParams levelset;
+  ThresholdParams thresholds;
   LumenParams lumen;
   SmoothWallParams wall;
   ComparisonParams comparison;
@@ -61,6 +64,8 @@ struct Parameters {
   PortParams ports;
   SurfaceParams surface;
   SmoothParams smooth;
+
+  bool operator==(const Parameters&) const = default;
 };
 
 /// Whether the segmentation is a front that moves until it comes to rest.
@@ -70,62 +75,11 @@ bool evolves(const Parameters& params);
 /// make anything.
 bool isSegmented(const Parameters& params);
 
-/// A field's value: monostate stands for the field's empty word ("auto", "none").
-using FieldValue = std::variant<std::monostate, bool, std::int64_t, double, std::string,
-                                std::vector<double>, std::vector<std::string>>;
-enum class FieldKind { Boolean, Integer, Real, Choice, Numbers, Texts };
-
-/// The one description of a parameter: JSON, --set, GUI form, validation and documentation come
-/// from it.
-struct Field {
-  std::string key;  ///< "vesselness.sigmaMinMm"
-  FieldKind kind = FieldKind::Real;
-  double minimum = 0.0, maximum = 0.0;  ///< inclusive, for Integer, Real and each of Numbers
-  std::string unit;
-  std::string help;                  ///< one line
-  std::vector<std::string> choices;  ///< Choice
-  std::string emptyWord;             ///< "auto" or "none" where the field may be empty, else ""
-  bool zeroIsEmpty = false;          ///< 0 may be written for the empty word
-  std::size_t groupOf = 0;           ///< Numbers come in whole groups of this many
-  std::string form;                  ///< Texts: how each is written
-  /// Texts: throws InputError for one that cannot be used.
-  std::function<void(const std::string&)> check;
-  bool main = false;         ///< shown among the few main sliders of its step
-  bool logarithmic = false;  ///< a slider moves in equal ratios
-  /// Why the field has no effect with these parameters; "" when it has one, or when not set.
-  std::function<std::string(const Parameters&)> idle;
-  std::function<FieldValue(const Parameters&)> get;
-  std::function<void(Parameters&, const FieldValue&)>
-      put;  ///< stores without checking: use setField()
-};
-
-/// All fields in the order of the pipeline.
-const std::vector<Field>& parameterFields();
-
-/// @throws InputError naming the nearest known key
-const Field& findField(std::string_view key);
-
-/// Checks kind, range, choice and group, then stores.
-/// @throws InputError that names the key, the value and what is allowed
-void setField(Parameters& params, std::string_view key, const FieldValue& value);
-
-/// As --set: `text` is parsed by the field's kind ("auto", "true", "3", "0.5", "modified",
-/// "1,2,3", texts separated by ';').
-void setFieldFromText(Parameters& params, std::string_view key, std::string_view text);
-
-std::string fieldText(const FieldValue& value, const Field& field);
-
 /// Relations between fields (sigmaMin <= sigmaMax, edgeMin <= edgeMax ...). @throws InputError
 void validate(const Parameters& params);
 
 /// `angiomesh`, `ct` (angiograms in HU) or `thesis`. @throws InputError
 Parameters preset(std::string_view name);
 const std::vector<std::string>& presetNames();
-
-/// Nested JSON by the dots of the keys. Reading takes nested or dotted keys, changes only those
-/// named, and throws InputError for unknown keys and for values of the wrong kind or out of range.
-std::string parametersToJson(const Parameters& params);
-Parameters parametersFromJson(std::string_view json, const Parameters& base,
-                              const std::string& where);
 
 }  // namespace angiomesh

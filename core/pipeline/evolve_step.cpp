@@ -13,6 +13,7 @@
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/flood.h"
 #include "core/pipeline/segments.h"
+#include "core/pipeline/vesselness_step.h"
 #include "core/pipeline/wall_step.h"
 
 namespace angiomesh {
@@ -95,7 +96,7 @@ EvolveResult makeSegmentation(const Volume<float>& image,
     return evolveOtherwise(image, seeds, params, options, progress, warnings);
   const LevelSetParams& p = params.levelset;
   EvolveResult result;
-  result.thresholds = thresholdsFor(*vessels, p);
+  result.thresholds = thresholdsFor(*vessels, params.thresholds);
   if (result.thresholds.clamped)
     warnings.push_back("b was clamped to " + std::to_string(result.thresholds.b) +
                        ": eq. 3.20 lies outside levelset.bMin to levelset.bMax on this image");

@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.h"
 #include "core/openings/port_json.h"
+#include "core/parameters/field.h"
 
 namespace angiomesh {
 namespace {

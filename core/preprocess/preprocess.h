@@ -22,6 +22,8 @@ struct PreprocessParams {
   int curvatureFlowIterations = 5;
   double curvatureFlowTimeStep = 0.0625;
   std::optional<std::array<double, 6>> roi;  ///< x0,y0,z0,x1,y1,z1 LPS mm
+
+  bool operator==(const PreprocessParams&) const = default;
 };
 
 /// The index box around the voxels whose centres lie in the LPS box (any order of the corners).

@@ -26,6 +26,8 @@ struct SizingParams {
     params.edgeMinVoxels.reset();
     return params;
   }
+
+  bool operator==(const SizingParams&) const = default;
 };
 
 }  // namespace angiomesh

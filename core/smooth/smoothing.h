@@ -21,6 +21,8 @@ struct SmoothParams {
   double mu = -0.54;     ///< thesis 4.3, eq. 4.7
   double wallBoundVoxels =
       0.05;  ///< KeepWall: largest distance of a vertex from phi = 0, working voxels
+
+  bool operator==(const SmoothParams&) const = default;
 };
 
 /// Taubin's lambda-mu filter (Taubin 1995; thesis eq. 4.5-4.7) with uniform weights 1/valence: each

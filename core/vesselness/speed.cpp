@@ -7,8 +7,8 @@
 
 namespace angiomesh {
 
-Thresholds thresholds(const Volume<float>& vesselness, ThresholdRule rule, double xi,
-                      double sigmaRatio, std::optional<double> givenB, double bMin, double bMax) {
+Thresholds thresholds(const Volume<float>& vesselness, const ThresholdParams& params,
+                      double sigmaRatio) {
   double sum = 0.0;
   std::size_t count = 0;
   for (const float v : vesselness.voxels)
@@ -22,15 +22,15 @@ Thresholds thresholds(const Volume<float>& vesselness, ThresholdRule rule, doubl
                        "(vesselness.sigmaMinMm, vesselness.sigmaMaxMm)");
   Thresholds t;
   t.vAverage = sum / static_cast<double>(count);
-  if (givenB) {
-    t.b = *givenB;
-  } else if (rule == ThresholdRule::Contrast) {
+  if (params.b) {
+    t.b = *params.b;
+  } else if (params.bRule == ThresholdRule::Contrast) {
     // Vascular trees are segmented best at 0.12 to 0.15 whatever their noise, scans at 0.10 to
     // 0.135.
-    t.b = std::min(0.007 * xi, 0.5);
+    t.b = std::min(0.007 * params.xi, 0.5);
   } else {
-    const double printed = xi * t.vAverage / sigmaRatio;
-    t.b = std::clamp(printed, bMin, bMax);
+    const double printed = params.xi * t.vAverage / sigmaRatio;
+    t.b = std::clamp(printed, params.bMin, params.bMax);
     t.clamped = t.b != printed;
   }
   t.a = 2.0 * t.b;

@@ -19,10 +19,19 @@ enum class ThresholdRule {
   Average    ///< eq. 3.20: b = xi * v_avg / (sigma_max / sigma_min), clamped to [bMin, bMax]
 };
 
+struct ThresholdParams {
+  double xi = 20.0;
+  std::optional<double> b;  ///< empty: by bRule
+  ThresholdRule bRule = ThresholdRule::Contrast;
+  double bMin = 0.05, bMax = 0.15;
+
+  bool operator==(const ThresholdParams&) const = default;
+};
+
 /// b by the rule, or as given; a = 2 b. `sigmaRatio` is sigma_max / sigma_min.
 /// @throws NumericError when no voxel has positive vesselness
-Thresholds thresholds(const Volume<float>& vesselness, ThresholdRule rule, double xi,
-                      double sigmaRatio, std::optional<double> givenB, double bMin, double bMax);
+Thresholds thresholds(const Volume<float>& vesselness, const ThresholdParams& params,
+                      double sigmaRatio);
 
 /// p of eq. 3.21: 1 above a, linear to 0 at b, linear to -1 at 0, -1 below.
 double vesselSpeed(double v, const Thresholds& t);

@@ -32,6 +32,8 @@ struct VesselnessParams {
   double cFraction = 1.0 / 6.0;
   ContrastRule contrast = ContrastRule::Robust;
   Polarity polarity = Polarity::Bright;
+
+  bool operator==(const VesselnessParams&) const = default;
 };
 
 /// Scales in mm, evenly spaced in log(sigma) (thesis eq. 5.2), sigma_min first.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/parameters/field.h"
 #include "gui/model/change_parameters.h"
 #include "gui/model/component_points.h"
 #include "gui/model/step_text.h"

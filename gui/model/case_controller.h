@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/parameters/field.h"
 #include "gui/model/case_store.h"
 #include "gui/model/file_jobs.h"
 #include "gui/model/job_runner.h"

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/cuts/cuts.h"
 #include "core/field/wall_field.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/expected_surface.h"
 #include "gui/model/case_controller.h"
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/parameters/field.h"
 #include "gui/model/case_controller.h"
 
 namespace angiomesh {

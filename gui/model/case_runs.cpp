@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/parameters/field.h"
 #include "gui/model/case_controller.h"
 #include "gui/model/step_text.h"
 

@@ -2,6 +2,7 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "core/parameters/field.h"
 #include "gui/model/case_controller.h"
 #include "gui/model/step_text.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/model/step_text.h"
 
+#include "core/parameters/field.h"
+
 #include <map>
 
 namespace angiomesh {

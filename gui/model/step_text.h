@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
 #include "gui/model/case_controller.h"
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <utility>
 
-#include "core/parameters/parameters.h"
+#include "core/parameters/field.h"
 #include "gui/model/step_text.h"
 
 class QAbstractSpinBox;

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/parameters/field.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/field_editor.h"
 

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/report.h"
 #include "io/case/case_journal.h"
 #include "io/file/files.h"

@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "core/parameters/field.h"
 #include "io/case/case_file.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"

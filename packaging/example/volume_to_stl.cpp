@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "core/base/error.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
 #include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/parameters/parameters.h"
+#include "core/parameters/field.h"
 
 namespace angiomesh::test {
 

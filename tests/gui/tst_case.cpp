@@ -68,7 +68,7 @@ class TestCase : public QObject {
     c.openPath = study.saved;
     action(c, "openFolder")->trigger();
     QCOMPARE(c.window->windowTitle(), QString("vessels[*] — Angiomesh"));
-    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
     QCOMPARE(c.controller().seeds().size(), std::size_t(1));
     QVERIFY(!c.controller().modified());
     QCOMPARE(c.controller().undoStack()->count(), 0);
@@ -154,11 +154,11 @@ class TestCase : public QObject {
     c.answers.savePath = study.folder.filePath("cases/vessels");
     action(c, "saveCaseAs")->trigger();
     QCOMPARE(c.answers.asked.last(), QString("replace vessels"));
-    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 31.0);
     c.answers.replace = true;
     c.answers.savePath = study.saved + "/vessels.angiomesh";
     action(c, "saveCaseAs")->trigger();
-    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 12.0);
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 12.0);
     QCOMPARE(c.controller().caseFolder(), study.saved);
     c.answers.savePath = study.folder.filePath("no/such/place");
     action(c, "saveCaseAs")->trigger();
@@ -227,7 +227,7 @@ class TestCase : public QObject {
     c.answers.source = {SourceAnswer::File};
     c.window->open(moved);
     QTRY_COMPARE(c.controller().caseName(), QString("mine"));
-    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
     QVERIFY(QSettings().value("sources").toStringList().first().endsWith("far.mha"));
   }
 
@@ -243,7 +243,7 @@ class TestCase : public QObject {
     c.answers.source = {SourceAnswer::File, SourceAnswer::ParametersOnly};
     c.window->open(study.saved);
     QTRY_VERIFY(c.controller().hasCase());
-    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
     QVERIFY(c.controller().seeds().empty());
     QVERIFY(c.controller().caseFolder().isEmpty());
     QCOMPARE(c.controller().image()->voxels[5], twoTubes().image->voxels[5] + 1.0F);
@@ -296,7 +296,7 @@ class TestCase : public QObject {
     c.answers.save = SaveAnswer::Save;
     c.window->close();
     QTRY_VERIFY(!c.window->isVisible());
-    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 38.0);
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 38.0);
   }
 
   void discardedChangesLeaveTheLastSave() {
@@ -307,7 +307,7 @@ class TestCase : public QObject {
     c.answers.save = SaveAnswer::Discard;
     QVERIFY(c.window->close());
     QTRY_VERIFY(readJournal(study.saved.toStdString(), 0).empty());
-    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 31.0);
   }
 
   void anotherVolumeComesAfterTheSave() {
@@ -318,7 +318,7 @@ class TestCase : public QObject {
     c.answers.save = SaveAnswer::Save;
     c.window->open(study.otherVolume());
     QTRY_COMPARE(c.controller().caseName(), QString("other"));
-    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 38.0);
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 38.0);
     QVERIFY(c.controller().caseFolder().isEmpty());
   }
 
@@ -336,7 +336,7 @@ class TestCase : public QObject {
     second.answers.replace = true;
     action(second, "saveCase")->trigger();
     QVERIFY(second.window->isWindowModified());
-    QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+    QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 31.0);
   }
 
   void workersSaveAndNote() {
@@ -359,10 +359,10 @@ class TestCase : public QObject {
       QCOMPARE(study.recoveries(), 0);
     }
     const CaseReading reading = readCase(study.saved.toStdString());
-    QCOMPARE(reading.document.params.levelset.xi, 69.0);
+    QCOMPARE(reading.document.params.thresholds.xi, 69.0);
     const auto steps = readJournal(study.saved.toStdString(), reading.document.saves);
     QCOMPARE(steps.size(), std::size_t(1));
-    QCOMPARE(steps.front().params.levelset.xi, 90.0);
+    QCOMPARE(steps.front().params.thresholds.xi, 90.0);
   }
 };
 

@@ -56,7 +56,7 @@ class TestCaseRecovery : public QObject {
     QVERIFY(c.window->offerRestore());
     QVERIFY2(c.answers.asked.last().startsWith("restoreAtStart 2 changes of"),
              qPrintable(c.answers.asked.last()));
-    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
     QCOMPARE(c.controller().seeds().size(), std::size_t(1));
     QVERIFY(c.window->isWindowModified());
     QCOMPARE(c.controller().undoStack()->count(), 2);
@@ -85,7 +85,7 @@ class TestCaseRecovery : public QObject {
       c.answers.restore = RestoreAnswer::Restore;
       c.window->open(study.saved);
       QCOMPARE(c.controller().caseFolder(), study.saved);
-      QTRY_COMPARE(c.controller().parameters().levelset.xi, 37.0);
+      QTRY_COMPARE(c.controller().parameters().thresholds.xi, 37.0);
     }
   }
 
@@ -120,7 +120,7 @@ class TestCaseRecovery : public QObject {
     WindowCase c(makeInlineJobRunner, study.recovery);
     c.answers.restore = RestoreAnswer::Restore;
     QVERIFY(c.window->offerRestore());
-    QCOMPARE(c.controller().parameters().levelset.xi, 34.0);
+    QCOMPARE(c.controller().parameters().thresholds.xi, 34.0);
     QCOMPARE(c.controller().image()->geometry.size[0], 128);
   }
 
@@ -132,7 +132,7 @@ class TestCaseRecovery : public QObject {
         makeCase(c, study);
         c.controller().setField("levelset.xi", 37.0);
       }
-      QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 31.0);
+      QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 31.0);
       WindowCase c;
       c.answers.restore = RestoreAnswer::Restore;
       if (atStart) {
@@ -140,11 +140,11 @@ class TestCaseRecovery : public QObject {
       } else {
         c.window->open(study.saved);
       }
-      QTRY_COMPARE(c.controller().parameters().levelset.xi, 37.0);
+      QTRY_COMPARE(c.controller().parameters().thresholds.xi, 37.0);
       QCOMPARE(c.answers.asked.size(), 1);
       QVERIFY(c.window->isWindowModified());
       action(c, "saveCase")->trigger();
-      QCOMPARE(readCase(study.saved.toStdString()).document.params.levelset.xi, 37.0);
+      QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 37.0);
       QVERIFY(readJournal(study.saved.toStdString(), 0).empty());
       QVERIFY(c.window->close());
       QVERIFY(!QFile::exists(study.saved + "/case.lock"));
@@ -165,7 +165,7 @@ class TestCaseRecovery : public QObject {
     c.answers.restore = RestoreAnswer::Discard;
     c.window->open(study.saved);
     QTRY_COMPARE(c.answers.asked.size(), 1);
-    QCOMPARE(c.controller().parameters().levelset.xi, 31.0);
+    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
     QTRY_VERIFY(readJournal(study.saved.toStdString(), 0).empty());
   }
 

@@ -267,7 +267,7 @@ class TestController : public QObject {
     controller.open(path);
     QCOMPARE(opened.size(), 1);
     QCOMPARE(controller.caseName(), QString("scan"));
-    QCOMPARE(controller.parameters().levelset.xi, 33.0);
+    QCOMPARE(controller.parameters().thresholds.xi, 33.0);
     QVERIFY(controller.seeds().empty());
     QVERIFY(controller.state(Step::Preprocess) == StepState::Empty);
     QCOMPARE(controller.undoStack()->count(), 0);

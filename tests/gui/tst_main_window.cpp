@@ -12,6 +12,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
+#include "core/parameters/field.h"
 #include "io/volume/image_write.h"
 #include "window_case.h"
 
@@ -94,14 +95,14 @@ class TestMainWindow : public QObject {
             ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider)
             .center();
     c.drag(slider, handle, handle + QPoint(12, 0));
-    QVERIFY(c.controller().parameters().levelset.xi > 20.0);
+    QVERIFY(c.controller().parameters().thresholds.xi > 20.0);
     QVERIFY(c.controller().state(Step::Seeds) == StepState::Fresh);
     QVERIFY(c.controller().state(Step::Evolve) == StepState::Stale);
     QVERIFY(c.controller().state(Step::Quality) == StepState::Stale);
     QCOMPARE(c.find<QLabel>("state", "step:evolve")->text(), QString("stale"));
     QCOMPARE(c.controller().undoStack()->count(), 1);
     c.clickTool("undo");
-    QCOMPARE(c.controller().parameters().levelset.xi, 20.0);
+    QCOMPARE(c.controller().parameters().thresholds.xi, 20.0);
     QCOMPARE(c.find<QDoubleSpinBox>("spin", "field:levelset.xi")->value(), 20.0);
     QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
     c.clickTool("redo");

@@ -8,7 +8,7 @@
 #include "core/cuts/border_cuts.h"
 #include "core/cuts/border_slant.h"
 #include "core/field/wall_field.h"
-#include "core/parameters/parameters.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/surface_step.h"
 #include "tests/core/mesh_shapes.h"
 

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/cuts/cuts.h"
+#include "core/parameters/field.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/surface_step.h"

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/levelset/comparison_methods.h"
+#include "core/parameters/field.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/overlap.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/parameters/parameters.h"
+#include "core/parameters/field.h"
 #include "tests/core/random_parameters.h"
 
 using namespace angiomesh;

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/parameters/field.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/overlap.h"

@@ -4,6 +4,7 @@
 
 #include "core/distance/mask_distance.h"
 #include "core/field/wall_field.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/wall_step.h"
 #include "core/surface/zero_set_mesh.h"

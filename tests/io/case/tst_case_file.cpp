@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/parameters/field.h"
 #include "core/phantom/phantom.h"
 #include "io/case/case_cache.h"
 #include "io/case/case_journal.h"
@@ -81,7 +82,7 @@ JournalStep step(int saves, int position, double xi) {
   result.saves = saves;
   result.position = position;
   result.text = "change levelset.xi";
-  result.params.levelset.xi = xi;
+  result.params.thresholds.xi = xi;
   return result;
 }
 
@@ -137,7 +138,7 @@ class TestCaseFile : public QObject {
     QCOMPARE(document.source.hash, std::string("0123456789abcdef"));
     QCOMPARE(document.source.grid.size[2], 40);
     QCOMPARE(document.source.grid.origin[2], 1.0 / 3.0);
-    QCOMPARE(document.params.levelset.xi, 33.25);
+    QCOMPARE(document.params.thresholds.xi, 33.25);
     QCOMPARE(document.params.segmentation.keep, KeepComponents::Largest);
     QCOMPARE(document.params.seeds.points, (std::vector<double>{1.0, -2.5, 3.0}));
     QCOMPARE(document.view.slab, std::string("mip"));
@@ -145,7 +146,7 @@ class TestCaseFile : public QObject {
     const std::vector<JournalStep> steps = readJournal(sample, document.saves);
     QCOMPARE(steps.size(), std::size_t(2));
     QCOMPARE(steps[0].text, std::string("change levelset.xi"));
-    QCOMPARE(steps[1].params.levelset.xi, 41.0);
+    QCOMPARE(steps[1].params.thresholds.xi, 41.0);
   }
 
   void aNewerSchemaIsRefusedInWords() {
@@ -190,24 +191,24 @@ class TestCaseFile : public QObject {
     const fs::path a = folder / "a.angiomesh";
     CaseDocument document = sampleDocument();
     document.params = preset("angiomesh");
-    document.params.levelset.xi = 44.0;
+    document.params.thresholds.xi = 44.0;
     writeCase(a, document);
     replaceIn(a / "case.json", "\"xi\"", "\"xj\"");
     const CaseReading reading = readCase(a);
     QCOMPARE(reading.warnings.size(), std::size_t(1));
     QVERIFY(reading.warnings.front().find("levelset.xj") != std::string::npos);
-    QCOMPARE(reading.document.params.levelset.xi, Parameters().levelset.xi);
+    QCOMPARE(reading.document.params.thresholds.xi, Parameters().levelset.xi);
     replaceIn(a / "case.json", "\"xj\": 44.0", "\"xi\": -1.0");
     replaceIn(a / "case.json", "\"method\": \"advancing-front\"", "\"method\": \"marching-cubes\"");
     const CaseReading other = readCase(a);
     QCOMPARE(other.warnings.size(), std::size_t(1));
     QVERIFY(other.warnings.front().find("levelset.xi") != std::string::npos);
-    QCOMPARE(other.document.params.levelset.xi, Parameters().levelset.xi);
+    QCOMPARE(other.document.params.thresholds.xi, Parameters().levelset.xi);
     QCOMPARE(other.document.params.surface.method, SurfaceMethod::MarchingCubes);
     replaceIn(a / "case.json", "\"layer\": \"vesselness\"", "\"layer\": 7");
     replaceIn(a / "case.json", "\"xi\": -1.0", "\"xi\": 2.0");
     QCOMPARE(readCase(a).warnings.size(), std::size_t(1));
-    QCOMPARE(readCase(a).document.params.levelset.xi, 2.0);
+    QCOMPARE(readCase(a).document.params.thresholds.xi, 2.0);
   }
 
   void aCountThatIsNoneIsDamage() {
@@ -246,7 +247,7 @@ class TestCaseFile : public QObject {
     appendJournal(a, {step(3, 1, 25.0), step(3, 2, 26.0)});
     for (const char* name : {"case.json", "case.previous.json"}) save(a / name, "{\"schema\": 1");
     const CaseReading reading = readCase(a);
-    QCOMPARE(reading.document.params.levelset.xi, 26.0);
+    QCOMPARE(reading.document.params.thresholds.xi, 26.0);
     QCOMPARE(reading.document.source.hash, sampleDocument().source.hash);
     QVERIFY(reading.document.source.grid == sampleDocument().source.grid);
     QCOMPARE(reading.warnings.size(), std::size_t(1));
@@ -384,7 +385,7 @@ class TestCaseFile : public QObject {
       QVERIFY(reading.document.saves >= most);
       most = reading.document.saves;
       for (const JournalStep& each : readJournal(a, 0))
-        QVERIFY(each.params.levelset.xi == 25.0 || each.params.levelset.xi == 26.0);
+        QVERIFY(each.params.thresholds.xi == 25.0 || each.params.thresholds.xi == 26.0);
     }
     QVERIFY(most > 1);
   }
@@ -425,8 +426,8 @@ class TestCaseFile : public QObject {
     appendJournal(a, {step(3, 2, 24.0)});
     std::vector<JournalStep> steps = readJournal(a, 3);
     QCOMPARE(steps.size(), std::size_t(2));
-    QCOMPARE(steps[0].params.levelset.xi, 23.0);
-    QCOMPARE(steps[1].params.levelset.xi, 24.0);
+    QCOMPARE(steps[0].params.thresholds.xi, 23.0);
+    QCOMPARE(steps[1].params.thresholds.xi, 24.0);
 
     const fs::path file = a / "edits/journal.jsonl";
     const std::string whole = bytesOf(file);
@@ -437,7 +438,7 @@ class TestCaseFile : public QObject {
     appendJournal(a, {step(3, 2, 27.0)});
     steps = readJournal(a, 3);
     QCOMPARE(steps.size(), std::size_t(2));
-    QCOMPARE(steps[1].params.levelset.xi, 27.0);
+    QCOMPARE(steps[1].params.thresholds.xi, 27.0);
     removeJournal(a);
     removeJournal(a);
     QVERIFY(readJournal(a, 0).empty());
