@@ -8,7 +8,7 @@
 
 #include "bench/program.h"
 #include "core/parameters/field.h"
-#include "gui/model/case_store.h"
+#include "gui/job/case_store.h"
 
 namespace angiomesh::bench {
 namespace {

@@ -20,8 +20,8 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "gui/job/known_sources.h"
 #include "gui/model/case_ports.h"
-#include "gui/model/known_sources.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
 #include "gui/panel/inspector_panel.h"

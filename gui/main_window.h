@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "gui/model/job_runner.h"
+#include "gui/job/job_runner.h"
 #include "gui/panel/case_questions.h"
 #include "gui/panel/export_dialog.h"
 #include "gui/panel/open_questions.h"

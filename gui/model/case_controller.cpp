@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/parameters/field.h"
+#include "gui/job/component_points.h"
 #include "gui/model/change_parameters.h"
-#include "gui/model/component_points.h"
 #include "gui/model/step_text.h"
 
 namespace angiomesh {

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "core/parameters/field.h"
-#include "gui/model/case_store.h"
-#include "gui/model/file_jobs.h"
-#include "gui/model/job_runner.h"
-#include "gui/model/open_case_job.h"
-#include "gui/model/run_job.h"
+#include "gui/job/case_store.h"
+#include "gui/job/file_jobs.h"
+#include "gui/job/job_runner.h"
+#include "gui/job/open_case_job.h"
+#include "gui/job/run_job.h"
 
 namespace angiomesh {
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "gui/job/port_job.h"
 #include "gui/model/case_controller.h"
 #include "gui/model/kept_numbers.h"
-#include "gui/model/port_job.h"
 #include "gui/model/port_rows.h"
 
 namespace angiomesh {

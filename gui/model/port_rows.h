@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "gui/job/port_job.h"
 #include "gui/model/case_controller.h"
-#include "gui/model/port_job.h"
 
 namespace angiomesh {
 

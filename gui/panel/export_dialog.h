@@ -4,7 +4,7 @@
 #include <QDialog>
 #include <functional>
 
-#include "gui/model/run_job.h"
+#include "gui/job/run_job.h"
 #include "io/mesh/mesh_io.h"
 
 class QCheckBox;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "gui/model/job_runner.h"
+#include "gui/job/job_runner.h"
 #include "io/scan/image_io.h"
 #include "io/scan/label_image.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "gui/model/run_job.h"
+#include "gui/job/run_job.h"
 
 class QPainter;
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "gui/model/job_runner.h"
-#include "gui/model/thumbnail_job.h"
+#include "gui/job/job_runner.h"
+#include "gui/job/thumbnail_job.h"
 
 class QLabel;
 class QPushButton;

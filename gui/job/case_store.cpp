@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/case_store.h"
+#include "gui/job/case_store.h"
 
 #include <QUuid>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/run_job.h"
+#include "gui/job/run_job.h"
 
 #include <algorithm>
 #include <exception>

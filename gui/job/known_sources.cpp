@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/known_sources.h"
+#include "gui/job/known_sources.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/open_case_job.h"
+#include "gui/job/open_case_job.h"
 
 #include <utility>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/model/job_runner.h"
+#include "gui/job/job_runner.h"
 #include "io/case/case_cache.h"
 #include "io/case/case_file.h"
 #include "io/case/case_journal.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "gui/model/case_store.h"
-#include "gui/model/file_jobs.h"
-#include "gui/model/known_sources.h"
+#include "gui/job/case_store.h"
+#include "gui/job/file_jobs.h"
+#include "gui/job/known_sources.h"
 
 namespace angiomesh {
 

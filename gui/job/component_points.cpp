@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/component_points.h"
+#include "gui/job/component_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/port_job.h"
+#include "gui/job/port_job.h"
 
 #include <cstdio>
 #include <exception>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/file_jobs.h"
+#include "gui/job/file_jobs.h"
 
 #include <algorithm>
 #include <exception>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/thumbnail_job.h"
+#include "gui/job/thumbnail_job.h"
 #include "io/dicom/dicom.h"
 
 #include <exception>

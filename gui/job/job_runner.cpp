@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/job_runner.h"
+#include "gui/job/job_runner.h"
 
 #include <utility>
 
