@@ -41,8 +41,8 @@ int numberOf(const Parameters& params) {
   return number;
 }
 
-CaseDocument documentOf(int number) {
-  CaseDocument document;
+SavedCase documentOf(int number) {
+  SavedCase document;
   document.source.hash = "0123456789abcdef";
   document.source.format = "NRRD";
   document.source.grid.size = {48, 48, 48};
@@ -76,7 +76,7 @@ void checkCache(const fs::path& folder, int newest) {
 }
 
 struct Opened {
-  CaseDocument document = documentOf(0);
+  SavedCase document = documentOf(0);
   std::shared_ptr<CasePlace> place;
   int number = 0;  ///< of the last edit
 };

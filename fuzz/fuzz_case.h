@@ -17,7 +17,7 @@ inline bool same(const JournalStep& a, const JournalStep& b) {
 }
 
 /// The document comes back without a warning from what is written of it into `folder`.
-inline void checkSave(const std::filesystem::path& folder, const CaseDocument& document,
+inline void checkSave(const std::filesystem::path& folder, const SavedCase& document,
                       const std::filesystem::path& other) {
   writeCase(folder, document);
   const CaseReading back = readCase(folder);
@@ -40,7 +40,7 @@ inline void checkNotes(const std::filesystem::path& folder, const std::vector<Jo
 
 /// What the desktop does with a case: it takes the edits of its journal, notes another one and
 /// saves all of it again, in its place and elsewhere.
-inline void workOn(const InputFolder& folder, CaseDocument document) {
+inline void workOn(const InputFolder& folder, SavedCase document) {
   const std::filesystem::path given = folder / "given.angiomesh", other = folder / "o.angiomesh";
   checkParameters(document.params);
   std::vector<JournalStep> steps = readJournal(given, document.saves);

@@ -339,8 +339,8 @@ void makeLabels(const fs::path& folder) {
   }
 }
 
-CaseDocument smallDocument() {
-  CaseDocument document;
+SavedCase smallDocument() {
+  SavedCase document;
   document.source.hash = "0123456789abcdef";
   document.source.format = "NRRD";
   document.source.grid.size = {64, 48, 40};

@@ -112,8 +112,8 @@ struct CaseStore::Task {
   enum class Kind { Note, Forget, Save, Cache, Leave } kind = Kind::Note;
   int generation = 0;
   std::vector<JournalStep> steps;
-  std::shared_ptr<const CaseDocument> start;
-  CaseDocument document;             ///< of a save
+  std::shared_ptr<const SavedCase> start;
+  SavedCase document;                ///< of a save
   CachedEvolve evolve;               ///< of a cache
   std::shared_ptr<CasePlace> place;  ///< where to do it
   std::shared_ptr<CasePlace> left;   ///< by a save elsewhere
@@ -190,11 +190,11 @@ fs::path CaseStore::folder() const {
   return place_ && !place_->recovery ? place_->folder : fs::path();
 }
 
-void CaseStore::begin(CaseDocument start, std::shared_ptr<CasePlace> place) {
+void CaseStore::begin(SavedCase start, std::shared_ptr<CasePlace> place) {
   begun_ = true;
   ++generation_;
   saves_ = start.saves;
-  start_ = std::make_shared<const CaseDocument>(std::move(start));
+  start_ = std::make_shared<const SavedCase>(std::move(start));
   place_ = std::move(place);
 }
 
@@ -229,7 +229,7 @@ void CaseStore::forgetEdits() {
   add(task);
 }
 
-void CaseStore::save(const fs::path& folder, CaseDocument document) {
+void CaseStore::save(const fs::path& folder, SavedCase document) {
   const auto task = std::make_shared<Task>();
   task->kind = Task::Kind::Save;
   task->document = std::move(document);
@@ -330,7 +330,7 @@ void CaseStore::finish() {
   if (task->kind == Task::Kind::Save) {
     if (task->error.empty() && present) {
       place_ = task->place;
-      start_ = std::make_shared<const CaseDocument>(task->document);
+      start_ = std::make_shared<const SavedCase>(task->document);
     }
     outcomes_.push_back({task->error.empty() ? Outcome::Kind::Saved : Outcome::Kind::NotSaved,
                          task->place->folder, task->document, task->error, present});

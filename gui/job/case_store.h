@@ -45,7 +45,7 @@ class CaseStore {
   struct Outcome {
     enum class Kind { Saved, NotSaved, NotNoted } kind = Kind::Saved;
     std::filesystem::path folder;
-    CaseDocument document;  ///< as saved
+    SavedCase document;  ///< as saved
     std::string error;
     bool present = true;  ///< the case is still the one that was saved
   };
@@ -57,7 +57,7 @@ class CaseStore {
 
   /// @param start the case as it is on the disk, or as a case without a folder begins
   /// @param place where it lies; null: nowhere yet
-  void begin(CaseDocument start, std::shared_ptr<CasePlace> place);
+  void begin(SavedCase start, std::shared_ptr<CasePlace> place);
   [[nodiscard]] bool begun() const { return begun_; }
   /// Of the case; empty: it was never saved.
   [[nodiscard]] std::filesystem::path folder() const;
@@ -65,7 +65,7 @@ class CaseStore {
   void note(JournalStep step);
   /// The edits on the disk are not wanted.
   void forgetEdits();
-  void save(const std::filesystem::path& folder, CaseDocument document);
+  void save(const std::filesystem::path& folder, SavedCase document);
   /// Keeps a result in the case's folder, if it has one. A failure is no loss and not told.
   void cache(CachedEvolve evolve);
   /// The clean end of the case: what was not saved is not kept.
@@ -92,7 +92,7 @@ class CaseStore {
   bool begun_ = false;
   int generation_ = 0;  ///< of the case: what an earlier one asked for changes nothing here
   int saves_ = 0;
-  std::shared_ptr<const CaseDocument> start_;
+  std::shared_ptr<const SavedCase> start_;
   std::shared_ptr<CasePlace> place_;
   std::shared_ptr<Task> current_;
   std::deque<std::shared_ptr<Task>> queue_;

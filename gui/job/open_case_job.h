@@ -30,7 +30,7 @@ class OpenCaseJob final : public LoadJob {
   [[nodiscard]] const CaseRequest& request() const { return request_; }
 
   // After execute():
-  [[nodiscard]] const CaseDocument& document() const { return document_; }
+  [[nodiscard]] const SavedCase& document() const { return document_; }
   [[nodiscard]] const std::vector<JournalStep>& steps() const { return steps_; }
   /// Of reading and of the place.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
@@ -50,7 +50,7 @@ class OpenCaseJob final : public LoadJob {
   Source obtainSample();
 
   CaseRequest request_;
-  CaseDocument document_;
+  SavedCase document_;
   std::vector<JournalStep> steps_;
   std::vector<std::string> warnings_;
   std::shared_ptr<CasePlace> place_;

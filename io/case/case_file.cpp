@@ -164,7 +164,7 @@ CaseReading parse(const std::string& text, const fs::path& file) {
                          "; this one reads up to " + std::to_string(kCaseSchema) + ")",
                      file.parent_path().string(), "update the program");
   CaseReading reading;
-  CaseDocument& document = reading.document;
+  SavedCase& document = reading.document;
   Json parameters;
   try {
     document.source = sourceFrom(json.at("source"));
@@ -191,7 +191,7 @@ CaseReading parse(const std::string& text, const fs::path& file) {
   return reading;
 }
 
-std::string textOf(const CaseDocument& document) {
+std::string textOf(const SavedCase& document) {
   const Json json = {{"schema", kCaseSchema},
                      {"program", versionText()},
                      {"saves", document.saves},
@@ -293,7 +293,7 @@ fs::path caseFolder(const fs::path& path) {
   return folder;
 }
 
-void writeCase(const fs::path& folder, const CaseDocument& document) {
+void writeCase(const fs::path& folder, const SavedCase& document) {
   const std::string text = textOf(document);
   std::error_code error;
   if (!fs::exists(folder, error)) {

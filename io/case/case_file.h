@@ -38,7 +38,7 @@ struct CaseView {
 };
 
 /// case.json. Seeds, region of interest and dropped parts are among the parameters.
-struct CaseDocument {
+struct SavedCase {
   CaseSource source;
   Parameters params;
   CaseView view;
@@ -47,7 +47,7 @@ struct CaseDocument {
 };
 
 struct CaseReading {
-  CaseDocument document;
+  SavedCase document;
   std::vector<std::string> warnings;
 };
 
@@ -60,7 +60,7 @@ std::filesystem::path caseFolder(const std::filesystem::path& path);
 /// Writes case.json into `folder`, which is made when there is none; the one before stays as
 /// case.previous.json. Whenever the program ends, the folder holds a case that opens, or no case.
 /// @throws IoError (no such place, disk full, a folder with other files): what was there stays
-void writeCase(const std::filesystem::path& folder, const CaseDocument& document);
+void writeCase(const std::filesystem::path& folder, const SavedCase& document);
 
 /// Reads case.json, or case.previous.json where that one is missing or damaged, or else the last
 /// edit in the journal, with a warning. Parameters that the file does not name have their defaults;

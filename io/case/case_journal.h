@@ -11,7 +11,7 @@ namespace angiomesh {
 
 /// One edit of a case as its journal keeps it: one line of edits/journal.jsonl.
 struct JournalStep {
-  int saves = 0;      ///< CaseDocument::saves at the time of the edit
+  int saves = 0;      ///< SavedCase::saves at the time of the edit
   int position = 0;   ///< in the undo stack, after the edit
   std::string text;   ///< "change levelset.xi"
   Parameters params;  ///< after the edit

@@ -96,7 +96,7 @@ class TestCaseRecovery : public QObject {
     const std::filesystem::path young = study.recovery / "young.angiomesh";
     for (const std::filesystem::path& folder : {old, young}) {
       std::filesystem::create_directories(folder);
-      writeCase(folder, CaseDocument());
+      writeCase(folder, SavedCase());
     }
     std::filesystem::last_write_time(
         old / "case.json", std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));

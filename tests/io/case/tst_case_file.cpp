@@ -28,8 +28,8 @@ using namespace angiomesh::test;
 
 namespace {
 
-CaseDocument sampleDocument(std::uint64_t seed = 1) {
-  CaseDocument document;
+SavedCase sampleDocument(std::uint64_t seed = 1) {
+  SavedCase document;
   document.source.hash = "0123456789abcdef";
   document.source.format = "DICOM";
   document.source.files = 40;
@@ -50,7 +50,7 @@ CaseDocument sampleDocument(std::uint64_t seed = 1) {
   return document;
 }
 
-void verifyEqual(const CaseDocument& a, const CaseDocument& b) {
+void verifyEqual(const SavedCase& a, const SavedCase& b) {
   QCOMPARE(a.source.hash, b.source.hash);
   QCOMPARE(a.source.format, b.source.format);
   QCOMPARE(a.source.files, b.source.files);
@@ -117,7 +117,7 @@ class TestCaseFile : public QObject {
   void whatIsSavedComesBack() {
     const Folder folder;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      const CaseDocument document = sampleDocument(seed);
+      const SavedCase document = sampleDocument(seed);
       writeCase(folder / "a.angiomesh", document);
       const CaseReading reading = readCase(folder / "a.angiomesh");
       QVERIFY(reading.warnings.empty());
@@ -134,7 +134,7 @@ class TestCaseFile : public QObject {
     const fs::path sample = fs::path(ANGIOMESH_TEST_DATA) / "schema-1.angiomesh";
     const CaseReading reading = readCase(sample);
     for (const std::string& warning : reading.warnings) QVERIFY2(false, warning.c_str());
-    const CaseDocument& document = reading.document;
+    const SavedCase& document = reading.document;
     QCOMPARE(document.source.hash, std::string("0123456789abcdef"));
     QCOMPARE(document.source.grid.size[2], 40);
     QCOMPARE(document.source.grid.origin[2], 1.0 / 3.0);
@@ -189,7 +189,7 @@ class TestCaseFile : public QObject {
   void unknownParametersAreNamedAndMissingOnesHaveDefaults() {
     const Folder folder;
     const fs::path a = folder / "a.angiomesh";
-    CaseDocument document = sampleDocument();
+    SavedCase document = sampleDocument();
     document.params = preset("angiomesh");
     document.params.thresholds.xi = 44.0;
     writeCase(a, document);
@@ -368,7 +368,7 @@ class TestCaseFile : public QObject {
     for (std::uint64_t round = 0; round < 25 || (most <= 1 && round < 1000); ++round) {
       const pid_t child = ::fork();
       if (child == 0) {
-        CaseDocument document = sampleDocument(round);
+        SavedCase document = sampleDocument(round);
         for (document.saves = most + 1;; ++document.saves) {
           writeCase(a, document);
           appendJournal(a, {step(document.saves, 1, 25.0), step(document.saves, 2, 26.0)});
