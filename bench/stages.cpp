@@ -59,7 +59,7 @@ std::shared_ptr<const Bed> makeBed(int size, double noise) {
   bed->image = run.preprocessed;
   bed->vesselness = run.vesselness->multiScale;
   bed->c = run.vesselness->c;
-  bed->thresholds = thresholdsFor(*run.vesselness, bed->params.levelset);
+  bed->thresholds = thresholdsFor(*run.vesselness, bed->params.thresholds);
   bed->seedsLps = run.seeds->pointsLps;
   bed->seedStart =
       fastMarchingStart(bed->image->geometry, run.seeds->pointsLps, bed->params.seeds.radiusVoxels);

@@ -60,10 +60,10 @@ void check(const QObject* parent, const char* name, bool on) {
 MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
     : QMainWindow(parent),
       options_(std::move(options)),
-      controller_(new CaseController(options_.makeRunner, this, options_.recovery)),
-      state_(new ViewState(*controller_, this)),
-      ports_(new CasePorts(*controller_, options_.makeRunner, this)),
-      views_(new ViewGrid(*controller_, *state_, *ports_, this)) {
+      models_(std::make_unique<CaseModels>(options_.makeRunner, options_.recovery)),
+      state_(new ViewState(*models_, this)),
+      ports_(new CasePorts(*models_, options_.makeRunner, this)),
+      views_(new ViewGrid(*models_, *state_, *ports_, this)) {
   setObjectName("mainWindow");
   keepSettingsPrivate();
   setAcceptDrops(true);
@@ -74,19 +74,19 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   buildMenus();
   buildToolBar();
   buildStatusBar();
-  connect(controller_, &CaseController::caseChanged, this, &MainWindow::refreshTitle);
-  connect(controller_, &CaseController::statesChanged, this, &MainWindow::refreshActions);
-  connect(controller_, &CaseController::resultsChanged, this, &MainWindow::refreshActions);
-  connect(controller_, &CaseController::parametersChanged, this, &MainWindow::refreshActions);
-  connect(controller_, &CaseController::snapshotArrived, this, &MainWindow::refreshActions);
-  connect(controller_, &CaseController::progressChanged, this, &MainWindow::showProgress);
-  connect(controller_, &CaseController::opened, this, &MainWindow::remember);
-  // Asked once the controller is done with the job: a dialog runs a loop of its own.
-  connect(controller_, &CaseController::seriesFound, this, &MainWindow::chooseSeries,
+  connect(&models_->files, &CaseFiles::caseChanged, this, &MainWindow::refreshTitle);
+  connect(&models_->runs, &RunModel::statesChanged, this, &MainWindow::refreshActions);
+  connect(&models_->results, &ResultModel::resultsChanged, this, &MainWindow::refreshActions);
+  connect(&models_->document, &CaseDocument::parametersChanged, this, &MainWindow::refreshActions);
+  connect(&models_->runs, &RunModel::snapshotArrived, this, &MainWindow::refreshActions);
+  connect(&models_->timer, &JobTimer::ticked, this, &MainWindow::showProgress);
+  connect(&models_->files, &CaseFiles::opened, this, &MainWindow::remember);
+  // Asked once the loader is done with the job: a dialog runs a loop of its own.
+  connect(&models_->files, &CaseFiles::seriesFound, this, &MainWindow::chooseSeries,
           Qt::QueuedConnection);
-  connect(controller_, &CaseController::labelsFound, this, &MainWindow::chooseLabel,
+  connect(&models_->files, &CaseFiles::labelsFound, this, &MainWindow::chooseLabel,
           Qt::QueuedConnection);
-  connect(controller_, &CaseController::unevenFound, this, &MainWindow::askToResample,
+  connect(&models_->files, &CaseFiles::unevenFound, this, &MainWindow::askToResample,
           Qt::QueuedConnection);
   connect(state_, &ViewState::changed, this, &MainWindow::refreshViewActions);
   connectCases();
@@ -99,15 +99,13 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // The panels listen to the ports and to the controller: these go first, with their workers, and
+  // The panels listen to the ports and to the models: these go first, with their workers, and
   // say nothing more.
   ports_->disconnect();
   delete ports_;
   ports_ = nullptr;
-  controller_->disconnect();
-  controller_->undoStack()->disconnect(this);
-  delete controller_;
-  controller_ = nullptr;
+  models_->document.undoStack()->disconnect(this);
+  models_.reset();
 }
 
 void MainWindow::buildDocks() {
@@ -122,16 +120,16 @@ void MainWindow::buildDocks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   QDockWidget* pipeline = dock("pipelineDock", tr("Pipeline"), Qt::LeftDockWidgetArea,
-                               new PipelinePanel(*controller_, this));
+                               new PipelinePanel(*models_, this));
   QDockWidget* inspector = dock("inspectorDock", tr("Mesh inspector"), Qt::RightDockWidgetArea,
-                                new InspectorPanel(*controller_, *state_, this));
+                                new InspectorPanel(*models_, *state_, this));
   portPanel_ = new PortPanel(*ports_, this);
   QDockWidget* ports = dock("portsDock", tr("Ports"), Qt::RightDockWidgetArea, portPanel_);
   splitDockWidget(inspector, ports, Qt::Vertical);
   QDockWidget* log =
-      dock("logDock", tr("Log"), Qt::BottomDockWidgetArea, new LogPanel(*controller_, this));
+      dock("logDock", tr("Log"), Qt::BottomDockWidgetArea, new LogPanel(*models_, this));
   QDockWidget* plot = dock("convergenceDock", tr("Convergence"), Qt::BottomDockWidgetArea,
-                           new ConvergencePlot(*controller_, this));
+                           new ConvergencePlot(*models_, this));
   splitDockWidget(log, plot, Qt::Horizontal);
   resizeDocks({inspector, ports}, {kInspectorHeight, kPortsHeight}, Qt::Vertical);
   resizeDocks({log, plot}, {150, 150}, Qt::Vertical);
@@ -210,7 +208,7 @@ void MainWindow::open(const QString& path, bool thenRun) {
   if (isCase(caseFolder(path.toStdString()))) {
     openCase(path);
   } else {
-    controller_->open(path);
+    models_->files.open(path);
   }
 }
 
@@ -221,21 +219,21 @@ void MainWindow::openSample(bool thenRun) {
   if (thenRun) {
     runOnceLoaded();
   }
-  controller_->openSample();
+  models_->files.openSample();
 }
 
 void MainWindow::runOnceLoaded() {
   auto* once = new QObject(this);
-  connect(controller_, &CaseController::caseChanged, once, [this, once] {
+  connect(&models_->files, &CaseFiles::caseChanged, once, [this, once] {
     once->deleteLater();
     QMetaObject::invokeMethod(
-        controller_, [this] { controller_->run(); }, Qt::QueuedConnection);
+        this, [this] { models_->runs.run(); }, Qt::QueuedConnection);
   });
   // A file that cannot be opened must not make the next one run.
-  connect(controller_, &CaseController::statesChanged, once, [this, once] {
-    if (!controller_->loading()) {
+  connect(&models_->files, &CaseFiles::loadingChanged, once, [this, once] {
+    if (!models_->files.loading()) {
       once->deleteLater();
-      QObject::disconnect(controller_, nullptr, once, nullptr);
+      QObject::disconnect(&models_->files, nullptr, once, nullptr);
     }
   });
 }
@@ -261,43 +259,43 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
-  controller_->cancel();
-  controller_->leaveCase();
+  models_->cancel();
+  models_->files.leaveCase();
   refreshModified();
   event->accept();
 }
 
 void MainWindow::refreshTitle() {
-  setWindowTitle(controller_->hasCase() ? tr("%1[*] — Angiomesh").arg(controller_->caseName())
-                                        : tr("Angiomesh"));
+  setWindowTitle(models_->document.hasCase()
+                     ? tr("%1[*] — Angiomesh").arg(models_->document.caseName())
+                     : tr("Angiomesh"));
   refreshModified();
 }
 
 void MainWindow::refreshActions() {
-  const bool idle = !controller_->running();
-  const bool evolving = controller_->evolving();
-  const bool any = controller_->hasCase();
+  const bool idle = !models_->runs.running();
+  const bool evolving = models_->runs.evolving();
+  const bool any = models_->document.hasCase();
   enable(this, {"runAll"}, any && idle);
-  enable(this, {"cancelRun"}, !idle || controller_->loading());
+  enable(this, {"cancelRun"}, !idle || models_->files.loading());
   enable(this, {"pauseRun", "finishRun"}, evolving);
-  enable(this, {"stepRun"}, evolving && controller_->paused());
-  actionOf(this, "pauseRun")->setText(controller_->paused() ? tr("Resume") : tr("Pause"));
+  enable(this, {"stepRun"}, evolving && models_->runs.paused());
+  actionOf(this, "pauseRun")->setText(models_->runs.paused() ? tr("Resume") : tr("Pause"));
   const bool mesh =
-      controller_->mesh(MeshKind::Exported) || controller_->mesh(MeshKind::Unsmoothed);
+      models_->results.mesh(MeshKind::Exported) || models_->results.mesh(MeshKind::Unsmoothed);
   enable(this, {"export"}, mesh);
-  enable(this, {"saveCase", "saveCaseAs"}, any && !controller_->loading());
-  enable(this, {"surface", "edges"}, mesh || controller_->liveSurface());
-  enable(this, {"contours"}, mesh || controller_->phi());
+  enable(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
+  enable(this, {"surface", "edges"}, mesh || models_->results.liveSurface());
+  enable(this, {"contours"}, mesh || models_->results.phi());
   enable(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "resetWindow"}, any);
-  enable(this, {"clearSeeds"}, !controller_->seeds().empty());
-  enable(this, {"clearRoi"}, controller_->parameters().preprocess.roi.has_value());
+  enable(this, {"clearSeeds"}, !models_->document.seeds().empty());
+  enable(this, {"clearRoi"}, models_->document.parameters().preprocess.roi.has_value());
   layer_->setEnabled(any);
   slab_->setEnabled(any);
   thickness_->setEnabled(any && state_->slabMode() != SlabMode::None);
-  const RunResult& results = controller_->results();
-  const std::array<bool, kLayerCount> there{any, results.preprocessed != nullptr,
-                                            results.vesselness != nullptr,
-                                            results.vesselness != nullptr};
+  const bool vesselness = models_->results.vesselnessResult() != nullptr;
+  const std::array<bool, kLayerCount> there{
+      any, models_->results.layer(Layer::Preprocessed) != nullptr, vesselness, vesselness};
   auto* items = qobject_cast<QStandardItemModel*>(layer_->model());
   for (int i = 0; i < kLayerCount; ++i) {
     items->item(i)->setEnabled(there[static_cast<std::size_t>(i)]);
@@ -312,7 +310,7 @@ void MainWindow::refreshViewActions() {
   layer_->setCurrentIndex(static_cast<int>(state_->layer()));
   slab_->setCurrentIndex(static_cast<int>(state_->slabMode()));
   thickness_->setValue(state_->slabThicknessMm());
-  thickness_->setEnabled(controller_->hasCase() && state_->slabMode() != SlabMode::None);
+  thickness_->setEnabled(models_->document.hasCase() && state_->slabMode() != SlabMode::None);
   check(this, "contours", state_->contours());
   check(this, "mip", state_->mip());
   check(this, "surface", state_->surface());
@@ -327,14 +325,14 @@ void MainWindow::refreshViewActions() {
 void MainWindow::showProgress() {
   QString text;
   double fraction = -1.0;
-  if (controller_->loading()) {
+  if (models_->files.loading()) {
     text = tr("Loading");
-    fraction = controller_->loadFraction();
-  } else if (const std::optional<Step> step = controller_->stepInWork()) {
+    fraction = models_->files.loadFraction();
+  } else if (const std::optional<Step> step = models_->runs.stepInWork()) {
     text = *step == Step::Evolve
-               ? tr("%1: iteration %2").arg(stepTitle(*step)).arg(controller_->iterations())
+               ? tr("%1: iteration %2").arg(stepTitle(*step)).arg(models_->runs.iterations())
                : stepTitle(*step);
-    fraction = controller_->runFraction();
+    fraction = models_->runs.runFraction();
   }
   work_->setText(text);
   progress_->setVisible(fraction >= 0.0);
@@ -346,7 +344,7 @@ void MainWindow::chooseSeries(const QString& path, const std::vector<ImageSummar
     if (thenRun_) {
       runOnceLoaded();
     }
-    controller_->openSeries(path, entries[*chosen], false);
+    models_->files.openSeries(path, entries[*chosen], false);
   }
 }
 
@@ -356,7 +354,7 @@ void MainWindow::askToResample(const QString& path, const ImageSummary& entry,
     if (thenRun_) {
       runOnceLoaded();
     }
-    controller_->openSeries(path, entry, true);
+    models_->files.openSeries(path, entry, true);
   }
 }
 
@@ -366,7 +364,7 @@ void MainWindow::chooseLabel(const QString& path, const std::vector<Label>& labe
     if (thenRun_) {
       runOnceLoaded();
     }
-    controller_->openLabel(path, *answer ? std::optional(labels[**answer]) : std::nullopt);
+    models_->files.openLabel(path, *answer ? std::optional(labels[**answer]) : std::nullopt);
   }
 }
 

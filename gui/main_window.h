@@ -22,7 +22,7 @@ class QToolBar;
 
 namespace angiomesh {
 
-class CaseController;
+struct CaseModels;
 class CasePorts;
 class PortPanel;
 class ViewGrid;
@@ -47,7 +47,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(MainWindowOptions options = {}, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  [[nodiscard]] CaseController& controller() { return *controller_; }
+  [[nodiscard]] CaseModels& models() { return *models_; }
   [[nodiscard]] ViewState& viewState() { return *state_; }
   [[nodiscard]] CasePorts& ports() { return *ports_; }
   [[nodiscard]] ViewGrid& views() { return *views_; }
@@ -112,7 +112,7 @@ class MainWindow : public QMainWindow {
 
   MainWindowOptions options_;
   bool thenRun_ = false;  ///< what is being opened is to be run
-  CaseController* controller_;
+  std::unique_ptr<CaseModels> models_;
   ViewState* state_;
   CasePorts* ports_;
   ViewGrid* views_;

@@ -34,43 +34,44 @@ QString outOfCase(const QString& path) {
 }  // namespace
 
 void MainWindow::connectCases() {
-  connect(controller_->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::refreshModified);
-  connect(controller_, &CaseController::caseFound, this, [this](const CaseView& view) {
+  connect(models_->document.undoStack(), &QUndoStack::cleanChanged, this,
+          &MainWindow::refreshModified);
+  connect(&models_->files, &CaseFiles::caseFound, this, [this](const CaseView& view) {
     state_->take(view);
     if (view.crosshairLps) {
       views_->setCrosshair(*view.crosshairLps);
     }
   });
-  connect(controller_, &CaseController::sourceSeen, this, [this](const QString& path) {
-    rememberSource(controller_->sourceHash(), path.toStdString());
+  connect(&models_->files, &CaseFiles::sourceSeen, this, [this](const QString& path) {
+    rememberSource(models_->document.sourceHash(), path.toStdString());
   });
-  // Asked from the event loop: the controller is in the midst of its work.
-  connect(controller_, &CaseController::sourceMissing, this, [this](const QString& what) {
+  // Asked from the event loop: the models is in the midst of its work.
+  connect(&models_->files, &CaseFiles::sourceMissing, this, [this](const QString& what) {
     QMetaObject::invokeMethod(
         this, [this, what] { askForSource(what, {}); }, Qt::QueuedConnection);
   });
-  connect(controller_, &CaseController::sourceDiffers, this, [this](const QString& reason) {
+  connect(&models_->files, &CaseFiles::sourceDiffers, this, [this](const QString& reason) {
     QMetaObject::invokeMethod(
         this, [this, reason] { askForSource({}, reason); }, Qt::QueuedConnection);
   });
-  connect(controller_, &CaseController::editsFound, this, [this](int count) {
+  connect(&models_->files, &CaseFiles::editsFound, this, [this](int count) {
     QMetaObject::invokeMethod(
         this, [this, count] { askToRestore(count); }, Qt::QueuedConnection);
   });
-  connect(controller_, &CaseController::caseSaved, this, [this](const QString& folder) {
+  connect(&models_->files, &CaseFiles::caseSaved, this, [this](const QString& folder) {
     refreshTitle();
     remember(folder);
-    if (afterSave_ && !controller_->modified()) {
+    if (afterSave_ && !models_->document.modified()) {
       QMetaObject::invokeMethod(this, std::exchange(afterSave_, nullptr), Qt::QueuedConnection);
     }
   });
-  connect(controller_, &CaseController::caseNotSaved, this, [this] { afterSave_ = nullptr; });
+  connect(&models_->files, &CaseFiles::caseNotSaved, this, [this] { afterSave_ = nullptr; });
 }
 
 void MainWindow::refreshModified() {
-  const bool modified = controller_->modified();
+  const bool modified = models_->document.modified();
   setWindowModified(modified);
-  const QString wanted = modified ? controller_->caseFolder() : QString();
+  const QString wanted = modified ? models_->files.caseFolder() : QString();
   if (wanted == unfinished_) {
     return;
   }
@@ -88,19 +89,19 @@ void MainWindow::openCase(const QString& path) {
   CaseRequest request;
   request.folder = caseFolder(pathOf(path));
   request.known = knownSources();
-  controller_->openCase(std::move(request));
+  models_->files.openCase(std::move(request));
 }
 
 void MainWindow::saveCase() {
-  if (controller_->caseFolder().isEmpty()) {
+  if (models_->files.caseFolder().isEmpty()) {
     saveCaseAs();
   } else {
-    saveCaseTo(controller_->caseFolder());
+    saveCaseTo(models_->files.caseFolder());
   }
 }
 
 void MainWindow::saveCaseAs() {
-  const QString present = controller_->caseFolder();
+  const QString present = models_->files.caseFolder();
   QString path = options_.questions.saveCaseAs(
       this, present.isEmpty() ? QStringLiteral("vessels") + kExtension : present);
   if (path.isEmpty()) {
@@ -122,14 +123,14 @@ void MainWindow::saveCaseAs() {
 void MainWindow::saveCaseTo(const QString& folder) {
   CaseView view = state_->caseView();
   view.crosshairLps = views_->crosshair();
-  controller_->saveCase(folder, view);
+  models_->files.saveCase(folder, view);
 }
 
 bool MainWindow::mayLeave(const std::function<void()>& onceSaved) {
-  if (!controller_->modified()) {
+  if (!models_->document.modified()) {
     return true;
   }
-  switch (options_.questions.saveChanges(this, controller_->caseName())) {
+  switch (options_.questions.saveChanges(this, models_->document.caseName())) {
     case SaveAnswer::Discard:
       return true;
     case SaveAnswer::Save:
@@ -152,26 +153,26 @@ void MainWindow::askForSource(const QString& what, const QString& reason) {
       path = options_.chooser.openFolder(this);
       break;
     case SourceAnswer::ParametersOnly:
-      controller_->takeParametersOnly();
+      models_->files.takeParametersOnly();
       return;
     case SourceAnswer::Cancel:
       break;
   }
   if (path.isEmpty()) {
-    controller_->giveUpCase();
+    models_->files.giveUpCase();
   } else {
-    controller_->giveSource(path);
+    models_->files.giveSource(path);
   }
 }
 
 void MainWindow::askToRestore(int count) {
   const QString what =
       tr("%1 of the case %2")
-          .arg(changesText(static_cast<std::size_t>(count)), controller_->caseName());
+          .arg(changesText(static_cast<std::size_t>(count)), models_->document.caseName());
   if (options_.questions.restore(this, what, false) == RestoreAnswer::Discard) {
-    controller_->forgetEdits();
+    models_->files.forgetEdits();
   } else {
-    controller_->restoreEdits();
+    models_->files.restoreEdits();
   }
 }
 
@@ -190,7 +191,7 @@ bool MainWindow::offerRestore() {
       request.place = recovery.place;
       request.known = knownSources();
       request.restore = true;
-      controller_->openCase(std::move(request));
+      models_->files.openCase(std::move(request));
       return true;
     }
     if (answer == RestoreAnswer::Discard) {
@@ -231,7 +232,7 @@ bool MainWindow::offerUnfinished() {
     if (answer == RestoreAnswer::Restore) {
       request.known = knownSources();
       request.restore = true;
-      controller_->openCase(std::move(request));
+      models_->files.openCase(std::move(request));
       return true;
     }
     if (steps > 0) {

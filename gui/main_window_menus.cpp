@@ -69,10 +69,10 @@ QAction* MainWindow::addToggle(QMenu* menu, const char* name, const QString& tex
 void MainWindow::buildMenus() {
   buildFileMenu();
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = controller_->undoStack()->createUndoAction(this, tr("Undo"));
+  QAction* undo = models_->document.undoStack()->createUndoAction(this, tr("Undo"));
   undo->setObjectName("undo");
   undo->setShortcut(QKeySequence::Undo);
-  QAction* redo = controller_->undoStack()->createRedoAction(this, tr("Redo"));
+  QAction* redo = models_->document.undoStack()->createRedoAction(this, tr("Redo"));
   redo->setObjectName("redo");
   redo->setShortcut(QKeySequence::Redo);
   for (QAction* action : {undo, redo}) {
@@ -82,9 +82,9 @@ void MainWindow::buildMenus() {
   }
   edit->addSeparator();
   addAction(edit, "clearSeeds", tr("Remove all seeds by hand"), {},
-            [this] { controller_->setField("seeds.points", std::vector<double>()); });
+            [this] { models_->document.setField("seeds.points", std::vector<double>()); });
   addAction(edit, "clearRoi", tr("Clear region of interest"), {},
-            [this] { controller_->setRoi(std::nullopt); });
+            [this] { models_->document.setRoi(std::nullopt); });
   buildRunMenu();
   buildToolMenu();
   buildPortMenu();
@@ -122,16 +122,16 @@ void MainWindow::buildFileMenu() {
 
 void MainWindow::buildRunMenu() {
   QMenu* run = menuBar()->addMenu(tr("&Run"));
-  addAction(run, "runAll", tr("Run"), QKeySequence(Qt::Key_F5), [this] { controller_->run(); });
+  addAction(run, "runAll", tr("Run"), QKeySequence(Qt::Key_F5), [this] { models_->runs.run(); });
   addAction(run, "cancelRun", tr("Cancel"), QKeySequence(Qt::Key_Escape),
-            [this] { controller_->cancel(); });
+            [this] { models_->cancel(); });
   run->addSeparator();
   addAction(run, "pauseRun", tr("Pause"), QKeySequence(Qt::Key_F6),
-            [this] { controller_->setPaused(!controller_->paused()); });
+            [this] { models_->runs.setPaused(!models_->runs.paused()); });
   addAction(run, "stepRun", tr("Step"), QKeySequence(Qt::Key_F7),
-            [this] { controller_->stepEvolution(kStepIterations); });
+            [this] { models_->runs.stepEvolution(kStepIterations); });
   addAction(run, "finishRun", tr("Finish"), QKeySequence(Qt::Key_F8),
-            [this] { controller_->finishEvolution(); });
+            [this] { models_->runs.finishEvolution(); });
 }
 
 void MainWindow::buildToolMenu() {
@@ -185,7 +185,7 @@ void MainWindow::buildViewMenu() {
 }
 
 void MainWindow::showExport() {
-  auto* dialog = new ExportDialog(*controller_, options_.chooser, this);
+  auto* dialog = new ExportDialog(*models_, options_.chooser, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
 }

@@ -76,8 +76,8 @@ void MainWindow::refreshPortActions() {
   }
   enable("renamePort", row != nullptr);
   enable("cutAcross", row && row->across);
-  enable("importPorts", controller_->image() != nullptr);
-  enable("exportPorts", !controller_->ports(MeshKind::Exported).empty());
+  enable("importPorts", models_->document.image() != nullptr);
+  enable("exportPorts", !models_->results.ports(MeshKind::Exported).empty());
 }
 
 void MainWindow::showPortMenu(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
@@ -131,7 +131,7 @@ void MainWindow::exportPorts() {
   if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
     path += QStringLiteral(".json");
   }
-  controller_->exportPorts(path);
+  models_->exports.exportPorts(path);
 }
 
 }  // namespace angiomesh

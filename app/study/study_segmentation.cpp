@@ -9,6 +9,7 @@
 
 #include "app/study/figure_pictures.h"
 #include "core/base/error.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/quality/overlap.h"
@@ -118,15 +119,14 @@ SegmentationFigure methods(Segmenter& segmenter, const Parameters& params) {
 }
 
 SegmentationFigure parameterRow(Segmenter& segmenter, const Parameters& params,
-                                const std::string& number, const std::string& name,
-                                double LevelSetParams::*member,
+                                const std::string& number, const std::string& name, const char* key,
                                 const std::array<double, 3>& values) {
   SegmentationFigure figure{
       number, "Maximum intensity projections, and below them varying " + name, {}, {}};
   std::vector<const Volume<float>*> phis;
   for (const double value : values) {
     Parameters varied = params;
-    varied.levelset.*member = value;
+    setField(varied, key, value);
     const Found& found = segmenter.make(varied);
     phis.push_back(found.phi.get());
     figure.panels.push_back(found.panel);
@@ -154,11 +154,10 @@ std::vector<SegmentationFigure> segmentationFigures(const Volume<float>& image,
   figures.push_back(measures(segmenter, params));
   figures.push_back(methods(segmenter, params));
   figures.push_back(
-      parameterRow(segmenter, params, "A.1", "gamma", &LevelSetParams::gamma, {0.6, 0.7, 0.8}));
+      parameterRow(segmenter, params, "A.1", "gamma", "levelset.gamma", {0.6, 0.7, 0.8}));
+  figures.push_back(parameterRow(segmenter, params, "A.2", "d", "levelset.d", {0.0, 0.2, 0.4}));
   figures.push_back(
-      parameterRow(segmenter, params, "A.2", "d", &LevelSetParams::d, {0.0, 0.2, 0.4}));
-  figures.push_back(
-      parameterRow(segmenter, params, "A.3", "xi", &LevelSetParams::xi, {10.0, 20.0, 40.0}));
+      parameterRow(segmenter, params, "A.3", "xi", "levelset.xi", {10.0, 20.0, 40.0}));
   return figures;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/cuts/border_slant.h"
+#include "core/cuts/clip_reference.h"
 
 namespace angiomesh {
 namespace {

@@ -169,10 +169,12 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   StepWork work{options, run, progress, {}};
   for (const StepRow& row : stepTable()) {
     progress.check();
-    if (row.step > options.until || (options.begins && !options.begins(row.step))) break;
+    if (row.step > options.until) break;
+    const bool needed = needs(row.step, params, options.until);
+    if (needed && options.begins && !options.begins(row.step)) break;
     const std::string before = std::exchange(run.key, key(row.step, params));
     progress.phase(stepId(row.step));
-    if (!needs(row.step, params, options.until)) continue;
+    if (!needed) continue;
     const auto failed = [&](std::string why) {
       if (!options.keepOnFailure || row.step < Step::Surface) throw;
       run.failure = {row.step, std::move(why)};

@@ -12,10 +12,10 @@ namespace angiomesh {
 namespace {
 
 /// Labels of the components at, or one voxel beside, the given points.
-std::vector<bool> labelsAt(const Volume<std::int32_t>& labels, std::size_t count,
+std::vector<std::vector<std::size_t>> pointsIn(const Volume<std::int32_t>& labels, std::size_t count,
                            const std::vector<double>& points) {
   const Geometry& g = labels.geometry;
-  std::vector<bool> hit(count, false);
+  std::vector<std::vector<std::size_t>> in(count);
   for (std::size_t n = 0; n + 2 < points.size(); n += 3) {
     const Eigen::Vector3d index = g.toIndex({points[n], points[n + 1], points[n + 2]});
     Index3 centre;
@@ -32,9 +32,9 @@ std::vector<bool> labelsAt(const Volume<std::int32_t>& labels, std::size_t count
           nearest = d;
           label = labels.at(p[0], p[1], p[2]);
         }
-    if (label > 0) hit[static_cast<std::size_t>(label - 1)] = true;
+    if (label > 0) in[static_cast<std::size_t>(label - 1)].push_back(n / 3);
   }
-  return hit;
+  return in;
 }
 
 }  // namespace
@@ -63,8 +63,8 @@ Segments selectSegments(const Volume<float>& phi, const SegmentationParams& para
   Components found = connectedComponents(insideMask(phi), !byFaces);
   const std::vector<Eigen::Vector3d> inner = innerPoints(phi, found);
   const std::size_t count = found.sizes.size();
-  const std::vector<bool> dropped = labelsAt(found.labels, count, params.drop);
-  const std::vector<bool> seeded = labelsAt(found.labels, count, seedsByHand);
+  const auto dropped = pointsIn(found.labels, count, params.drop);
+  const auto seeded = pointsIn(found.labels, count, seedsByHand);
   const std::vector<ComponentMeasure> measures =
       measureComponents(phi, found.labels, std::min(count, kMeasuredComponents), progress);
   Segments out;
@@ -74,10 +74,13 @@ Segments selectSegments(const Volume<float>& phi, const SegmentationParams& para
     component.volumeMm3 = static_cast<double>(found.sizes[n]) * g.voxelVolumeMm3();
     component.innerPointLps = inner[n];
     if (n < measures.size()) component.measure = measures[n];
-    component.seeded = seeded[n];
-    component.kept = !dropped[n] && component.volumeMm3 >= params.minVolumeMm3 &&
+    component.seeded = !seeded[n].empty();
+    for (const std::size_t d : dropped[n])
+      component.droppedBy.emplace_back(params.drop[3 * d], params.drop[3 * d + 1],
+                                       params.drop[3 * d + 2]);
+    component.kept = dropped[n].empty() && component.volumeMm3 >= params.minVolumeMm3 &&
                      (params.keep != KeepComponents::Largest || n == 0) &&
-                     (params.keep != KeepComponents::Seeded || seeded[n]);
+                     (params.keep != KeepComponents::Seeded || component.seeded);
     if (component.kept) out.insideVoxels += component.voxels;
     out.components.push_back(component);
   }

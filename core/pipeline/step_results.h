@@ -35,6 +35,7 @@ struct SegmentComponent {
   std::optional<ComponentMeasure> measure;
   bool seeded = false;  ///< holds a seed given by hand, or lies beside one
   bool kept = true;
+  std::vector<Eigen::Vector3d> droppedBy;  ///< the points of segmentation.drop in it, mm LPS
 };
 constexpr std::size_t kMeasuredComponents = 200;
 

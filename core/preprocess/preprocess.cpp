@@ -28,31 +28,53 @@ Geometry isotropicGeometry(const Geometry& g) {
 
 }  // namespace
 
-Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>& boxLps) {
-  const Geometry& g = image.geometry;
+std::array<Index3, 2> voxelsInBox(const Geometry& g, const std::array<double, 6>& boxLps) {
+  Eigen::Vector3d least, most;
+  for (std::size_t a = 0; a < 3; ++a) {
+    least[static_cast<Eigen::Index>(a)] = std::min(boxLps[a], boxLps[a + 3]);
+    most[static_cast<Eigen::Index>(a)] = std::max(boxLps[a], boxLps[a + 3]);
+  }
+  const auto inside = [&](int i, int j, int k) {
+    const Eigen::Vector3d x = g.toPhysical({1.0 * i, 1.0 * j, 1.0 * k});
+    return (x.array() >= least.array()).all() && (x.array() <= most.array()).all();
+  };
+  const Eigen::Vector3d along = g.toPhysical({1.0, 0.0, 0.0}) - g.toPhysical({0.0, 0.0, 0.0});
   Index3 low = g.size;
   Index3 high{-1, -1, -1};
   for (int k = 0; k < g.size[2]; ++k)
-    for (int j = 0; j < g.size[1]; ++j)
-      for (int i = 0; i < g.size[0]; ++i) {
-        const Eigen::Vector3d x = g.toPhysical({1.0 * i, 1.0 * j, 1.0 * k});
-        bool inside = true;
-        for (std::size_t a = 0; a < 3; ++a) {
-          const double value = x[static_cast<Eigen::Index>(a)];
-          inside = inside && value >= std::min(boxLps[a], boxLps[a + 3]) &&
-                   value <= std::max(boxLps[a], boxLps[a + 3]);
+    for (int j = 0; j < g.size[1]; ++j) {
+      // Where the row enters and leaves the box, to a voxel; centres on its sides are looked at.
+      const Eigen::Vector3d start = g.toPhysical({0.0, 1.0 * j, 1.0 * k});
+      double from = 0.0, to = g.size[0] - 1.0;
+      for (int a = 0; a < 3; ++a) {
+        if (std::fabs(along[a]) < 1e-12 * g.spacing[0]) {
+          const double slack = 1e-9 * g.spacing[0] * g.size[0];
+          if (start[a] < least[a] - slack || start[a] > most[a] + slack) to = -2.0;
+          continue;
         }
-        if (!inside) continue;
-        const Index3 p{i, j, k};
-        for (std::size_t a = 0; a < 3; ++a) {
-          low[a] = std::min(low[a], p[a]);
-          high[a] = std::max(high[a], p[a]);
-        }
+        const double p = (least[a] - start[a]) / along[a], q = (most[a] - start[a]) / along[a];
+        from = std::max(from, std::min(p, q));
+        to = std::min(to, std::max(p, q));
       }
+      if (to < from - 1.0) continue;
+      int first = std::max(0, static_cast<int>(std::floor(from)) - 1);
+      int last = std::min(g.size[0] - 1, static_cast<int>(std::ceil(to)) + 1);
+      while (first <= last && !inside(first, j, k)) ++first;
+      while (last >= first && !inside(last, j, k)) --last;
+      if (first > last) continue;
+      low = {std::min(low[0], first), std::min(low[1], j), std::min(low[2], k)};
+      high = {std::max(high[0], last), std::max(high[1], j), std::max(high[2], k)};
+    }
   for (std::size_t a = 0; a < 3; ++a)
     if (high[a] - low[a] < 1)
       throw InputError("the region of interest holds fewer than two voxels in some direction",
                        "preprocess.roi", "give a box in mm LPS that lies over the image");
+  return {low, high};
+}
+
+Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>& boxLps) {
+  const Geometry& g = image.geometry;
+  const auto [low, high] = voxelsInBox(g, boxLps);
   Geometry cropped = g;
   cropped.origin = g.toPhysical({1.0 * low[0], 1.0 * low[1], 1.0 * low[2]});
   for (std::size_t a = 0; a < 3; ++a) cropped.size[a] = high[a] - low[a] + 1;

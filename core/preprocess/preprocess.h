@@ -26,8 +26,12 @@ struct PreprocessParams {
   bool operator==(const PreprocessParams&) const = default;
 };
 
-/// The index box around the voxels whose centres lie in the LPS box (any order of the corners).
+/// The first and the last indices of the voxels whose centres lie in the LPS box (any order of the
+/// corners). Looks at rows, not at voxels.
 /// @throws InputError when no voxel centre, or fewer than 2 in some direction, lies in it
+std::array<Index3, 2> voxelsInBox(const Geometry& geometry, const std::array<double, 6>& boxLps);
+
+/// The image between those indices. @throws as voxelsInBox()
 Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>& boxLps);
 
 /// To cubic voxels of the smallest spacing by cubic (Catmull-Rom) interpolation, clamped to the

@@ -135,19 +135,24 @@ void LoadJob::load() {
     return;
   }
   progress_.report(0.9);
+  const Volume<float>& image = *source.image;
+  const auto extremes = valueRange(image);
+  double low = extremes[0], high = extremes[1];
   if (!info_.windows.empty()) {
-    const auto [low, high] = info_.windows.front().range();
-    window_ = high - low;
-    level_ = 0.5 * (low + high);
-  } else {
-    const std::vector<double> range = percentiles(*source.image, {0.01, 0.998});
-    const auto extremes = valueRange(*source.image);
-    const bool flat = !(range[1] > range[0]);
-    const double lo = flat ? extremes[0] : range[0];
-    const double hi = flat ? extremes[1] : range[1];
-    window_ = hi - lo;
-    level_ = 0.5 * (hi + lo);
+    const auto ends = info_.windows.front().range();
+    low = ends[0];
+    high = ends[1];
+  } else if (const std::vector<double> range = percentiles(image, {0.01, 0.998});
+             range[1] > range[0]) {
+    low = range[0];
+    high = range[1];
   }
+  facts_.window = high - low;
+  facts_.level = 0.5 * (low + high);
+  facts_.voxelMm = image.geometry.voxelMm();
+  facts_.volumeMm3 =
+      static_cast<double>(image.geometry.voxelCount()) * image.geometry.voxelVolumeMm3();
+  facts_.largestValue = extremes[1];
   const auto pipeline = std::make_shared<Pipeline>(std::move(source));
   prepare(*pipeline);
   pipeline_ = pipeline;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
 #include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
@@ -58,9 +59,9 @@ class LoadJob {
   [[nodiscard]] const std::optional<Label>& label() const { return label_; }
   /// Null when there was no source to find.
   [[nodiscard]] std::shared_ptr<Pipeline> pipeline() const { return pipeline_; }
-  /// Window and level to begin with: the file's own, else the 1st to the 99.8th percentile.
-  [[nodiscard]] double window() const { return window_; }
-  [[nodiscard]] double level() const { return level_; }
+  /// Window and level to begin with, the file's own, else the 1st to the 99.8th percentile; and
+  /// what else forms need of the image.
+  [[nodiscard]] const FieldContext& facts() const { return facts_; }
 
  protected:
   /// The source, without an image where it cannot be found; the rest goes to setInfo().
@@ -91,7 +92,7 @@ class LoadJob {
   std::string error_;
   InputInfo info_;
   std::shared_ptr<Pipeline> pipeline_;
-  double window_ = 1.0, level_ = 0.5;
+  FieldContext facts_;
 };
 
 enum class ExportKind { Mesh, OpenFoam, Ports };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "core/base/error.h"
@@ -11,15 +12,8 @@ namespace angiomesh {
 
 namespace {
 
-constexpr int kFirst = static_cast<int>(Step::Preprocess);
-
 /// The window promises two pictures of the evolving surface per second.
 constexpr double kSnapshotSeconds = 0.3;
-
-/// Where each step begins on the pipeline's own scale of progress; off values would only make a
-/// progress bar uneven.
-constexpr std::array<double, kStepCount + 1> kShares{0.0,  0.0,  0.05, 0.35, 0.35,
-                                                     0.80, 0.88, 0.94, 1.0};
 
 std::shared_ptr<const MeshFacts> measureFacts(const RunResult& run) {
   auto facts = std::make_shared<MeshFacts>();
@@ -55,120 +49,50 @@ void RunJob::execute() noexcept {
 }
 
 void RunJob::runSteps() {
-  // Up to the evolution each call computes one step and finds those before it in the pipeline's
-  // cache: so every result can be shown as soon as it is there. From then on it is one call, since
-  // an evolution that was ended by hand is in no cache.
-  int next = kFirst;
-  while (next <= static_cast<int>(until_)) {
-    if (next > static_cast<int>(lastWanted_.load())) {
+  RunOptions options;
+  options.until = until_;
+  options.snapshots = snapshots_;
+  options.snapshotSeconds = kSnapshotSeconds;
+  options.control = control_;
+  options.keepOnFailure = true;
+  options.begins = [this](Step step) {
+    if (step > lastWanted_) {
       end_ = End::Stopped;
-      return;
+      return false;
     }
-    const Step first = static_cast<Step>(next);
-    if (skips(first)) {
-      ++next;
-      continue;
-    }
-    RunOptions options;
-    options.until = first < Step::Evolve ? first : until_;
-    options.snapshots = snapshots_;
-    options.snapshotSeconds = kSnapshotSeconds;
-    options.control = control_;
-    options.keepOnFailure = true;
-    options.warned = [this](Step step, const std::string& warning) {
-      const std::lock_guard lock(mutex_);
-      warnings_.emplace_back(step, warning);
-    };
-    const Progress progress = begin(first);
-    RunResult run = pipeline_->run(params_, options, progress);
-    const std::optional<RunFailure> failure = run.failure;
-    collect(first, std::move(run));
-    if (failure) {
-      end_ = End::Failed;
-      error_ = failure->why;
-      return;
-    }
-    next = static_cast<int>(options.until) + 1;
-  }
-}
-
-bool RunJob::skips(Step step) const {
-  if (step != Step::Vesselness && step != Step::Seeds) {
-    return false;
-  }
-  return isSegmented(params_) || (until_ >= Step::Evolve && pipeline_->has(Step::Evolve, params_) &&
-                                  !pipeline_->has(step, params_));
-}
-
-Progress RunJob::begin(Step step) {
-  const std::lock_guard lock(mutex_);
-  progress_ = Progress();
-  if (cancelled_) {
-    progress_.cancel();
-  }
-  first_ = step;
-  return progress_;
-}
-
-void RunJob::collect(Step first, RunResult run) {
-  seconds_ += run.totalSeconds;
-  cpuSeconds_ += run.cpuSeconds;
-  run.totalSeconds = seconds_;
-  run.cpuSeconds = cpuSeconds_;
-  // What an earlier part computed is "reused" by the later ones, but not by the run as a whole.
-  for (std::size_t i = 0; i < run.stages.size() && i < stages_.size(); ++i) {
-    run.stages[i] = stages_[i];
-  }
-  stages_ = run.stages;
-  const auto shared = std::make_shared<const RunResult>(std::move(run));
-  for (const StageReport& stage : shared->stages) {
-    if (stage.step < first) {
-      continue;
-    }
-    StepResult result;
-    result.step = stage.step;
-    result.key = stage.key;
-    result.run = shared;
-    if (stage.step == Step::Quality) {
-      result.facts = measureFacts(*shared);
-    }
+    step_ = step;
+    return true;
+  };
+  options.warned = [this](Step step, const std::string& warning) {
     const std::lock_guard lock(mutex_);
-    results_.push_back(std::move(result));
+    warnings_.emplace_back(step, warning);
+  };
+  options.done = [this](Step step, const RunResult& soFar) { collect(step, soFar); };
+  const RunResult run = pipeline_->run(params_, options, progress_);
+  if (run.failure) {
+    end_ = End::Failed;
+    error_ = run.failure->why;
   }
 }
 
-Step RunJob::step() const {
-  const Step first = first_;
-  if (first < Step::Evolve) {
-    return first;
+void RunJob::collect(Step step, const RunResult& soFar) {
+  StepResult result;
+  result.step = step;
+  result.key = soFar.key;
+  result.run = std::make_shared<const RunResult>(soFar);
+  if (step == Step::Quality) {
+    result.facts = measureFacts(soFar);
   }
-  const char* phase = progress().phase();
-  return std::max(first, phase ? stepFromId(phase).value_or(first) : first);
-}
-
-Progress RunJob::progress() const {
   const std::lock_guard lock(mutex_);
-  return progress_;
+  results_.push_back(std::move(result));
 }
 
-double RunJob::fraction() const {
-  const auto next = static_cast<std::size_t>(step()) + 1;
-  return std::min(progress().fraction(), kShares[next]);
-}
+double RunJob::fraction() const { return std::min(progress_.fraction(), shareOf(step())[1]); }
 
 double RunJob::stepFraction() const {
-  const auto i = static_cast<std::size_t>(step());
-  const double width = kShares[i + 1] - kShares[i];
-  return width <= 0.0 ? 1.0 : std::clamp((progress().fraction() - kShares[i]) / width, 0.0, 1.0);
+  const auto [from, to] = shareOf(step());
+  return to <= from ? 1.0 : std::clamp((progress_.fraction() - from) / (to - from), 0.0, 1.0);
 }
-
-void RunJob::cancel() {
-  const std::lock_guard lock(mutex_);
-  cancelled_ = true;
-  progress_.cancel();
-}
-
-void RunJob::stopAfterStep() { lastWanted_ = std::min(lastWanted_.load(), step()); }
 
 std::vector<std::pair<Step, std::string>> RunJob::takeWarnings() {
   const std::lock_guard lock(mutex_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <memory>
@@ -38,9 +39,9 @@ class RunJob {
 
   void execute() noexcept;
 
-  void cancel();
-  /// Lets the step in work end, and the next one begin at most.
-  void stopAfterStep();
+  void cancel() { progress_.cancel(); }
+  /// Lets the step in work end, and no other begin.
+  void stopAfterStep() { lastWanted_ = std::min(lastWanted_.load(), step()); }
 
   enum class End { Done, Stopped, Cancelled, Failed };
   /// How it ended, and why when it failed: after execute() only.
@@ -49,12 +50,13 @@ class RunJob {
 
   [[nodiscard]] const Parameters& params() const { return params_; }
   [[nodiscard]] Step until() const { return until_; }
-  [[nodiscard]] Step step() const;
+  /// The step in work.
+  [[nodiscard]] Step step() const { return step_; }
   /// Of the whole run, and of the step in work: 0..1.
   [[nodiscard]] double fraction() const;
   [[nodiscard]] double stepFraction() const;
-  /// Of the part in work: phase, iterations and change.
-  [[nodiscard]] Progress progress() const;
+  /// Iterations and change.
+  [[nodiscard]] const Progress& progress() const { return progress_; }
   [[nodiscard]] EvolutionControl& control() { return *control_; }
 
   /// What has arrived since the last call.
@@ -65,11 +67,7 @@ class RunJob {
 
  private:
   void runSteps();
-  /// A run beyond the evolution leaves out what its result, brought back from the disk, was made
-  /// of; a run on a segmentation what it does not need.
-  [[nodiscard]] bool skips(Step step) const;
-  Progress begin(Step step);
-  void collect(Step first, RunResult run);
+  void collect(Step step, const RunResult& soFar);
 
   std::shared_ptr<Pipeline> pipeline_;
   Parameters params_;
@@ -77,15 +75,12 @@ class RunJob {
   std::shared_ptr<EvolutionControl> control_ = std::make_shared<EvolutionControl>();
   std::shared_ptr<Mailbox<EvolutionSnapshot>> snapshots_ =
       std::make_shared<Mailbox<EvolutionSnapshot>>();
-  std::atomic<Step> first_{Step::Preprocess};  ///< of the part in work
+  Progress progress_;
+  std::atomic<Step> step_{Step::Preprocess};  ///< in work
   std::atomic<Step> lastWanted_;
-  std::atomic<bool> cancelled_{false};
   mutable std::mutex mutex_;
-  Progress progress_;                                   ///< of the part in work; guarded by mutex_
   std::vector<StepResult> results_;                     ///< guarded by mutex_
   std::vector<std::pair<Step, std::string>> warnings_;  ///< guarded by mutex_
-  std::vector<StageReport> stages_;
-  double seconds_ = 0.0, cpuSeconds_ = 0.0;
   End end_ = End::Done;
   std::string error_;
 };

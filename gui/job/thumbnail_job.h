@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/scan/image_io.h"
+#include "core/image/projection.h"
+#include "io/volume/loaded_image.h"
 
 namespace angiomesh {
 

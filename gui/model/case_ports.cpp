@@ -14,34 +14,32 @@ namespace angiomesh {
 
 namespace {
 
-constexpr int kPollMilliseconds = 33;
 std::string nameOf(const std::string& text) { return parseCut(text).name; }
 
 }  // namespace
 
-CasePorts::CasePorts(CaseController& controller, const JobRunnerFactory& makeRunner,
-                     QObject* parent)
-    : QObject(parent), controller_(controller), runner_(makeRunner()) {
-  timer_.setInterval(kPollMilliseconds);
-  connect(&timer_, &QTimer::timeout, this, &CasePorts::poll);
-  connect(&controller_, &CaseController::caseChanged, this, [this] {
+CasePorts::CasePorts(CaseModels& models, const JobRunnerFactory& makeRunner, QObject* parent)
+    : QObject(parent),
+      models_(models),
+      slot_(models.timer, makeRunner,
+            [this](const std::shared_ptr<PortJob>& job) { finish(*job); }) {
+  connect(&models_.files, &CaseFiles::caseChanged, this, [this] {
     selected_.clear();
     notice_.clear();
     drag_.reset();
     refresh();
   });
-  connect(&controller_, &CaseController::parametersChanged, this, &CasePorts::refresh);
-  connect(&controller_, &CaseController::resultsChanged, this, &CasePorts::refresh);
-  connect(&controller_, &CaseController::statesChanged, this, &CasePorts::refresh);
+  connect(&models_.document, &CaseDocument::parametersChanged, this, &CasePorts::refresh);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &CasePorts::refresh);
+  connect(&models_.runs, &RunModel::statesChanged, this, &CasePorts::refresh);
   refresh();
 }
 
 CasePorts::~CasePorts() {
   queue_.clear();
-  if (job_) {
-    job_->progress.cancel();
+  if (slot_) {
+    slot_.job()->progress.cancel();
   }
-  runner_->wait();
 }
 
 const PortRow* CasePorts::find(const QString& name) const {
@@ -75,7 +73,7 @@ std::vector<std::array<double, 3>> CasePorts::colours(const std::vector<Port>& p
 }
 
 QString CasePorts::freeName() const {
-  return QString::fromStdString(freePortName(controller_.parameters().ports));
+  return QString::fromStdString(freePortName(models_.document.parameters().ports));
 }
 
 std::optional<std::size_t> CasePorts::indexOf(const QString& name) const {
@@ -100,7 +98,7 @@ bool CasePorts::replace(const QString& name, const GivenCut& cut, const QString&
     return false;
   }
   all[*index] = cutText(cut);
-  notice_ = QString::fromStdString(portWords(controller_.setCuts(all, what).toStdString()));
+  notice_ = QString::fromStdString(portWords(models_.document.setCuts(all, what).toStdString()));
   if (!notice_.isEmpty()) {
     Q_EMIT changed();
   }
@@ -143,12 +141,12 @@ void CasePorts::cutAcross(const QString& name) {
     tell(Severity::Warning, tr("The vessel is cut there already: run to make the cut."));
     return;
   }
-  PortParams after = controller_.parameters().ports;
+  PortParams after = models_.document.parameters().ports;
   const std::string chosen = nameAcross(plane, after, freePortName(after));
   after.cuts.push_back(cutText(writtenCut(plane, chosen)));
   selected_ = QString::fromStdString(chosen);
   notice_.clear();
-  const QString refusal = controller_.setPorts(after, tr("cut across %1").arg(name));
+  const QString refusal = models_.document.setPorts(after, tr("cut across %1").arg(name));
   if (!refusal.isEmpty()) {
     tell(Severity::Warning, refusal);
   }
@@ -179,8 +177,8 @@ QString CasePorts::importPorts(const QString& path) {
                        path.toStdString(), "give the ports.json of a surface with cuts");
     }
     notice_.clear();
-    const QString refusal = controller_.setPorts(
-        withPortsRead(controller_.parameters().ports, read), tr("import ports"));
+    const QString refusal = models_.document.setPorts(
+        withPortsRead(models_.document.parameters().ports, read), tr("import ports"));
     if (!refusal.isEmpty()) {
       tell(Severity::Error, refusal);
     }
@@ -205,7 +203,7 @@ void CasePorts::remove(const QString& name) {
     std::vector<std::string> all = cuts();
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(*index));
     notice_.clear();
-    controller_.setCuts(all, tr("delete the cut %1").arg(name));
+    models_.document.setCuts(all, tr("delete the cut %1").arg(name));
   }
 }
 
@@ -219,7 +217,7 @@ QString CasePorts::rename(const QString& name, const QString& wanted) {
   try {
     const PortParams after =
         row->cut ? withCutNamed(*indexOf(name), trimmed.toStdString())
-                 : withOpeningNamed(controller_.parameters().ports, name.toStdString(),
+                 : withOpeningNamed(models_.document.parameters().ports, name.toStdString(),
                                     row->plane.pointLps, trimmed.toStdString());
     if (const PortRow* other = find(trimmed); other && !(other->cut && row->cut)) {
       throw InputError(trimmed.toStdString() + " is another port's name", "ports.names",
@@ -239,7 +237,7 @@ QString CasePorts::rename(const QString& name, const QString& wanted) {
 
 PortParams CasePorts::withCutNamed(std::size_t index, const std::string& name) const {
   checkPortName(name);
-  PortParams ports = controller_.parameters().ports;
+  PortParams ports = models_.document.parameters().ports;
   GivenCut cut = parseCut(ports.cuts[index]);
   cut.name = name;
   ports.cuts[index] = cutText(cut);
@@ -258,7 +256,7 @@ QString CasePorts::renamed(const QString& name, const QString& wanted, const Por
   }
   notice_.clear();
   const QString refusal = QString::fromStdString(
-      portWords(controller_.setPorts(after, what.arg(name, wanted)).toStdString()));
+      portWords(models_.document.setPorts(after, what.arg(name, wanted)).toStdString()));
   if (!refusal.isEmpty() && !wanted.isEmpty()) {
     colourNumbers_.rename(wanted, name);
     selected_ = chosen ? name : selected_;
@@ -291,13 +289,13 @@ void CasePorts::drop() {
 
 void CasePorts::tell(Severity severity, const QString& text) {
   notice_ = text;
-  Q_EMIT controller_.message(severity, text);
+  Q_EMIT models_.log.message(severity, text);
   Q_EMIT changed();
 }
 
 void CasePorts::refreshGround() {
-  const std::shared_ptr<const Volume<float>> phi = controller_.uncutPhi();
-  const SplineKind spline = controller_.parameters().surface.spline;
+  const std::shared_ptr<const Volume<float>> phi = models_.results.uncutPhi();
+  const SplineKind spline = models_.document.parameters().surface.spline;
   if (phi == ground_.phi && spline == ground_.spline) {
     return;
   }
@@ -305,8 +303,8 @@ void CasePorts::refreshGround() {
   findings_.clear();
   checked_.clear();
   queue_.clear();
-  if (job_) {
-    job_->progress.cancel();
+  if (slot_) {
+    slot_.job()->progress.cancel();
   }
 }
 
@@ -318,7 +316,7 @@ void CasePorts::refresh() {
 
 PortRow CasePorts::cutRow(const std::string& text) const {
   const CutFinding* finding = findingOf(text);
-  PortRow row = angiomesh::cutRow(text, finding, controller_);
+  PortRow row = angiomesh::cutRow(text, finding, models_);
   // A disc that was just moved keeps its size until it was looked at.
   if (const PortRow* before = find(row.name); before && before->cut && !finding) {
     row.radiusMm = before->radiusMm;
@@ -335,7 +333,7 @@ void CasePorts::rebuild() {
   for (const std::string& text : cuts()) {
     rows.push_back(cutRow(text));
   }
-  for (PortRow& row : openingRows(controller_)) {
+  for (PortRow& row : openingRows(models_)) {
     rows.push_back(std::move(row));
   }
   QStringList names;
@@ -373,8 +371,8 @@ void CasePorts::requestCheck() {
     return job->kind == PortJob::Kind::Check || job->kind == PortJob::Kind::Advise;
   };
   std::erase_if(queue_, looking);
-  if (job_ && looking(job_)) {
-    job_->progress.cancel();
+  if (slot_ && looking(slot_.job())) {
+    slot_.job()->progress.cancel();
   }
   auto job = std::make_shared<PortJob>();
   job->cuts = wanted;
@@ -382,61 +380,50 @@ void CasePorts::requestCheck() {
 }
 
 void CasePorts::startNext() {
-  if (job_ || queue_.empty()) {
+  if (slot_ || queue_.empty()) {
     return;
   }
-  job_ = queue_.front();
+  const std::shared_ptr<PortJob> job = queue_.front();
   queue_.pop_front();
-  job_->ground = ground_;
-  runner_->start([job = job_] { job->execute(); });
-  if (runner_->running()) {
-    timer_.start();
-    Q_EMIT changed();
+  job->ground = ground_;
+  slot_.start(job);
+  if (slot_.ended()) {
+    slot_.poll();
   } else {
-    finish();
+    Q_EMIT changed();
   }
 }
 
-void CasePorts::poll() {
-  if (job_ && !runner_->running()) {
-    finish();
-  }
-  if (!job_) {
-    timer_.stop();
-  }
-}
-
-void CasePorts::finish() {
-  const std::shared_ptr<PortJob> job = std::exchange(job_, nullptr);
-  const bool present = job->ground.phi == ground_.phi && job->ground.spline == ground_.spline;
+void CasePorts::finish(PortJob& job) {
+  const bool present = job.ground.phi == ground_.phi && job.ground.spline == ground_.spline;
   if (present) {
-    ground_ = job->ground;
+    ground_ = job.ground;
   }
-  if (present && !job->cancelled) {
-    switch (job->kind) {
+  if (present && !job.cancelled) {
+    switch (job.kind) {
       case PortJob::Kind::Check:
       case PortJob::Kind::Advise:
-        if (job->cuts == cuts()) {
+        if (job.cuts == cuts()) {
           findings_.clear();
-          for (std::size_t i = 0; i < job->findings.size(); ++i) {
-            findings_[job->cuts[i]] = std::move(job->findings[i]);
+          for (std::size_t i = 0; i < job.findings.size(); ++i) {
+            findings_[job.cuts[i]] = std::move(job.findings[i]);
           }
-          if (job->kind == PortJob::Kind::Check) {
+          if (job.kind == PortJob::Kind::Check) {
             auto next = std::make_shared<PortJob>();
             next->kind = PortJob::Kind::Advise;
-            next->cuts = job->cuts;
+            next->cuts = job.cuts;
             queue_.push_back(std::move(next));
           }
-        } else if (job->cuts == checked_) {
+        } else if (job.cuts == checked_) {
           checked_.clear();  // they may come back
         }
         break;
       case PortJob::Kind::CutHere:
-        finishCutHere(*job);
+        finishCutHere(job);
         break;
       case PortJob::Kind::CutEnds:
       case PortJob::Kind::CutAllAcross:
-        finishProposed(*job);
+        finishProposed(job);
         break;
     }
   }
@@ -454,7 +441,7 @@ void CasePorts::finishCutHere(const PortJob& job) {
   all.push_back(cutText(writtenCut(job.proposed.front(), name.toStdString())));
   notice_.clear();
   selected_ = name;
-  controller_.setCuts(all, tr("add the cut %1").arg(name));
+  models_.document.setCuts(all, tr("add the cut %1").arg(name));
 }
 
 void CasePorts::finishProposed(const PortJob& job) {
@@ -463,10 +450,10 @@ void CasePorts::finishProposed(const PortJob& job) {
     return;
   }
   for (const std::string& remark : job.remarks) {
-    Q_EMIT controller_.message(Severity::Warning, QString::fromStdString(remark));
+    Q_EMIT models_.log.message(Severity::Warning, QString::fromStdString(remark));
   }
   const bool ends = job.kind == PortJob::Kind::CutEnds;
-  PortParams after = controller_.parameters().ports;
+  PortParams after = models_.document.parameters().ports;
   int added = 0;
   for (std::size_t i = 0; i < job.proposed.size(); ++i) {
     const std::string name = ends ? job.names[i] : nameAcross(job.proposed[i], after, job.names[i]);
@@ -484,7 +471,7 @@ void CasePorts::finishProposed(const PortJob& job) {
   notice_ = job.remarks.empty()
                 ? QString()
                 : tr("%1 places were not cut: the log says why.").arg(job.remarks.size());
-  controller_.setPorts(after, ends ? tr("cut all ends") : tr("cut all across"));
+  models_.document.setPorts(after, ends ? tr("cut all ends") : tr("cut all across"));
 }
 
 }  // namespace angiomesh

@@ -3,7 +3,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <array>
 #include <deque>
 #include <map>
@@ -13,21 +12,20 @@
 #include <vector>
 
 #include "gui/job/port_job.h"
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 #include "gui/model/kept_numbers.h"
 #include "gui/model/port_rows.h"
 
 namespace angiomesh {
 
 /// The inlets and outlets of the case: the cuts among its parameters with what is known of them,
-/// and the other openings of the last mesh. Edits go through the controller's undo stack; looking
+/// and the other openings of the last mesh. Edits go through the models's undo stack; looking
 /// for vessels runs on a worker.
 class CasePorts : public QObject {
   Q_OBJECT
 
  public:
-  explicit CasePorts(CaseController& controller,
-                     const JobRunnerFactory& makeRunner = makeThreadedJobRunner,
+  explicit CasePorts(CaseModels& models, const JobRunnerFactory& makeRunner = makeThreadedJobRunner,
                      QObject* parent = nullptr);
   /// Cancels what runs and waits for it.
   ~CasePorts() override;
@@ -40,7 +38,7 @@ class CasePorts : public QObject {
   void visit(const QString& name);
   /// Whether there are vessels to cut.
   [[nodiscard]] bool ready() const { return ground_.phi != nullptr; }
-  [[nodiscard]] bool busy() const { return job_ || !queue_.empty(); }
+  [[nodiscard]] bool busy() const { return slot_ || !queue_.empty(); }
   /// What the last edit came to, where it came to nothing; a line.
   [[nodiscard]] QString notice() const { return notice_; }
   /// Of the patches 1.. of a mesh with these ports.
@@ -82,7 +80,7 @@ class CasePorts : public QObject {
   };
 
   [[nodiscard]] std::vector<std::string> cuts() const {
-    return controller_.parameters().ports.cuts;
+    return models_.document.parameters().ports.cuts;
   }
   [[nodiscard]] std::optional<std::size_t> indexOf(const QString& name) const;
   bool replace(const QString& name, const GivenCut& cut, const QString& what);
@@ -97,8 +95,7 @@ class CasePorts : public QObject {
   void requestCuts(std::shared_ptr<PortJob> job);
   void requestCheck();
   void startNext();
-  void poll();
-  void finish();
+  void finish(PortJob& job);
   void finishCutHere(const PortJob& job);
   void finishProposed(const PortJob& job);
   [[nodiscard]] PortParams withCutNamed(std::size_t index, const std::string& name) const;
@@ -107,18 +104,16 @@ class CasePorts : public QObject {
   std::string nameAcross(const CutPlane& plane, PortParams& ports,
                          const std::string& otherwise) const;
 
-  CaseController& controller_;
-  std::unique_ptr<JobRunner> runner_;
-  QTimer timer_;
+  CaseModels& models_;
   PortGround ground_;
   std::map<std::string, CutFinding> findings_;  ///< by the text of the cut
   std::vector<std::string> checked_;            ///< the cuts that the findings are of
-  std::shared_ptr<PortJob> job_;
   std::deque<std::shared_ptr<PortJob>> queue_;
   std::vector<PortRow> rows_;
   KeptNumbers colourNumbers_;
   std::optional<Drag> drag_;
   QString selected_, notice_;
+  JobSlot<PortJob> slot_;
 };
 
 }  // namespace angiomesh

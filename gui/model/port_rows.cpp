@@ -19,22 +19,21 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(CasePorts)
 };
 
-std::vector<Port> meshPorts(const CaseController& controller) {
-  return controller.ports(controller.mesh(MeshKind::Exported) ? MeshKind::Exported
-                                                              : MeshKind::Unsmoothed);
+std::vector<Port> meshPorts(const CaseModels& models) {
+  return models.results.ports(models.results.kindAtHand(MeshKind::Exported));
 }
 
-bool isMade(const CaseController& controller, const QString& name) {
-  const std::vector<Port> ports = meshPorts(controller);
+bool isMade(const CaseModels& models, const QString& name) {
+  const std::vector<Port> ports = meshPorts(models);
   return std::any_of(ports.begin(), ports.end(),
                      [&](const Port& port) { return QString::fromStdString(port.name) == name; });
 }
 
 /// What there is to say of a cut that was looked at.
-void tell(const CutFinding& finding, const CaseController& controller, PortRow& row) {
+void tell(const CutFinding& finding, const CaseModels& models, PortRow& row) {
   QStringList words;
   // What the mesher alone finds is known once it has failed.
-  const QString failure = controller.failure(Step::Surface);
+  const QString failure = models.runs.failure(Step::Surface);
   const bool failed = failure.contains(QStringLiteral("the cut '%1'").arg(row.name));
   if (!finding.error.empty() || failed) {
     row.state = PortRow::State::Impossible;
@@ -45,11 +44,11 @@ void tell(const CutFinding& finding, const CaseController& controller, PortRow& 
       words << QString::fromStdString(sentence);
     }
   }
-  if (controller.meshFresh() && !isMade(controller, row.name)) {
+  if (models.results.meshFresh() && !isMade(models, row.name)) {
     row.state = PortRow::State::Advised;
     words << Words::tr("left out of the surface with the part that it ends");
   } else if (words.isEmpty()) {
-    words << (controller.meshFresh() ? Words::tr("made") : Words::tr("run to make it"));
+    words << (models.results.meshFresh() ? Words::tr("made") : Words::tr("run to make it"));
   }
   row.note = words.join(QStringLiteral(". "));
 }
@@ -87,17 +86,16 @@ CutPlane planeOf(const std::string& cut, const CutFinding* finding) {
           given.normalLps ? given.normalLps->normalized() : Eigen::Vector3d(0.0, 0.0, 1.0)};
 }
 
-PortRow cutRow(const std::string& cut, const CutFinding* finding,
-               const CaseController& controller) {
+PortRow cutRow(const std::string& cut, const CutFinding* finding, const CaseModels& models) {
   PortRow row;
   row.cut = true;
   row.name = QString::fromStdString(parseCut(cut).name);
   row.plane = planeOf(cut, finding);
-  const auto image = controller.image();
+  const auto image = models.document.image();
   row.radiusMm = kUnknownRadius * (image ? image->geometry.voxelMm() : 1.0);
   if (!finding) {
-    row.note = controller.uncutPhi() ? Words::tr("being looked at")
-                                     : Words::tr("run to Evolve to see where it lies");
+    row.note = models.results.uncutPhi() ? Words::tr("being looked at")
+                                         : Words::tr("run to Evolve to see where it lies");
     return row;
   }
   row.path = finding->path;
@@ -105,22 +103,22 @@ PortRow cutRow(const std::string& cut, const CutFinding* finding,
     row.areaMm2 = finding->areaMm2;
     row.radiusMm = finding->radiusMm;
   }
-  tell(*finding, controller, row);
+  tell(*finding, models, row);
   return row;
 }
 
-std::vector<PortRow> openingRows(const CaseController& controller) {
-  std::set<std::string> cuts = cutNames(controller.parameters().ports.cuts);
-  if (const Parameters* then = controller.meshParameters()) {
+std::vector<PortRow> openingRows(const CaseModels& models) {
+  std::set<std::string> cuts = cutNames(models.document.parameters().ports.cuts);
+  if (const Parameters* then = models.results.meshParameters()) {
     cuts.merge(cutNames(then->ports.cuts));
   }
   std::vector<PortRow> rows;
-  for (const Port& port : meshPorts(controller)) {
+  for (const Port& port : meshPorts(models)) {
     if (cuts.count(port.name) != 0) {
       continue;
     }
     rows.push_back(openingRow(port));
-    if (!controller.meshFresh()) {
+    if (!models.results.meshFresh()) {
       rows.back().note += Words::tr(", in the last mesh");
     }
   }

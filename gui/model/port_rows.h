@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gui/job/port_job.h"
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 
 namespace angiomesh {
 
@@ -37,9 +37,9 @@ struct PortRow {
 CutPlane planeOf(const std::string& cut, const CutFinding* finding);
 
 /// The row of a cut as ports.cuts has it, of which `finding` is known, or nothing yet.
-PortRow cutRow(const std::string& cut, const CutFinding* finding, const CaseController& controller);
+PortRow cutRow(const std::string& cut, const CutFinding* finding, const CaseModels& models);
 
 /// Of the last mesh the openings that are no cuts, neither then nor now.
-std::vector<PortRow> openingRows(const CaseController& controller);
+std::vector<PortRow> openingRows(const CaseModels& models);
 
 }  // namespace angiomesh

@@ -33,20 +33,20 @@ std::string wordOf(T value, const std::array<const char*, N>& words) {
 
 }  // namespace
 
-ViewState::ViewState(CaseController& controller, QObject* parent)
-    : QObject(parent), controller_(controller) {
+ViewState::ViewState(CaseModels& models, QObject* parent) : QObject(parent), models_(models) {
   const auto reset = [this] {
     layer_ = Layer::Source;
     awaitedLayer_.reset();
     tool_ = Tool::Navigate;
     for (int i = 0; i < kLayerCount; ++i) {
-      windowLevels_[static_cast<std::size_t>(i)] = controller_.windowLevel(static_cast<Layer>(i));
+      windowLevels_[static_cast<std::size_t>(i)] =
+          models_.results.windowLevel(static_cast<Layer>(i));
     }
     Q_EMIT changed();
   };
   reset();
-  connect(&controller_, &CaseController::caseChanged, this, reset);
-  connect(&controller_, &CaseController::resultsChanged, this, &ViewState::showAwaitedLayer);
+  connect(&models_.files, &CaseFiles::caseChanged, this, reset);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &ViewState::showAwaitedLayer);
 }
 
 void ViewState::setLayer(Layer layer) {
@@ -58,10 +58,8 @@ void ViewState::showAwaitedLayer() {
   if (!awaitedLayer_) {
     return;
   }
-  const RunResult& results = controller_.results();
-  if (*awaitedLayer_ == Layer::Source ||
-      (*awaitedLayer_ == Layer::Preprocessed ? results.preprocessed != nullptr
-                                             : results.vesselness != nullptr)) {
+  const Layer madeFrom = *awaitedLayer_ == Layer::Speed ? Layer::Vesselness : *awaitedLayer_;
+  if (models_.results.layer(madeFrom)) {
     setLayer(*awaitedLayer_);
   }
 }
@@ -122,7 +120,7 @@ void ViewState::setWindowLevel(double window, double level) {
 }
 
 void ViewState::resetWindowLevel() {
-  const auto [window, level] = controller_.windowLevel(layer_);
+  const auto [window, level] = models_.results.windowLevel(layer_);
   setWindowLevel(window, level);
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 #include "gui/model/mouse_tool.h"
 #include "render/slice_raster.h"
 
@@ -21,7 +21,7 @@ class ViewState : public QObject {
   Q_OBJECT
 
  public:
-  explicit ViewState(CaseController& controller, QObject* parent = nullptr);
+  explicit ViewState(CaseModels& models, QObject* parent = nullptr);
 
   [[nodiscard]] Layer layer() const { return layer_; }
   void setLayer(Layer layer);
@@ -76,7 +76,7 @@ class ViewState : public QObject {
 
   void showAwaitedLayer();
 
-  CaseController& controller_;
+  CaseModels& models_;
   Layer layer_ = Layer::Source;
   std::optional<Layer> awaitedLayer_;
   std::array<std::pair<double, double>, kLayerCount> windowLevels_;

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 
 namespace angiomesh {
 
@@ -31,8 +31,7 @@ QVBoxLayout* tightColumn(QWidget* parent) {
 
 }  // namespace
 
-SeedList::SeedList(CaseController& controller, QWidget* parent)
-    : QWidget(parent), controller_(controller) {
+SeedList::SeedList(CaseModels& models, QWidget* parent) : QWidget(parent), models_(models) {
   auto* column = tightColumn(this);
   summary_ = new QLabel(this);
   summary_->setObjectName("seedSummary");
@@ -45,16 +44,16 @@ SeedList::SeedList(CaseController& controller, QWidget* parent)
   remove_->setObjectName("removeSeed");
   column->addWidget(remove_, 0, Qt::AlignLeft);
   connect(remove_, &QPushButton::clicked, this,
-          [this] { controller_.removeSeed(list_->currentRow()); });
+          [this] { models_.document.removeSeed(list_->currentRow()); });
   connect(list_, &QListWidget::currentRowChanged, this,
           [this](int row) { remove_->setEnabled(row >= 0); });
-  connect(&controller_, &CaseController::parametersChanged, this, &SeedList::refresh);
-  connect(&controller_, &CaseController::resultsChanged, this, &SeedList::refresh);
+  connect(&models_.document, &CaseDocument::parametersChanged, this, &SeedList::refresh);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &SeedList::refresh);
   refresh();
 }
 
 void SeedList::refresh() {
-  const auto seeds = controller_.seeds();
+  const auto seeds = models_.document.seeds();
   const int row = list_->currentRow();
   list_->clear();
   for (const Eigen::Vector3d& seed : seeds) {
@@ -72,15 +71,15 @@ void SeedList::refresh() {
   list_->setVisible(any);
   remove_->setVisible(any);
   remove_->setEnabled(list_->currentRow() >= 0);
-  const auto result = controller_.seedsResult();
+  const auto result = models_.results.seedsResult();
   summary_->setVisible(result != nullptr);
   if (result) {
     summary_->setText(tr("%1 seeds in use").arg(result->pointsLps.size()));
   }
 }
 
-ComponentTable::ComponentTable(CaseController& controller, QWidget* parent)
-    : QWidget(parent), controller_(controller) {
+ComponentTable::ComponentTable(CaseModels& models, QWidget* parent)
+    : QWidget(parent), models_(models) {
   auto* column = tightColumn(this);
   summary_ = new QLabel(this);
   summary_->setObjectName("componentSummary");
@@ -104,16 +103,17 @@ ComponentTable::ComponentTable(CaseController& controller, QWidget* parent)
       const int row = item->row();
       const bool on = item->checkState() == Qt::Checked;
       QMetaObject::invokeMethod(
-          this, [this, row, on] { controller_.setComponentTicked(row, on); }, Qt::QueuedConnection);
+          this, [this, row, on] { models_.results.setComponentTicked(row, on); },
+          Qt::QueuedConnection);
     }
   });
-  connect(&controller_, &CaseController::resultsChanged, this, &ComponentTable::refresh);
-  connect(&controller_, &CaseController::parametersChanged, this, &ComponentTable::refresh);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &ComponentTable::refresh);
+  connect(&models_.document, &CaseDocument::parametersChanged, this, &ComponentTable::refresh);
   refresh();
 }
 
 void ComponentTable::refresh() {
-  const std::vector<ComponentRow> rows = controller_.components();
+  const std::vector<ComponentRow> rows = models_.results.components();
   const int count = std::min(static_cast<int>(rows.size()), kMostRows);
   const QSignalBlocker quiet(table_);
   table_->setRowCount(count);
@@ -148,8 +148,8 @@ void ComponentTable::refresh() {
                         : tr("Parts: %1").arg(count));
 }
 
-EvolutionControls::EvolutionControls(CaseController& controller, QWidget* parent)
-    : QWidget(parent), controller_(controller) {
+EvolutionControls::EvolutionControls(CaseModels& models, QWidget* parent)
+    : QWidget(parent), models_(models) {
   auto* column = tightColumn(this);
   text_ = new QLabel(this);
   text_->setObjectName("evolutionText");
@@ -168,35 +168,35 @@ EvolutionControls::EvolutionControls(CaseController& controller, QWidget* parent
   }
   column->addLayout(row);
   connect(pause_, &QPushButton::clicked, this,
-          [this] { controller_.setPaused(!controller_.paused()); });
+          [this] { models_.runs.setPaused(!models_.runs.paused()); });
   connect(step_, &QPushButton::clicked, this,
-          [this] { controller_.stepEvolution(kStepIterations); });
-  connect(finish_, &QPushButton::clicked, this, [this] { controller_.finishEvolution(); });
-  connect(&controller_, &CaseController::statesChanged, this, &EvolutionControls::refresh);
-  connect(&controller_, &CaseController::progressChanged, this, &EvolutionControls::showProgress);
+          [this] { models_.runs.stepEvolution(kStepIterations); });
+  connect(finish_, &QPushButton::clicked, this, [this] { models_.runs.finishEvolution(); });
+  connect(&models_.runs, &RunModel::statesChanged, this, &EvolutionControls::refresh);
+  connect(&models_.timer, &JobTimer::ticked, this, &EvolutionControls::showProgress);
   refresh();
 }
 
 void EvolutionControls::refresh() {
-  const bool evolving = controller_.evolving();
+  const bool evolving = models_.runs.evolving();
   pause_->setEnabled(evolving);
-  pause_->setText(controller_.paused() ? tr("Resume") : tr("Pause"));
-  step_->setEnabled(evolving && controller_.paused());
+  pause_->setText(models_.runs.paused() ? tr("Resume") : tr("Pause"));
+  step_->setEnabled(evolving && models_.runs.paused());
   finish_->setEnabled(evolving);
   showProgress();
 }
 
 void EvolutionControls::showProgress() {
-  if (pause_->isEnabled() != controller_.evolving()) {
+  if (pause_->isEnabled() != models_.runs.evolving()) {
     refresh();
     return;
   }
-  const int iterations = controller_.iterations();
-  text_->setVisible(iterations > 0 || controller_.evolving());
-  text_->setText(
-      controller_.change() < 0.0
-          ? tr("Iteration %1").arg(iterations)
-          : tr("Iteration %1, change %2").arg(iterations).arg(controller_.change(), 0, 'g', 3));
+  const int iterations = models_.runs.iterations();
+  text_->setVisible(iterations > 0 || models_.runs.evolving());
+  text_->setText(models_.runs.change() < 0.0 ? tr("Iteration %1").arg(iterations)
+                                                 : tr("Iteration %1, change %2")
+                                                       .arg(iterations)
+                                                       .arg(models_.runs.change(), 0, 'g', 3));
 }
 
 }  // namespace angiomesh

@@ -10,19 +10,19 @@ class QTableWidget;
 
 namespace angiomesh {
 
-class CaseController;
+struct CaseModels;
 
 /// The seeds set by hand, each of which can be removed, and how many were found besides.
 class SeedList : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SeedList(CaseController& controller, QWidget* parent = nullptr);
+  explicit SeedList(CaseModels& models, QWidget* parent = nullptr);
 
  private:
   void refresh();
 
-  CaseController& controller_;
+  CaseModels& models_;
   QLabel* summary_;
   QListWidget* list_;
   QPushButton* remove_;
@@ -33,12 +33,12 @@ class ComponentTable : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ComponentTable(CaseController& controller, QWidget* parent = nullptr);
+  explicit ComponentTable(CaseModels& models, QWidget* parent = nullptr);
 
  private:
   void refresh();
 
-  CaseController& controller_;
+  CaseModels& models_;
   QLabel* summary_;
   QTableWidget* table_;
 };
@@ -48,13 +48,13 @@ class EvolutionControls : public QWidget {
   Q_OBJECT
 
  public:
-  explicit EvolutionControls(CaseController& controller, QWidget* parent = nullptr);
+  explicit EvolutionControls(CaseModels& models, QWidget* parent = nullptr);
 
  private:
   void refresh();
   void showProgress();
 
-  CaseController& controller_;
+  CaseModels& models_;
   QLabel* text_;
   QPushButton* pause_;
   QPushButton* step_;

@@ -16,7 +16,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/shared_history.h"
 
@@ -99,8 +99,8 @@ PathChooser dialogPathChooser() {
   return chooser;
 }
 
-ExportDialog::ExportDialog(CaseController& controller, PathChooser chooser, QWidget* parent)
-    : QDialog(parent), controller_(controller), chooser_(std::move(chooser)) {
+ExportDialog::ExportDialog(CaseModels& models, PathChooser chooser, QWidget* parent)
+    : QDialog(parent), models_(models), chooser_(std::move(chooser)) {
   setObjectName("exportDialog");
   setWindowTitle(tr("Export mesh"));
   auto* column = new QVBoxLayout(this);
@@ -118,7 +118,7 @@ ExportDialog::ExportDialog(CaseController& controller, PathChooser chooser, QWid
   for (QComboBox* combo : {mesh_, format_, unit_, frame_}) {
     connect(combo, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
   }
-  connect(&controller_, &CaseController::resultsChanged, this, &ExportDialog::refresh);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &ExportDialog::refresh);
   refresh();
 }
 
@@ -132,7 +132,7 @@ void ExportDialog::addChoices(QFormLayout* form) {
   };
   mesh_ = combo("exportMesh", tr("Mesh"), {});
   for (int i = 0; i < kMeshKindCount; ++i) {
-    if (controller_.mesh(static_cast<MeshKind>(i))) {
+    if (models_.results.mesh(static_cast<MeshKind>(i))) {
       mesh_->addItem(meshTitle(static_cast<MeshKind>(i)), i);
     }
   }
@@ -159,7 +159,7 @@ void ExportDialog::addNotes(QFormLayout* form, QVBoxLayout* below) {
   quality_ = check("exportQuality", tr("Quality of the triangles (radius ratio)"), false);
   report_ = check("exportReport", tr("Write NAME.report.json beside it"), true);
   ports_ = check("exportPortsFile", tr("Write NAME.ports.json beside it: where the ports lie"),
-                 !controller_.parameters().ports.cuts.empty());
+                 !models_.document.parameters().ports.cuts.empty());
   patches_ = check("exportPatches", tr("Write each patch to a file of its own, too"), false);
   hint_ = new QLabel(this);
   hint_->setObjectName("exportHint");
@@ -175,7 +175,7 @@ MeshKind ExportDialog::kind() const { return static_cast<MeshKind>(mesh_->curren
 
 void ExportDialog::refresh() {
   const Format& format = chosenFormat(*format_);
-  const bool patches = !controller_.ports(kind()).empty();
+  const bool patches = !models_.results.ports(kind()).empty();
   normals_->setEnabled(format.holdsExtras);
   quality_->setEnabled(format.holdsExtras);
   for (QWidget* widget : std::initializer_list<QWidget*>{unit_, frame_, report_}) {
@@ -184,8 +184,8 @@ void ExportDialog::refresh() {
   ports_->setEnabled(patches && !isFolder(format));
   patches_->setEnabled(patches && !isFolder(format));
   refreshHint();
-  note_->setVisible(!controller_.meshFresh());
-  const auto mesh = controller_.mesh(kind());
+  note_->setVisible(!models_.results.meshFresh());
+  const auto mesh = models_.results.mesh(kind());
   if (!mesh || mesh->points.empty()) {
     size_->setText(tr("nothing"));
     return;
@@ -205,11 +205,11 @@ void ExportDialog::refreshHint() {
   if (*format.hint != '\0') {
     hints << tr(format.hint);
   }
-  const std::vector<Port> ports = controller_.ports(kind());
+  const std::vector<Port> ports = models_.results.ports(kind());
   if (!ports.empty() && !format.holdsNames) {
     hints << tr("⚠ It loses the names of the %1 ports: STL, ASCII has them.").arg(ports.size());
   }
-  const MeshQuality* quality = controller_.quality(kind());
+  const MeshQuality* quality = models_.results.quality(kind());
   const bool sound = !quality || (quality->selfIntersections == 0 && quality->oriented &&
                                   quality->nonManifoldEdges + quality->nonManifoldVertices == 0);
   if (!sound) {
@@ -257,7 +257,7 @@ void ExportDialog::exportOpenFoam() {
   // A case that was exported before is replaced, as the chooser has asked; no other folder is
   // filled.
   const bool before = QFileInfo::exists(folder + QStringLiteral("/system/snappyHexMeshDict"));
-  controller_.exportOpenFoam(kind(), folder, before);
+  models_.exports.exportOpenFoam(kind(), folder, before);
   accept();
 }
 
@@ -279,7 +279,7 @@ void ExportDialog::exportNow() {
   extras.report = report_->isChecked();
   extras.ports = ports_->isEnabled() && ports_->isChecked();
   extras.patches = patches_->isEnabled() && patches_->isChecked();
-  controller_.exportMesh(kind(), path, options(), extras);
+  models_.exports.exportMesh(kind(), path, options(), extras);
   accept();
 }
 

@@ -15,7 +15,7 @@ class QVBoxLayout;
 
 namespace angiomesh {
 
-class CaseController;
+struct CaseModels;
 
 /// Asks which file is to be opened or written. The window uses file dialogs; tests answer at once.
 /// An empty answer means that the user thought better of it.
@@ -33,7 +33,7 @@ class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  ExportDialog(CaseController& controller, PathChooser chooser, QWidget* parent = nullptr);
+  ExportDialog(CaseModels& models, PathChooser chooser, QWidget* parent = nullptr);
 
  private:
   void addChoices(QFormLayout* form);
@@ -45,7 +45,7 @@ class ExportDialog : public QDialog {
   [[nodiscard]] MeshKind kind() const;
   [[nodiscard]] MeshWriteOptions options() const;
 
-  CaseController& controller_;
+  CaseModels& models_;
   PathChooser chooser_;
   QComboBox* mesh_;
   QComboBox* format_;

@@ -47,22 +47,21 @@ double asNumber(const FieldValue& value) {
 
 }  // namespace
 
-FieldEditor::FieldEditor(const Field& field, QWidget* parent)
-    : QWidget(parent), field_(field), presentation_(presentationOf(field)) {
+FieldEditor::FieldEditor(const Field& field, QWidget* parent) : QWidget(parent), field_(field) {
   setObjectName("field:" + QString::fromStdString(field.key));
   setIdle({});
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
   if (field.kind == FieldKind::Boolean) {
-    check_ = new QCheckBox(presentation_.label, this);
+    check_ = new QCheckBox(labelOf(field), this);
     check_->setObjectName("check");
     row->addWidget(check_);
     connect(check_, &QCheckBox::clicked, this,
             [this](bool on) { Q_EMIT edited(QString::fromStdString(field_.key), on, false); });
     return;
   }
-  auto* label = new QLabel(presentation_.label, this);
+  auto* label = new QLabel(labelOf(field), this);
   label->setFixedWidth(kLabelWidth);
   row->addWidget(label);
   switch (field.kind) {
@@ -104,8 +103,8 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
   row.addWidget(slider_, 1);
   spin_ = new QDoubleSpinBox(this);
   spin_->setObjectName("spin");
-  spin_->setDecimals(decimalsFor(field_, presentation_.factor));
-  spin_->setRange(field_.minimum * presentation_.factor, field_.maximum * presentation_.factor);
+  spin_->setDecimals(decimalsFor(field_, field_.shownTimes));
+  spin_->setRange(field_.minimum * field_.shownTimes, field_.maximum * field_.shownTimes);
   if (field_.kind == FieldKind::Integer) {
     spin_->setSingleStep(1.0);
   } else {
@@ -114,8 +113,9 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
   spin_->setKeyboardTracking(false);
   spin_->setFixedWidth(kNumberWidth);
   spin_->setAlignment(Qt::AlignRight);
-  if (!presentation_.unit.isEmpty() && presentation_.unit.size() <= 4) {
-    spin_->setSuffix(' ' + presentation_.unit);
+  const QString unit = QString::fromStdString(field_.unit);
+  if (!unit.isEmpty() && unit.size() <= 4) {
+    spin_->setSuffix(' ' + unit);
   }
   keepFromWheel(spin_);
   row.addWidget(spin_);
@@ -162,17 +162,20 @@ void FieldEditor::buildNumbers(QHBoxLayout& row) {
 void FieldEditor::setIdle(const QString& why) {
   setEnabled(why.isEmpty());
   QString text = QString::fromStdString(field_.help + "  [" + field_.key + "]");
+  if (!field_.rise.empty()) {
+    text += '\n' + tr("Larger: %1.").arg(QString::fromStdString(field_.rise));
+  }
   if (!why.isEmpty()) {
-    text += '\n' + tr("Without effect now: %1.").arg(why);
+    text += '\n' + tr("Has no effect now: %1.").arg(why);
   }
   setToolTip(text);
 }
 
-void FieldEditor::setSliderRange(const std::pair<double, double>& range) {
-  highest_ = range.second;
-  logarithmic_ = range.first >= 0.0 &&
-                 (field_.logarithmic || range.second > kLinearRatio * std::max(range.first, 1.0));
-  lowest_ = logarithmic_ && range.first <= 0.0 ? highest_ / kDecades : range.first;
+void FieldEditor::setSliderRange(const std::array<double, 2>& range) {
+  highest_ = range[1];
+  logarithmic_ =
+      range[0] >= 0.0 && (field_.logarithmic || range[1] > kLinearRatio * std::max(range[0], 1.0));
+  lowest_ = logarithmic_ && range[0] <= 0.0 ? highest_ / kDecades : range[0];
 }
 
 double FieldEditor::sliderToValue(int position) const {
@@ -212,8 +215,7 @@ void FieldEditor::sliderMoved(int position) {
 }
 
 void FieldEditor::spinChanged(double shown) {
-  Q_EMIT edited(QString::fromStdString(field_.key), numberValue(shown / presentation_.factor),
-                false);
+  Q_EMIT edited(QString::fromStdString(field_.key), numberValue(shown / field_.shownTimes), false);
 }
 
 void FieldEditor::autoToggled(bool on) {
@@ -226,11 +228,11 @@ void FieldEditor::showNumber(double stored) {
   if (!slider_->isSliderDown()) {
     slider_->setValue(valueToSlider(stored));
   }
-  spin_->setValue(stored * presentation_.factor);
+  spin_->setValue(stored * field_.shownTimes);
 }
 
 void FieldEditor::display(const FieldValue& value, const FieldValue& suggested,
-                          const std::pair<double, double>& range) {
+                          const std::array<double, 2>& range) {
   suggested_ = suggested;
   const bool empty = std::holds_alternative<std::monostate>(value);
   if (check_) {
@@ -252,7 +254,7 @@ void FieldEditor::display(const FieldValue& value, const FieldValue& suggested,
     const std::size_t group = std::max<std::size_t>(field_.groupOf, 1);
     clear_->setEnabled(count > 0);
     summary_->setText(count == 0   ? tr("none")
-                      : texts      ? tr("%1: %2").arg(presentation_.label.toLower()).arg(count)
+                      : texts      ? tr("%1: %2").arg(labelOf(field_).toLower()).arg(count)
                       : group == 3 ? tr("points: %1").arg(count / group)
                                    : tr("set"));
   }

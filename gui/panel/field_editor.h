@@ -3,7 +3,7 @@
 
 #include <QString>
 #include <QWidget>
-#include <utility>
+#include <array>
 
 #include "core/parameters/field.h"
 #include "gui/model/step_text.h"
@@ -32,7 +32,7 @@ class FieldEditor : public QWidget {
   /// Emits nothing. @param suggested shown greyed while the value is empty   @param range of the
   /// slider, stored units; the spin box reaches all of the field's
   void display(const FieldValue& value, const FieldValue& suggested,
-               const std::pair<double, double>& range);
+               const std::array<double, 2>& range);
   /// Disables the editor and says why in its tooltip; "" enables it.
   void setIdle(const QString& why);
 
@@ -44,7 +44,7 @@ class FieldEditor : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void setSliderRange(const std::pair<double, double>& range);
+  void setSliderRange(const std::array<double, 2>& range);
   void buildNumber(QHBoxLayout& row);
   void buildChoice(QHBoxLayout& row);
   void buildNumbers(QHBoxLayout& row);
@@ -58,7 +58,6 @@ class FieldEditor : public QWidget {
   void showNumber(double stored);
 
   const Field& field_;
-  FieldPresentation presentation_;
   double lowest_ = 0.0, highest_ = 1.0;  ///< of the slider, stored units
   bool logarithmic_ = false;
   bool dragging_ = false;

@@ -108,8 +108,8 @@ const std::vector<Row>& rows() {
 
 }  // namespace
 
-InspectorPanel::InspectorPanel(CaseController& controller, ViewState& state, QWidget* parent)
-    : QWidget(parent), controller_(controller), state_(state) {
+InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* parent)
+    : QWidget(parent), models_(models), state_(state) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
   auto* form = new QFormLayout;
@@ -155,8 +155,8 @@ InspectorPanel::InspectorPanel(CaseController& controller, ViewState& state, QWi
   connect(colour_, &QComboBox::activated, this,
           [this](int colour) { state_.setMeshColour(static_cast<MeshColour>(colour)); });
   connect(comparison_, &QCheckBox::toggled, &state_, &ViewState::setComparison);
-  connect(&controller_, &CaseController::resultsChanged, this, &InspectorPanel::refreshResults);
-  connect(&controller_, &CaseController::statesChanged, this, &InspectorPanel::refreshHints);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &InspectorPanel::refreshResults);
+  connect(&models_.runs, &RunModel::statesChanged, this, &InspectorPanel::refreshHints);
   connect(&state_, &ViewState::changed, this, &InspectorPanel::refreshState);
   refreshResults();
   refreshState();
@@ -198,10 +198,10 @@ void InspectorPanel::buildTable() {
 }
 
 void InspectorPanel::refreshResults() {
-  const std::shared_ptr<const MeshFacts> facts = controller_.facts();
+  const std::shared_ptr<const MeshFacts> facts = models_.results.facts();
   for (int column = 0; column < kMeshKindCount; ++column) {
     const auto kind = static_cast<MeshKind>(column);
-    const MeshQuality* quality = controller_.quality(kind);
+    const MeshQuality* quality = models_.results.quality(kind);
     for (int row = 0; row < table_->rowCount(); ++row) {
       table_->item(row, column)
           ->setText(quality ? rows()[static_cast<std::size_t>(row)].text(*quality) : kNothing);
@@ -218,7 +218,7 @@ void InspectorPanel::refreshVerified() {
   const auto title = [](const Row& row) { return row.title == kVerifiedTitle; };
   const auto row =
       static_cast<int>(std::find_if(rows().begin(), rows().end(), title) - rows().begin());
-  const SurfaceOrigin* origin = controller_.surfaceOrigin();
+  const SurfaceOrigin* origin = models_.results.surfaceOrigin();
   const QString text = origin ? verifiedText(*origin) : QString();
   const QString why = origin ? verifiedReasons(*origin) : QString();
   // Smoothing keeps what was verified: it neither cuts nor joins. Marching cubes is not checked.
@@ -241,9 +241,9 @@ void InspectorPanel::refreshState() {
 }
 
 void InspectorPanel::refreshHints() {
-  const MeshQuality* q = controller_.quality(state_.meshKind());
+  const MeshQuality* q = models_.results.quality(state_.meshKind());
   if (!q) {
-    hints_->setText(controller_.mesh(state_.meshKind())
+    hints_->setText(models_.results.mesh(state_.meshKind())
                         ? tr("Quality is not measured yet: run to the end.")
                         : tr("No mesh yet: open a volume and press Run."));
     return;
@@ -261,13 +261,13 @@ void InspectorPanel::refreshHints() {
                (q->degenerateTriangles == 0
                     ? tr("no degenerate triangles")
                     : tr("%1 degenerate triangles").arg(q->degenerateTriangles));
-  const SurfaceOrigin* origin = controller_.surfaceOrigin();
+  const SurfaceOrigin* origin = models_.results.surfaceOrigin();
   if (origin && origin->unverified() > 0 && state_.meshKind() != MeshKind::MarchingCubes) {
     lines << mark(false) + tr("%1 parts not verified").arg(origin->unverified());
   }
   hints_->setToolTip(origin ? verifiedReasons(*origin) : QString());
   QString text = lines.join(QStringLiteral("   "));
-  if (!controller_.meshFresh()) {
+  if (!models_.results.meshFresh()) {
     text = tr("◐ The mesh belongs to earlier parameters: run again.") + '\n' + text;
   }
   hints_->setText(text);

@@ -10,7 +10,7 @@ class QTableWidget;
 
 namespace angiomesh {
 
-class CaseController;
+struct CaseModels;
 class HistogramWidget;
 class ViewState;
 
@@ -20,7 +20,7 @@ class InspectorPanel : public QWidget {
   Q_OBJECT
 
  public:
-  InspectorPanel(CaseController& controller, ViewState& state, QWidget* parent = nullptr);
+  InspectorPanel(CaseModels& models, ViewState& state, QWidget* parent = nullptr);
 
  private:
   void buildTable();
@@ -29,7 +29,7 @@ class InspectorPanel : public QWidget {
   void refreshVerified();
   void refreshHints();
 
-  CaseController& controller_;
+  CaseModels& models_;
   ViewState& state_;
   QComboBox* mesh_;
   QComboBox* colour_;

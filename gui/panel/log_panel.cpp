@@ -11,12 +11,12 @@ namespace {
 constexpr int kMostLines = 2000;
 }
 
-LogPanel::LogPanel(CaseController& controller, QWidget* parent) : QPlainTextEdit(parent) {
+LogPanel::LogPanel(CaseModels& models, QWidget* parent) : QPlainTextEdit(parent) {
   setObjectName("log");
   setReadOnly(true);
   setMaximumBlockCount(kMostLines);
   setLineWrapMode(QPlainTextEdit::WidgetWidth);
-  connect(&controller, &CaseController::message, this, &LogPanel::add);
+  connect(&models.log, &MessageLog::message, this, &LogPanel::add);
 }
 
 void LogPanel::add(Severity severity, const QString& text) {

@@ -3,7 +3,7 @@
 
 #include <QPlainTextEdit>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 
 namespace angiomesh {
 
@@ -12,7 +12,7 @@ class LogPanel : public QPlainTextEdit {
   Q_OBJECT
 
  public:
-  explicit LogPanel(CaseController& controller, QWidget* parent = nullptr);
+  explicit LogPanel(CaseModels& models, QWidget* parent = nullptr);
 
  private:
   void add(Severity severity, const QString& text);

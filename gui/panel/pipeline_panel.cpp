@@ -9,15 +9,15 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 #include "gui/panel/case_tables.h"
 #include "gui/panel/step_panel.h"
 #include "gui/panel/surface_note.h"
 
 namespace angiomesh {
 
-PipelinePanel::PipelinePanel(CaseController& controller, QWidget* parent)
-    : QWidget(parent), controller_(controller) {
+PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
+    : QWidget(parent), models_(models) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
   auto* top = new QHBoxLayout;
@@ -48,14 +48,14 @@ PipelinePanel::PipelinePanel(CaseController& controller, QWidget* parent)
   steps->setSpacing(4);
   for (int i = static_cast<int>(Step::Preprocess); i < kStepCount; ++i) {
     const Step step = static_cast<Step>(i);
-    auto* panel = new StepPanel(controller_, step, list);
+    auto* panel = new StepPanel(models_, step, list);
     if (step == Step::Seeds) {
-      panel->addExtra(new SeedList(controller_, panel));
+      panel->addExtra(new SeedList(models_, panel));
     } else if (step == Step::Evolve) {
-      panel->addExtra(new EvolutionControls(controller_, panel));
+      panel->addExtra(new EvolutionControls(models_, panel));
     } else if (step == Step::Surface) {
-      panel->addExtra(new SurfaceNote(controller_, panel));
-      panel->addExtra(new ComponentTable(controller_, panel));
+      panel->addExtra(new SurfaceNote(models_, panel));
+      panel->addExtra(new ComponentTable(models_, panel));
     }
     steps->addWidget(panel);
   }
@@ -64,23 +64,23 @@ PipelinePanel::PipelinePanel(CaseController& controller, QWidget* parent)
   column->addWidget(scroll, 1);
   setMinimumWidth(360);
 
-  connect(preset_, &QComboBox::textActivated, &controller_, &CaseController::applyPreset);
-  connect(run_, &QPushButton::clicked, this, [this] { controller_.run(); });
-  connect(cancel_, &QPushButton::clicked, &controller_, &CaseController::cancel);
-  connect(&controller_, &CaseController::parametersChanged, this, &PipelinePanel::refreshPreset);
-  connect(&controller_, &CaseController::statesChanged, this, &PipelinePanel::refreshButtons);
+  connect(preset_, &QComboBox::textActivated, &models_.document, &CaseDocument::applyPreset);
+  connect(run_, &QPushButton::clicked, this, [this] { models_.runs.run(); });
+  connect(cancel_, &QPushButton::clicked, this, [this] { models_.cancel(); });
+  connect(&models_.document, &CaseDocument::parametersChanged, this, &PipelinePanel::refreshPreset);
+  connect(&models_.runs, &RunModel::statesChanged, this, &PipelinePanel::refreshButtons);
   refreshPreset();
   refreshButtons();
 }
 
 void PipelinePanel::refreshPreset() {
   const QSignalBlocker quiet(preset_);
-  preset_->setCurrentIndex(preset_->findText(controller_.presetName()));
+  preset_->setCurrentIndex(preset_->findText(models_.document.presetName()));
 }
 
 void PipelinePanel::refreshButtons() {
-  run_->setEnabled(controller_.hasCase() && !controller_.running());
-  cancel_->setEnabled(controller_.running() || controller_.loading());
+  run_->setEnabled(models_.document.hasCase() && !models_.runs.running());
+  cancel_->setEnabled(models_.runs.running() || models_.files.loading());
 }
 
 }  // namespace angiomesh

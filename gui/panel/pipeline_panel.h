@@ -8,20 +8,20 @@ class QPushButton;
 
 namespace angiomesh {
 
-class CaseController;
+struct CaseModels;
 
 /// The steps of the pipeline, top to bottom, with the preset and the buttons that run them all.
 class PipelinePanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PipelinePanel(CaseController& controller, QWidget* parent = nullptr);
+  explicit PipelinePanel(CaseModels& models, QWidget* parent = nullptr);
 
  private:
   void refreshPreset();
   void refreshButtons();
 
-  CaseController& controller_;
+  CaseModels& models_;
   QComboBox* preset_;
   QPushButton* run_;
   QPushButton* cancel_;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
 
 namespace angiomesh {
@@ -42,12 +42,12 @@ QPen outlinePen(MeshKind kind, const QPalette& palette) {
 
 }  // namespace
 
-ConvergencePlot::ConvergencePlot(CaseController& controller, QWidget* parent)
-    : QWidget(parent), controller_(controller) {
+ConvergencePlot::ConvergencePlot(CaseModels& models, QWidget* parent)
+    : QWidget(parent), models_(models) {
   setMinimumSize(220, 90);
   setToolTip(tr("Change of the surface at each check of the evolution; dashed: the tolerance"));
-  connect(&controller_, &CaseController::progressChanged, this, [this] { update(); });
-  connect(&controller_, &CaseController::resultsChanged, this, [this] { update(); });
+  connect(&models_.timer, &JobTimer::ticked, this, [this] { update(); });
+  connect(&models_.results, &ResultModel::resultsChanged, this, [this] { update(); });
 }
 
 void ConvergencePlot::paintEvent(QPaintEvent* /*event*/) {
@@ -57,11 +57,11 @@ void ConvergencePlot::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(palette().color(QPalette::Text));
   const QFontMetrics metrics = painter.fontMetrics();
   const int line = metrics.height();
-  const auto& history = controller_.history();
+  const auto& history = models_.runs.history();
   QString title = tr("Change over iterations");
   if (!history.empty()) {
     title = tr("Iteration %1, change %2")
-                .arg(controller_.iterations())
+                .arg(models_.runs.iterations())
                 .arg(history.back().second, 0, 'g', 3);
   }
   painter.drawText(kMargin, kMargin + metrics.ascent(), title);
@@ -74,7 +74,7 @@ void ConvergencePlot::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(area, Qt::AlignCenter, tr("No evolution yet"));
     return;
   }
-  const double tolerance = std::max(controller_.parameters().levelset.tolerance, 1e-6);
+  const double tolerance = std::max(models_.document.parameters().levelset.tolerance, 1e-6);
   double lowest = tolerance, highest = tolerance;
   for (const auto& [iteration, change] : history) {
     lowest = std::min(lowest, std::max(change, 1e-6));

@@ -14,14 +14,14 @@ class QPainter;
 
 namespace angiomesh {
 
-class CaseController;
+struct CaseModels;
 
 /// Change of the evolution over its iterations, on a logarithmic scale, with the tolerance.
 class ConvergencePlot : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ConvergencePlot(CaseController& controller, QWidget* parent = nullptr);
+  explicit ConvergencePlot(CaseModels& models, QWidget* parent = nullptr);
 
   [[nodiscard]] QSize sizeHint() const override { return {360, 150}; }
 
@@ -29,7 +29,7 @@ class ConvergencePlot : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  CaseController& controller_;
+  CaseModels& models_;
 };
 
 /// Histograms of one quantity over the triangles of the three meshes, each as shares of its own

@@ -35,8 +35,8 @@ QString signOf(StepState state) {
 
 }  // namespace
 
-StepPanel::StepPanel(CaseController& controller, Step step, QWidget* parent)
-    : QFrame(parent), controller_(controller), step_(step) {
+StepPanel::StepPanel(CaseModels& models, Step step, QWidget* parent)
+    : QFrame(parent), models_(models), step_(step) {
   setObjectName(QStringLiteral("step:") + QLatin1String(stepId(step)));
   setFrameShape(QFrame::StyledPanel);
   auto* column = new QVBoxLayout(this);
@@ -44,10 +44,10 @@ StepPanel::StepPanel(CaseController& controller, Step step, QWidget* parent)
   column->setSpacing(3);
   buildHeader(*column);
   buildFields(*column);
-  connect(&controller_, &CaseController::parametersChanged, this, &StepPanel::showParameters);
-  connect(&controller_, &CaseController::resultsChanged, this, &StepPanel::showParameters);
-  connect(&controller_, &CaseController::statesChanged, this, &StepPanel::showState);
-  connect(&controller_, &CaseController::progressChanged, this, &StepPanel::showProgress);
+  connect(&models_.document, &CaseDocument::parametersChanged, this, &StepPanel::showParameters);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &StepPanel::showParameters);
+  connect(&models_.runs, &RunModel::statesChanged, this, &StepPanel::showState);
+  connect(&models_.timer, &JobTimer::ticked, this, &StepPanel::showProgress);
   showParameters();
   showState();
 }
@@ -72,7 +72,7 @@ void StepPanel::buildHeader(QVBoxLayout& column) {
   run_->setText(tr("Run to here"));
   run_->setToolTip(tr("Runs the pipeline up to this step"));
   row->addWidget(run_);
-  connect(run_, &QToolButton::clicked, this, [this] { controller_.run(step_); });
+  connect(run_, &QToolButton::clicked, this, [this] { models_.runs.run(step_); });
   column.addLayout(row);
   progress_ = new QProgressBar(this);
   progress_->setObjectName("progress");
@@ -93,12 +93,12 @@ void StepPanel::buildFields(QVBoxLayout& column) {
   restColumn->setContentsMargins(0, 0, 0, 0);
   restColumn->setSpacing(3);
   for (const Field& field : parameterFields()) {
-    if (stepOfField(field) != step_) {
+    if (field.step != step_) {
       continue;
     }
     auto* editor = new FieldEditor(field, field.main ? static_cast<QWidget*>(this) : rest_);
     editors_.push_back(editor);
-    connect(editor, &FieldEditor::edited, &controller_, &CaseController::setField);
+    connect(editor, &FieldEditor::edited, &models_.document, &CaseDocument::setField);
     if (field.main) {
       column.addWidget(editor);
     } else {
@@ -130,12 +130,14 @@ void StepPanel::buildFields(QVBoxLayout& column) {
 void StepPanel::addExtra(QWidget* widget) { extras_->addWidget(widget); }
 
 void StepPanel::showParameters() {
+  const Parameters& params = models_.document.parameters();
+  const FieldContext context = models_.results.fieldContext();
   for (FieldEditor* editor : editors_) {
     const Field& field = editor->field();
-    editor->display(field.get(controller_.parameters()), controller_.suggestedValue(field),
-                    controller_.sliderRange(field));
+    editor->display(field.get(params), suggestedValue(field, params, context),
+                    sliderRange(field, context));
     if (field.idle) {
-      const std::string idle = field.idle(controller_.parameters());
+      const std::string idle = field.idle(params);
       editor->setIdle(QString::fromStdString(idle));
       if (field.key == "segmentation.label") {
         editor->setVisible(idle.empty());  // of few images
@@ -145,7 +147,7 @@ void StepPanel::showParameters() {
 }
 
 void StepPanel::showState() {
-  const StepState state = controller_.state(step_);
+  const StepState state = models_.runs.state(step_);
   dot_->setText(signOf(state));
   QString text;
   switch (state) {
@@ -156,12 +158,12 @@ void StepPanel::showState() {
       text = tr("not needed");
       break;
     case StepState::Fresh:
-      text = controller_.seconds(step_) < 0.0
+      text = models_.results.seconds(step_) < 0.0
                  ? tr("fresh")
-                 : tr("fresh, %1 s").arg(controller_.seconds(step_), 0, 'f', 1);
+                 : tr("fresh, %1 s").arg(models_.results.seconds(step_), 0, 'f', 1);
       break;
     case StepState::Running:
-      text = controller_.paused() ? tr("paused") : tr("running");
+      text = models_.runs.paused() ? tr("paused") : tr("running");
       break;
     case StepState::Stale:
       text = tr("stale");
@@ -171,10 +173,10 @@ void StepPanel::showState() {
       break;
   }
   state_->setText(text);
-  reason_->setText(controller_.failure(step_));
+  reason_->setText(models_.runs.failure(step_));
   reason_->setVisible(state == StepState::Failed);
   progress_->setVisible(state == StepState::Running);
-  run_->setEnabled(controller_.hasCase() && !controller_.running() &&
+  run_->setEnabled(models_.document.hasCase() && !models_.runs.running() &&
                    state != StepState::NotNeeded);
   showProgress();
 }
@@ -187,7 +189,7 @@ void StepPanel::showProgress() {
     // How far an evolution has to go is not known.
     progress_->setRange(0, 0);
   } else {
-    progress_->setValue(static_cast<int>(1000.0 * controller_.stepFraction()));
+    progress_->setValue(static_cast<int>(1000.0 * models_.runs.stepFraction()));
   }
 }
 

@@ -4,7 +4,7 @@
 #include <QFrame>
 #include <vector>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 
 class QLabel;
 class QProgressBar;
@@ -20,7 +20,7 @@ class StepPanel : public QFrame {
   Q_OBJECT
 
  public:
-  StepPanel(CaseController& controller, Step step, QWidget* parent = nullptr);
+  StepPanel(CaseModels& models, Step step, QWidget* parent = nullptr);
 
   /// Puts a widget of the step's own below the main fields.
   void addExtra(QWidget* widget);
@@ -32,7 +32,7 @@ class StepPanel : public QFrame {
   void showState();
   void showProgress();
 
-  CaseController& controller_;
+  CaseModels& models_;
   Step step_;
   QLabel* dot_ = nullptr;
   QLabel* state_ = nullptr;

@@ -17,22 +17,21 @@ QString rounded(double triangles) {
 
 }  // namespace
 
-SurfaceNote::SurfaceNote(CaseController& controller, QWidget* parent)
-    : QLabel(parent), controller_(controller) {
+SurfaceNote::SurfaceNote(CaseModels& models, QWidget* parent) : QLabel(parent), models_(models) {
   setObjectName("surfaceNote");
   setWordWrap(true);
-  connect(&controller_, &CaseController::parametersChanged, this, &SurfaceNote::refresh);
-  connect(&controller_, &CaseController::resultsChanged, this, &SurfaceNote::refresh);
-  connect(&controller_, &CaseController::statesChanged, this, &SurfaceNote::refresh);
+  connect(&models_.document, &CaseDocument::parametersChanged, this, &SurfaceNote::refresh);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &SurfaceNote::refresh);
+  connect(&models_.runs, &RunModel::statesChanged, this, &SurfaceNote::refresh);
   refresh();
 }
 
 void SurfaceNote::refresh() {
   QStringList parts;
-  const std::optional<double> estimate = controller_.estimatedTriangles();
-  const bool fresh = controller_.state(Step::Surface) == StepState::Fresh;
-  const SurfaceOrigin* origin = fresh ? controller_.surfaceOrigin() : nullptr;
-  if (const auto mesh = origin ? controller_.mesh(MeshKind::Unsmoothed) : nullptr) {
+  const std::optional<double> estimate = models_.results.estimatedTriangles();
+  const bool fresh = models_.runs.state(Step::Surface) == StepState::Fresh;
+  const SurfaceOrigin* origin = fresh ? models_.results.surfaceOrigin() : nullptr;
+  if (const auto mesh = origin ? models_.results.mesh(MeshKind::Unsmoothed) : nullptr) {
     parts << tr("%1 triangles")
                  .arg(QLocale().toString(static_cast<qulonglong>(mesh->triangles.size())));
   }
@@ -51,7 +50,7 @@ void SurfaceNote::refresh() {
   if (origin && !origin->fault().empty()) {
     lines << tr("Not fit for a solver: %1").arg(QString::fromStdString(origin->fault()));
   }
-  lines << controller_.expectationWarnings();
+  lines << models_.results.expectationWarnings();
   setText(lines.join('\n'));
   setToolTip(origin ? verifiedReasons(*origin) : QString());
   setVisible(!parts.isEmpty());

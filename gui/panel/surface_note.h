@@ -3,7 +3,7 @@
 
 #include <QLabel>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 
 namespace angiomesh {
 
@@ -13,12 +13,12 @@ class SurfaceNote : public QLabel {
   Q_OBJECT
 
  public:
-  explicit SurfaceNote(CaseController& controller, QWidget* parent = nullptr);
+  explicit SurfaceNote(CaseModels& models, QWidget* parent = nullptr);
 
  private:
   void refresh();
 
-  CaseController& controller_;
+  CaseModels& models_;
 };
 
 /// "2 of 3" and the sentences on what was not verified or left out; empty where nothing was

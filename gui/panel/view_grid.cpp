@@ -18,8 +18,8 @@ constexpr double kRadiiAround = 8.0;
 
 }  // namespace
 
-ViewGrid::ViewGrid(CaseController& controller, ViewState& state, CasePorts& ports, QWidget* parent)
-    : QWidget(parent), controller_(controller), state_(state), ports_(ports) {
+ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, QWidget* parent)
+    : QWidget(parent), models_(models), state_(state), ports_(ports) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(2);
@@ -59,10 +59,10 @@ ViewGrid::ViewGrid(CaseController& controller, ViewState& state, CasePorts& port
     grid->setColumnStretch(i, 1);
   }
   setMinimumSize(320, 320);
-  connect(&controller_, &CaseController::caseChanged, this, &ViewGrid::resetViews);
-  connect(&controller_, &CaseController::resultsChanged, this, &ViewGrid::refreshAll);
-  connect(&controller_, &CaseController::snapshotArrived, this, &ViewGrid::refreshSegmentation);
-  connect(&controller_, &CaseController::parametersChanged, this, &ViewGrid::refreshEdits);
+  connect(&models_.files, &CaseFiles::caseChanged, this, &ViewGrid::resetViews);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &ViewGrid::refreshAll);
+  connect(&models_.runs, &RunModel::snapshotArrived, this, &ViewGrid::refreshSegmentation);
+  connect(&models_.document, &CaseDocument::parametersChanged, this, &ViewGrid::refreshEdits);
   connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
   connectPorts();
   refreshAll();
@@ -112,10 +112,10 @@ void ViewGrid::connectSlice(SliceView* view) {
     }
   });
   connect(view, &SliceView::seedPicked, this, [this](double x, double y, double z) {
-    controller_.addSeed({x, y, z});
+    models_.document.addSeed({x, y, z});
   });
   connect(view, &SliceView::roiDrawn, this, [this](const RoiBox& roi) {
-    controller_.setRoi(roi);
+    models_.document.setRoi(roi);
     state_.setTool(Tool::Navigate);
   });
   connect(view, &SliceView::hovered, this, &ViewGrid::hovered);
@@ -164,9 +164,9 @@ void ViewGrid::refreshAll() {
 }
 
 void ViewGrid::refreshImage() {
-  std::shared_ptr<const Volume<float>> image = controller_.layer(state_.layer());
+  std::shared_ptr<const Volume<float>> image = models_.results.layer(state_.layer());
   if (!image) {
-    image = controller_.image();
+    image = models_.document.image();
   }
   if (image != shownImage_) {
     shownImage_ = image;
@@ -189,7 +189,8 @@ void ViewGrid::refreshImage() {
 }
 
 void ViewGrid::refreshSegmentation() {
-  const std::shared_ptr<const Volume<float>> phi = state_.contours() ? controller_.phi() : nullptr;
+  const std::shared_ptr<const Volume<float>> phi =
+      state_.contours() ? models_.results.phi() : nullptr;
   if (phi != shownPhi_) {
     shownPhi_ = phi;
     for (SliceView* view : slices_) {
@@ -201,13 +202,14 @@ void ViewGrid::refreshSegmentation() {
 }
 
 void ViewGrid::refreshSurface() {
-  const std::shared_ptr<const TriMesh> live = controller_.liveSurface();
+  const std::shared_ptr<const TriMesh> live = models_.results.liveSurface();
   std::shared_ptr<const TriMesh> mesh = live;
   for (const MeshKind kind : {state_.meshKind(), MeshKind::Exported, MeshKind::Unsmoothed}) {
-    mesh = mesh ? mesh : controller_.mesh(kind);
+    mesh = mesh ? mesh : models_.results.mesh(kind);
   }
-  const bool ofKind = mesh && mesh == controller_.mesh(state_.meshKind());
-  const std::shared_ptr<const MeshFacts> facts = ofKind && !live ? controller_.facts() : nullptr;
+  const bool ofKind = mesh && mesh == models_.results.mesh(state_.meshKind());
+  const std::shared_ptr<const MeshFacts> facts =
+      ofKind && !live ? models_.results.facts() : nullptr;
   const MeshColour colour = facts ? state_.meshColour() : MeshColour::Plain;
   if (mesh == shownMesh_ && colour == shownColour_ && facts == shownFacts_) {
     return;
@@ -226,10 +228,10 @@ void ViewGrid::refreshSurface() {
 void ViewGrid::paintQuality(SurfaceView& view, MeshKind kind, MeshColour colour) const {
   const auto i = static_cast<std::size_t>(kind);
   if (colour == MeshColour::MinAngle) {
-    view.setSurfaceColours(controller_.facts()->minAnglesDeg[i], tr("Smallest angle, °"), 0.0,
+    view.setSurfaceColours(models_.results.facts()->minAnglesDeg[i], tr("Smallest angle, °"), 0.0,
                            60.0);
   } else if (colour == MeshColour::RadiusRatio) {
-    view.setSurfaceColours(controller_.facts()->radiusRatios[i], tr("Radius ratio"), 0.0, 1.0);
+    view.setSurfaceColours(models_.results.facts()->radiusRatios[i], tr("Radius ratio"), 0.0, 1.0);
   } else {
     view.clearSurfaceColours();
   }
@@ -241,8 +243,8 @@ void ViewGrid::refreshComparison() {
   comparison_->setVisible(wanted);
   if (!wanted) return;
   comparison_->setEdgesVisible(state_.edges());
-  const std::shared_ptr<const TriMesh> mesh = controller_.mesh(MeshKind::MarchingCubes);
-  const std::shared_ptr<const MeshFacts> facts = controller_.facts();
+  const std::shared_ptr<const TriMesh> mesh = models_.results.mesh(MeshKind::MarchingCubes);
+  const std::shared_ptr<const MeshFacts> facts = models_.results.facts();
   const MeshColour colour = mesh && facts ? state_.meshColour() : MeshColour::Plain;
   if (mesh != comparedMesh_ || colour != comparedColour_ || facts != comparedFacts_) {
     if (mesh != comparedMesh_) {
@@ -260,8 +262,8 @@ void ViewGrid::refreshComparison() {
 std::vector<std::array<double, 3>> ViewGrid::patchColours(
     const std::shared_ptr<const TriMesh>& mesh) const {
   for (const MeshKind kind : {MeshKind::Exported, MeshKind::Unsmoothed}) {
-    if (mesh && mesh == controller_.mesh(kind)) {
-      return ports_.colours(controller_.ports(kind));
+    if (mesh && mesh == models_.results.mesh(kind)) {
+      return ports_.colours(models_.results.ports(kind));
     }
   }
   return {};
@@ -293,8 +295,8 @@ void ViewGrid::showPorts() {
 }
 
 void ViewGrid::refreshEdits() {
-  const std::vector<Eigen::Vector3d> seeds = controller_.seeds();
-  const auto& roi = controller_.parameters().preprocess.roi;
+  const std::vector<Eigen::Vector3d> seeds = models_.document.seeds();
+  const auto& roi = models_.document.parameters().preprocess.roi;
   for (SliceView* view : slices_) {
     view->setSeeds(seeds);
     view->setRoi(roi);

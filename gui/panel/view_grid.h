@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "gui/model/view_state.h"
+#include "render/port_mark.h"
 
 class QGridLayout;
 
@@ -22,8 +23,7 @@ class ViewGrid : public QWidget {
   Q_OBJECT
 
  public:
-  ViewGrid(CaseController& controller, ViewState& state, CasePorts& ports,
-           QWidget* parent = nullptr);
+  ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, QWidget* parent = nullptr);
 
   [[nodiscard]] SliceView* slice(int plane) const {
     return slices_[static_cast<std::size_t>(plane)];
@@ -62,7 +62,7 @@ class ViewGrid : public QWidget {
   [[nodiscard]] std::vector<std::array<double, 3>> patchColours(
       const std::shared_ptr<const TriMesh>& mesh) const;
 
-  CaseController& controller_;
+  CaseModels& models_;
   ViewState& state_;
   CasePorts& ports_;
   std::array<SliceView*, 3> slices_{};  ///< by plane: sagittal, coronal, axial

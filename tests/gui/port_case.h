@@ -26,8 +26,8 @@ inline void trigger(WindowCase& c, const char* name) {
 }
 
 /// The middle of a vessel, `share` of the way up the volume.
-inline Eigen::Vector3d insideOf(CaseController& controller, double share) {
-  const Volume<float>& phi = *controller.uncutPhi();
+inline Eigen::Vector3d insideOf(CaseModels& models, double share) {
+  const Volume<float>& phi = *models.results.uncutPhi();
   const Index3 size = phi.geometry.size;
   const auto k = static_cast<int>(share * (size[2] - 1));
   Index3 best{0, 0, k};
@@ -38,7 +38,7 @@ inline Eigen::Vector3d insideOf(CaseController& controller, double share) {
 }
 
 inline void cutAt(WindowCase& c, double share) {
-  c.window->views().setCrosshair(insideOf(c.controller(), share));
+  c.window->views().setCrosshair(insideOf(c.models(), share));
   trigger(c, "cutHere");
 }
 
@@ -46,8 +46,8 @@ inline void cutAt(WindowCase& c, double share) {
 struct PortCase : WindowCase {
   explicit PortCase(const std::filesystem::path& recovery = {}, Source source = twoTubes())
       : WindowCase(makeInlineJobRunner, recovery) {
-    controller().take(std::move(source));
-    controller().setField("segmentation.keep", std::string("largest"));
+    models().files.take(std::move(source));
+    models().document.setField("segmentation.keep", std::string("largest"));
     click(find<QPushButton>("run"));
     state().setMip(false);
     settle();
@@ -56,10 +56,10 @@ struct PortCase : WindowCase {
   CasePorts& ports() { return window->ports(); }
   SurfaceView* view() { return window->views().surface(); }
   QTableWidget* table() { return find<QTableWidget>("ports"); }
-  std::size_t cuts() { return controller().parameters().ports.cuts.size(); }
-  GivenCut cut(std::size_t i) { return parseCut(controller().parameters().ports.cuts.at(i)); }
+  std::size_t cuts() { return models().document.parameters().ports.cuts.size(); }
+  GivenCut cut(std::size_t i) { return parseCut(models().document.parameters().ports.cuts.at(i)); }
   void trigger(const char* name) { test::trigger(*this, name); }
-  int undoCount() { return controller().undoStack()->count(); }
+  int undoCount() { return models().document.undoStack()->count(); }
   void undo() { trigger("undo"); }
   void redo() { trigger("redo"); }
   void settle() {
@@ -67,7 +67,7 @@ struct PortCase : WindowCase {
     view()->grabFramebuffer();
   }
 
-  Eigen::Vector3d inside(double share = 0.5) { return insideOf(controller(), share); }
+  Eigen::Vector3d inside(double share = 0.5) { return insideOf(models(), share); }
   void cutAt(double share) { test::cutAt(*this, share); }
   void rightClick(QWidget* widget, const QPoint& at) {
     QTest::mouseClick(widget, Qt::RightButton, Qt::NoModifier, at);

@@ -6,7 +6,7 @@
 
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 
 namespace angiomesh::test {
 
@@ -37,11 +37,11 @@ inline Source slowTree() {
 constexpr int kLongEvolution = 5000;
 
 /// An evolution that only ends after `iterations`: by default not in the time of a test.
-inline void evolveFor(CaseController& controller, int iterations = 1000000) {
-  controller.setField("levelset.tolerance", 0.0);
-  controller.setField("levelset.toleranceDelta", 0.0);
-  controller.setField("levelset.checkEvery", std::int64_t(20));
-  controller.setField("levelset.maxIterations", std::int64_t(iterations));
+inline void evolveFor(CaseModels& models, int iterations = 1000000) {
+  models.document.setField("levelset.tolerance", 0.0);
+  models.document.setField("levelset.toleranceDelta", 0.0);
+  models.document.setField("levelset.checkEvery", std::int64_t(20));
+  models.document.setField("levelset.maxIterations", std::int64_t(iterations));
 }
 
 }  // namespace angiomesh::test

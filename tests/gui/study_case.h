@@ -50,8 +50,8 @@ inline QAction* action(WindowCase& c, const char* name) {
 /// Opens the study's volume, edits and saves.
 inline void makeCase(WindowCase& c, const Study& study) {
   c.window->open(study.volume);
-  c.controller().setField("levelset.xi", 31.0);
-  c.controller().addSeed({1.0, 2.0, 3.0});
+  c.models().document.setField("levelset.xi", 31.0);
+  c.models().document.addSeed({1.0, 2.0, 3.0});
   c.answers.savePath = study.saved;
   action(c, "saveCase")->trigger();
 }

@@ -50,13 +50,13 @@ class TestCase : public QObject {
       QCOMPARE(c.answers.asked, QStringList{"saveCaseAs vessels.angiomesh"});
       QCOMPARE(c.window->windowTitle(), QString("vessels[*] — Angiomesh"));
       QVERIFY(!c.window->isWindowModified());
-      c.controller().run(Step::Vesselness);
+      c.models().runs.run(Step::Vesselness);
       c.state().setWindowLevel(123.0, 45.0);
       c.state().setLayer(Layer::Vesselness);
       c.state().setWindowLevel(0.25, 0.125);
       c.state().setSlab(SlabMode::MinIp, 4.5);
       c.state().setMip(false);
-      crosshair = c.controller().image()->geometry.toPhysical({10.0, 12.0, 14.0});
+      crosshair = c.models().document.image()->geometry.toPhysical({10.0, 12.0, 14.0});
       c.window->views().setCrosshair(crosshair);
       action(c, "saveCase")->trigger();
       QCOMPARE(c.answers.asked.size(), 1);
@@ -68,10 +68,10 @@ class TestCase : public QObject {
     c.openPath = study.saved;
     action(c, "openFolder")->trigger();
     QCOMPARE(c.window->windowTitle(), QString("vessels[*] — Angiomesh"));
-    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
-    QCOMPARE(c.controller().seeds().size(), std::size_t(1));
-    QVERIFY(!c.controller().modified());
-    QCOMPARE(c.controller().undoStack()->count(), 0);
+    QCOMPARE(c.models().document.parameters().thresholds.xi, 31.0);
+    QCOMPARE(c.models().document.seeds().size(), std::size_t(1));
+    QVERIFY(!c.models().document.modified());
+    QCOMPARE(c.models().document.undoStack()->count(), 0);
     QVERIFY(c.state().layer() == Layer::Source);
     QCOMPARE(c.state().windowLevel(), std::pair(123.0, 45.0));
     QVERIFY(c.state().slabMode() == SlabMode::MinIp);
@@ -79,7 +79,7 @@ class TestCase : public QObject {
     QVERIFY(!c.state().mip());
     QVERIFY((c.window->views().slice(0)->cursor() - crosshair).norm() < 1e-6);
     // The layer that was shown comes back once it is computed.
-    c.controller().run(Step::Vesselness);
+    c.models().runs.run(Step::Vesselness);
     QVERIFY(c.state().layer() == Layer::Vesselness);
     QCOMPARE(c.state().windowLevel(), std::pair(0.25, 0.125));
     c.window->open(study.saved + "/case.json");
@@ -92,46 +92,47 @@ class TestCase : public QObject {
     {
       WindowCase c;
       makeCase(c, study);
-      c.controller().run();
-      mesh = c.controller().mesh(MeshKind::Exported);
+      c.models().runs.run();
+      mesh = c.models().results.mesh(MeshKind::Exported);
       QVERIFY(c.window->close());
     }
     verifyNoName(study.saved);
     for (const bool threaded : {true, false}) {
       WindowCase c(threaded ? makeThreadedJobRunner : makeInlineJobRunner);
       c.window->open(study.saved);
-      QTRY_VERIFY_WITH_TIMEOUT(c.controller().phi() != nullptr, kPatienceMs);
-      QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
-      QVERIFY(c.controller().state(Step::Evolve) == StepState::Fresh);
-      QVERIFY(c.controller().state(Step::Vesselness) == StepState::Empty);
-      c.controller().run();
-      QTRY_VERIFY_WITH_TIMEOUT(c.controller().meshFresh(), kPatienceMs);
-      QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
-      QVERIFY(c.controller().state(Step::Vesselness) == StepState::Empty);
-      QVERIFY(c.controller().mesh(MeshKind::Exported)->points == mesh->points);
-      c.controller().run(Step::Vesselness);
-      QTRY_VERIFY_WITH_TIMEOUT(c.controller().state(Step::Vesselness) == StepState::Fresh,
+      QTRY_VERIFY_WITH_TIMEOUT(c.models().results.phi() != nullptr, kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), kPatienceMs);
+      QVERIFY(c.models().runs.state(Step::Evolve) == StepState::Fresh);
+      QVERIFY(c.models().runs.state(Step::Vesselness) == StepState::Empty);
+      c.models().runs.run();
+      QTRY_VERIFY_WITH_TIMEOUT(c.models().results.meshFresh(), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), kPatienceMs);
+      QVERIFY(c.models().runs.state(Step::Vesselness) == StepState::Empty);
+      QVERIFY(c.models().results.mesh(MeshKind::Exported)->points == mesh->points);
+      c.models().runs.run(Step::Vesselness);
+      QTRY_VERIFY_WITH_TIMEOUT(c.models().runs.state(Step::Vesselness) == StepState::Fresh,
                                kPatienceMs);
-      QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
-      c.controller().setField("vesselness.sigmaMinMm", 0.75);
-      QVERIFY(c.controller().state(Step::Evolve) == StepState::Stale);
-      c.controller().undoStack()->undo();
-      QTRY_VERIFY_WITH_TIMEOUT(c.controller().state(Step::Evolve) == StepState::Fresh, kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), kPatienceMs);
+      c.models().document.setField("vesselness.sigmaMinMm", 0.75);
+      QVERIFY(c.models().runs.state(Step::Evolve) == StepState::Stale);
+      c.models().document.undoStack()->undo();
+      QTRY_VERIFY_WITH_TIMEOUT(c.models().runs.state(Step::Evolve) == StepState::Fresh,
+                               kPatienceMs);
     }
     QVERIFY(QDir(study.saved + "/cache").removeRecursively());
     WindowCase c;
     c.window->open(study.saved);
-    QCOMPARE(c.controller().caseName(), QString("vessels"));
-    QVERIFY(!c.controller().phi());
+    QCOMPARE(c.models().document.caseName(), QString("vessels"));
+    QVERIFY(!c.models().results.phi());
   }
 
   void theTitleMarksUnsavedChanges() {
     const Study study;
     WindowCase c;
-    c.controller().setField("levelset.xi", 30.0);
+    c.models().document.setField("levelset.xi", 30.0);
     QVERIFY(!c.window->isWindowModified());
     makeCase(c, study);
-    c.controller().setField("levelset.xi", 32.0);
+    c.models().document.setField("levelset.xi", 32.0);
     QVERIFY(c.window->isWindowModified());
     c.clickTool("undo");
     QVERIFY(!c.window->isWindowModified());
@@ -150,7 +151,7 @@ class TestCase : public QObject {
     }
     WindowCase c;
     c.window->open(study.volume);
-    c.controller().setField("levelset.xi", 12.0);
+    c.models().document.setField("levelset.xi", 12.0);
     c.answers.savePath = study.folder.filePath("cases/vessels");
     action(c, "saveCaseAs")->trigger();
     QCOMPARE(c.answers.asked.last(), QString("replace vessels"));
@@ -159,25 +160,25 @@ class TestCase : public QObject {
     c.answers.savePath = study.saved + "/vessels.angiomesh";
     action(c, "saveCaseAs")->trigger();
     QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 12.0);
-    QCOMPARE(c.controller().caseFolder(), study.saved);
+    QCOMPARE(c.models().files.caseFolder(), study.saved);
     c.answers.savePath = study.folder.filePath("no/such/place");
     action(c, "saveCaseAs")->trigger();
     const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
     QVERIFY2(log.contains("Cannot save the case") && !log.contains(study.folder.path()),
              qPrintable(log));
-    QCOMPARE(c.controller().caseFolder(), study.saved);
+    QCOMPARE(c.models().files.caseFolder(), study.saved);
   }
 
   void noFileTellsWhereTheVolumeLay() {
     const Study study;
     WindowCase c(makeInlineJobRunner, study.recovery);
     c.window->open(study.volume);
-    c.controller().setField("levelset.xi", 30.0);
+    c.models().document.setField("levelset.xi", 30.0);
     QCOMPARE(study.recoveries(), 1);
     verifyNoName(QString::fromStdString(study.recovery.string()));
     makeCase(c, study);
     QCOMPARE(study.recoveries(), 0);
-    c.controller().setField("levelset.xi", 33.0);
+    c.models().document.setField("levelset.xi", 33.0);
     QCOMPARE(readJournal(study.saved.toStdString(), 0).size(), std::size_t(1));
     verifyNoName(study.saved);
     QVERIFY(!c.find<QPlainTextEdit>("log")->toPlainText().contains("scans"));
@@ -195,7 +196,7 @@ class TestCase : public QObject {
     {
       WindowCase c;
       c.window->open(study.saved);
-      QCOMPARE(c.controller().caseName(), QString("vessels"));
+      QCOMPARE(c.models().document.caseName(), QString("vessels"));
       QVERIFY(c.answers.asked.isEmpty());
     }
     // The case moved away, as to another disk: the settings know where the volume was.
@@ -206,7 +207,7 @@ class TestCase : public QObject {
     {
       WindowCase c;
       c.window->open(moved);
-      QCOMPARE(c.controller().caseName(), QString("mine"));
+      QCOMPARE(c.models().document.caseName(), QString("mine"));
     }
     // Both.
     const QString far = study.folder.filePath(QString(kPatient) + "/far.mha");
@@ -217,17 +218,17 @@ class TestCase : public QObject {
     QTRY_VERIFY(!c.answers.asked.isEmpty());
     QVERIFY2(c.answers.asked.first().contains("40 × 40 × 40 voxels"),
              qPrintable(c.answers.asked.first()));
-    QVERIFY(!c.controller().hasCase());
+    QVERIFY(!c.models().document.hasCase());
     c.answers.source = {SourceAnswer::File, SourceAnswer::Cancel};
     c.window->open(moved);
     QTRY_COMPARE(c.answers.asked.size(), 3);
     QVERIFY2(c.answers.asked.last().contains("not the volume"), qPrintable(c.answers.asked.last()));
-    QVERIFY(!c.controller().hasCase());
+    QVERIFY(!c.models().document.hasCase());
     c.openPath = far;
     c.answers.source = {SourceAnswer::File};
     c.window->open(moved);
-    QTRY_COMPARE(c.controller().caseName(), QString("mine"));
-    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
+    QTRY_COMPARE(c.models().document.caseName(), QString("mine"));
+    QCOMPARE(c.models().document.parameters().thresholds.xi, 31.0);
     QVERIFY(QSettings().value("sources").toStringList().first().endsWith("far.mha"));
   }
 
@@ -242,11 +243,11 @@ class TestCase : public QObject {
     c.openPath = study.otherVolume();
     c.answers.source = {SourceAnswer::File, SourceAnswer::ParametersOnly};
     c.window->open(study.saved);
-    QTRY_VERIFY(c.controller().hasCase());
-    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
-    QVERIFY(c.controller().seeds().empty());
-    QVERIFY(c.controller().caseFolder().isEmpty());
-    QCOMPARE(c.controller().image()->voxels[5], twoTubes().image->voxels[5] + 1.0F);
+    QTRY_VERIFY(c.models().document.hasCase());
+    QCOMPARE(c.models().document.parameters().thresholds.xi, 31.0);
+    QVERIFY(c.models().document.seeds().empty());
+    QVERIFY(c.models().files.caseFolder().isEmpty());
+    QCOMPARE(c.models().document.image()->voxels[5], twoTubes().image->voxels[5] + 1.0F);
   }
 
   void theSampleNeedsNoFile() {
@@ -259,7 +260,7 @@ class TestCase : public QObject {
     }
     WindowCase c;
     c.window->open(study.saved);
-    QCOMPARE(c.controller().caseName(), QString("vessels"));
+    QCOMPARE(c.models().document.caseName(), QString("vessels"));
     QVERIFY(c.answers.asked.isEmpty());
   }
 
@@ -271,28 +272,28 @@ class TestCase : public QObject {
     }
     QVERIFY(QFile::remove(study.volume));
     WindowCase c(makeThreadedJobRunner);
-    c.controller().take(test::slowTree());
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    test::evolveFor(c.controller());
-    c.controller().run();
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().evolving(), kPatienceMs);
+    c.models().files.take(test::slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
+    test::evolveFor(c.models());
+    c.models().runs.run();
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().runs.evolving(), kPatienceMs);
     c.answers.save = SaveAnswer::Discard;
     c.window->open(study.saved);
     QTRY_VERIFY_WITH_TIMEOUT(c.answers.asked.size() == 2, kPatienceMs);
-    QVERIFY(c.controller().running());
-    QCOMPARE(c.controller().caseName(), QString("tree"));
+    QVERIFY(c.models().runs.running());
+    QCOMPARE(c.models().document.caseName(), QString("tree"));
   }
 
   void closingAsksAboutUnsavedChanges() {
     const Study study;
     WindowCase c;
     makeCase(c, study);
-    c.controller().setField("levelset.xi", 38.0);
+    c.models().document.setField("levelset.xi", 38.0);
     c.answers.save = SaveAnswer::Cancel;
     QVERIFY(!c.window->close());
     QCOMPARE(c.answers.asked.last(), QString("saveChanges vessels"));
     c.window->openSample();
-    QCOMPARE(c.controller().caseName(), QString("vessels"));
+    QCOMPARE(c.models().document.caseName(), QString("vessels"));
     c.answers.save = SaveAnswer::Save;
     c.window->close();
     QTRY_VERIFY(!c.window->isVisible());
@@ -303,7 +304,7 @@ class TestCase : public QObject {
     const Study study;
     WindowCase c;
     makeCase(c, study);
-    c.controller().setField("levelset.xi", 38.0);
+    c.models().document.setField("levelset.xi", 38.0);
     c.answers.save = SaveAnswer::Discard;
     QVERIFY(c.window->close());
     QTRY_VERIFY(readJournal(study.saved.toStdString(), 0).empty());
@@ -314,12 +315,12 @@ class TestCase : public QObject {
     const Study study;
     WindowCase c;
     makeCase(c, study);
-    c.controller().setField("levelset.xi", 38.0);
+    c.models().document.setField("levelset.xi", 38.0);
     c.answers.save = SaveAnswer::Save;
     c.window->open(study.otherVolume());
-    QTRY_COMPARE(c.controller().caseName(), QString("other"));
+    QTRY_COMPARE(c.models().document.caseName(), QString("other"));
     QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 38.0);
-    QVERIFY(c.controller().caseFolder().isEmpty());
+    QVERIFY(c.models().files.caseFolder().isEmpty());
   }
 
   void aCaseThatIsOpenElsewhereIsNotWritten() {
@@ -328,10 +329,10 @@ class TestCase : public QObject {
     makeCase(first, study);
     WindowCase second;
     second.window->open(study.saved);
-    QCOMPARE(second.controller().caseName(), QString("vessels"));
-    QVERIFY(second.controller().caseFolder().isEmpty());
+    QCOMPARE(second.models().document.caseName(), QString("vessels"));
+    QVERIFY(second.models().files.caseFolder().isEmpty());
     QVERIFY(second.find<QPlainTextEdit>("log")->toPlainText().contains("another window"));
-    second.controller().setField("levelset.xi", 39.0);
+    second.models().document.setField("levelset.xi", 39.0);
     second.answers.savePath = study.saved;
     second.answers.replace = true;
     action(second, "saveCase")->trigger();
@@ -344,18 +345,18 @@ class TestCase : public QObject {
     {
       WindowCase c(makeThreadedJobRunner, study.recovery);
       c.window->open(study.volume);
-      QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
       for (int i = 0; i < 40; ++i) {
-        c.controller().setField("levelset.xi", 30.0 + i, i > 0);
+        c.models().document.setField("levelset.xi", 30.0 + i, i > 0);
       }
       QTRY_COMPARE_WITH_TIMEOUT(study.recoveries(), 1, kPatienceMs);
-      QSignalSpy saved(&c.controller(), &CaseController::caseSaved);
+      QSignalSpy saved(&c.models().files, &CaseFiles::caseSaved);
       c.answers.savePath = study.saved;
       action(c, "saveCase")->trigger();
-      c.controller().setField("levelset.xi", 90.0);
+      c.models().document.setField("levelset.xi", 90.0);
       QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatienceMs);
       QVERIFY(c.window->isWindowModified());
-      QTRY_VERIFY_WITH_TIMEOUT(!c.controller().busy(), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(!c.models().busy(), kPatienceMs);
       QCOMPARE(study.recoveries(), 0);
     }
     const CaseReading reading = readCase(study.saved.toStdString());

@@ -23,9 +23,9 @@ const char* const kEditAndWait = "--edit-and-wait";
 
 /// The child of aKilledWindowLosesNothing(): says when its edit is on the disk, and waits.
 int editAndWait(const QString& recovery) {
-  CaseController controller(makeInlineJobRunner, nullptr, recovery.toStdString());
-  controller.openSample();
-  controller.setField("levelset.xi", 34.0);
+  CaseModels models(makeInlineJobRunner, nullptr, recovery.toStdString());
+  models.files.openSample();
+  models.document.setField("levelset.xi", 34.0);
   std::puts("ready");
   std::fflush(stdout);
   return QCoreApplication::exec();
@@ -44,9 +44,9 @@ class TestCaseRecovery : public QObject {
     {
       WindowCase c(makeInlineJobRunner, study.recovery);
       c.window->open(study.volume);
-      c.controller().setField("levelset.xi", 30.0);
-      c.controller().setField("levelset.xi", 31.0, true);
-      c.controller().addSeed({1.0, 2.0, 3.0});
+      c.models().document.setField("levelset.xi", 30.0);
+      c.models().document.setField("levelset.xi", 31.0, true);
+      c.models().document.addSeed({1.0, 2.0, 3.0});
       QVERIFY(findRecoveries(study.recovery).empty());  // a running window holds it
     }
     WindowCase c(makeInlineJobRunner, study.recovery);
@@ -56,13 +56,13 @@ class TestCaseRecovery : public QObject {
     QVERIFY(c.window->offerRestore());
     QVERIFY2(c.answers.asked.last().startsWith("restoreAtStart 2 changes of"),
              qPrintable(c.answers.asked.last()));
-    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
-    QCOMPARE(c.controller().seeds().size(), std::size_t(1));
+    QCOMPARE(c.models().document.parameters().thresholds.xi, 31.0);
+    QCOMPARE(c.models().document.seeds().size(), std::size_t(1));
     QVERIFY(c.window->isWindowModified());
-    QCOMPARE(c.controller().undoStack()->count(), 2);
+    QCOMPARE(c.models().document.undoStack()->count(), 2);
     c.clickTool("undo");
-    QVERIFY(c.controller().seeds().empty());
-    QVERIFY(c.controller().caseFolder().isEmpty());
+    QVERIFY(c.models().document.seeds().empty());
+    QVERIFY(c.models().files.caseFolder().isEmpty());
     c.answers.save = SaveAnswer::Discard;
     QVERIFY(c.window->close());
     QTRY_COMPARE(study.recoveries(), 0);
@@ -73,7 +73,7 @@ class TestCaseRecovery : public QObject {
     {
       WindowCase c;
       makeCase(c, study);
-      c.controller().setField("levelset.xi", 37.0);
+      c.models().document.setField("levelset.xi", 37.0);
     }
     // Nothing, or another machine's.
     for (const QByteArray& text : {QByteArray(), QByteArray("4711\nangiomesh\nelsewhere\n")}) {
@@ -84,8 +84,8 @@ class TestCaseRecovery : public QObject {
       WindowCase c;
       c.answers.restore = RestoreAnswer::Restore;
       c.window->open(study.saved);
-      QCOMPARE(c.controller().caseFolder(), study.saved);
-      QTRY_COMPARE(c.controller().parameters().thresholds.xi, 37.0);
+      QCOMPARE(c.models().files.caseFolder(), study.saved);
+      QTRY_COMPARE(c.models().document.parameters().thresholds.xi, 37.0);
     }
   }
 
@@ -120,8 +120,8 @@ class TestCaseRecovery : public QObject {
     WindowCase c(makeInlineJobRunner, study.recovery);
     c.answers.restore = RestoreAnswer::Restore;
     QVERIFY(c.window->offerRestore());
-    QCOMPARE(c.controller().parameters().thresholds.xi, 34.0);
-    QCOMPARE(c.controller().image()->geometry.size[0], 128);
+    QCOMPARE(c.models().document.parameters().thresholds.xi, 34.0);
+    QCOMPARE(c.models().document.image()->geometry.size[0], 128);
   }
 
   void aCrashLosesNothingOfASavedCase() {
@@ -130,7 +130,7 @@ class TestCaseRecovery : public QObject {
       {
         WindowCase c;
         makeCase(c, study);
-        c.controller().setField("levelset.xi", 37.0);
+        c.models().document.setField("levelset.xi", 37.0);
       }
       QCOMPARE(readCase(study.saved.toStdString()).document.params.thresholds.xi, 31.0);
       WindowCase c;
@@ -140,7 +140,7 @@ class TestCaseRecovery : public QObject {
       } else {
         c.window->open(study.saved);
       }
-      QTRY_COMPARE(c.controller().parameters().thresholds.xi, 37.0);
+      QTRY_COMPARE(c.models().document.parameters().thresholds.xi, 37.0);
       QCOMPARE(c.answers.asked.size(), 1);
       QVERIFY(c.window->isWindowModified());
       action(c, "saveCase")->trigger();
@@ -159,13 +159,13 @@ class TestCaseRecovery : public QObject {
     {
       WindowCase c;
       makeCase(c, study);
-      c.controller().setField("levelset.xi", 37.0);
+      c.models().document.setField("levelset.xi", 37.0);
     }
     WindowCase c;
     c.answers.restore = RestoreAnswer::Discard;
     c.window->open(study.saved);
     QTRY_COMPARE(c.answers.asked.size(), 1);
-    QCOMPARE(c.controller().parameters().thresholds.xi, 31.0);
+    QCOMPARE(c.models().document.parameters().thresholds.xi, 31.0);
     QTRY_VERIFY(readJournal(study.saved.toStdString(), 0).empty());
   }
 
@@ -175,11 +175,11 @@ class TestCaseRecovery : public QObject {
     QVERIFY(file.open(QIODevice::WriteOnly));
     WindowCase c(makeInlineJobRunner, study.recovery);
     c.window->open(study.volume);
-    c.controller().setField("levelset.xi", 30.0);
-    c.controller().setField("levelset.xi", 33.0);
+    c.models().document.setField("levelset.xi", 30.0);
+    c.models().document.setField("levelset.xi", 33.0);
     auto* log = c.find<QPlainTextEdit>("log");
     QTRY_VERIFY(log->toPlainText().contains("not kept"));
-    QTRY_VERIFY(!c.controller().busy());
+    QTRY_VERIFY(!c.models().busy());
     QCOMPARE(log->toPlainText().count("not kept"), 1);
     QVERIFY(!log->toPlainText().contains(study.folder.path()));
     makeCase(c, study);

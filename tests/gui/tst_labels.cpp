@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 #include "gui/panel/label_dialog.h"
 #include "io/volume/image_write.h"
 #include "window_case.h"
@@ -69,20 +69,22 @@ class TestLabels : public QObject {
     const QString path = c.folder.filePath("mask.nii.gz");
     writeVolume(labels(false), path.toStdString());
     c.window->open(path, true);
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().quality(MeshKind::Exported), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().results.quality(MeshKind::Exported), kPatienceMs);
     QVERIFY(c.labelsShown.empty());
     const double voxels = double(count(1)) * 0.5 * 0.5 * 0.8;
-    QVERIFY(std::fabs(c.controller().quality(MeshKind::Exported)->volumeMm3 / voxels - 1.0) < 0.01);
-    QCOMPARE(c.controller().state(Step::Vesselness), StepState::NotNeeded);
-    QCOMPARE(c.controller().state(Step::Evolve), StepState::Fresh);
+    QVERIFY(std::fabs(c.models().results.quality(MeshKind::Exported)->volumeMm3 / voxels - 1.0) <
+            0.01);
+    QCOMPARE(c.models().runs.state(Step::Vesselness), StepState::NotNeeded);
+    QCOMPARE(c.models().runs.state(Step::Evolve), StepState::Fresh);
 
     // A preset is for everything but what the image is.
-    c.controller().applyPreset("thesis");
-    QCOMPARE(c.controller().parameters().segmentation.method, SegmentationMethod::Label);
-    QCOMPARE(c.controller().presetName(), QString("thesis"));
+    c.models().document.applyPreset("thesis");
+    QCOMPARE(c.models().document.parameters().segmentation.method, SegmentationMethod::Label);
+    QCOMPARE(c.models().document.presetName(), QString("thesis"));
     // And the next scan is a scan.
-    c.controller().take(twoTubes());
-    QTRY_COMPARE(c.controller().parameters().segmentation.method, SegmentationMethod::LevelSet);
+    c.models().files.take(twoTubes());
+    QTRY_COMPARE(c.models().document.parameters().segmentation.method,
+                 SegmentationMethod::LevelSet);
   }
 
   void oneOfSeveralLabelsIsChosen() {
@@ -91,24 +93,25 @@ class TestLabels : public QObject {
     writeVolume(labels(true), path.toStdString());
     c.window->open(path);
     QTRY_COMPARE(c.labelsShown.size(), std::size_t{2});
-    QVERIFY(!c.controller().hasCase());
+    QVERIFY(!c.models().document.hasCase());
     c.labelChosen = LabelAnswer(1);
     c.window->open(path, true);
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().phi() && c.controller().mesh(MeshKind::Exported),
-                             kPatienceMs);
-    QCOMPARE(c.controller().results().evolve->label->voxels, count(5));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        c.models().results.phi() && c.models().results.mesh(MeshKind::Exported), kPatienceMs);
+    QCOMPARE(c.models().results.evolveResult()->label->voxels, count(5));
     // The label is a parameter as any other, undo included.
-    c.controller().setField("segmentation.label", std::int64_t{1});
-    c.controller().run();
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().meshFresh(), kPatienceMs);
-    QCOMPARE(c.controller().results().evolve->label->voxels, count(1));
-    c.controller().undoStack()->undo();
-    QCOMPARE(c.controller().parameters().segmentation.label, 5);
-    c.controller().undoStack()->setClean();
+    c.models().document.setField("segmentation.label", std::int64_t{1});
+    c.models().runs.run();
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().results.meshFresh(), kPatienceMs);
+    QCOMPARE(c.models().results.evolveResult()->label->voxels, count(1));
+    c.models().document.undoStack()->undo();
+    QCOMPARE(c.models().document.parameters().segmentation.label, 5);
+    c.models().document.undoStack()->setClean();
 
     c.labelChosen = LabelAnswer();
     c.window->open(path);
-    QTRY_COMPARE(c.controller().parameters().segmentation.method, SegmentationMethod::LevelSet);
+    QTRY_COMPARE(c.models().document.parameters().segmentation.method,
+                 SegmentationMethod::LevelSet);
   }
 
   void aCaseOfALayerFindsItsLayerAgain() {
@@ -117,21 +120,21 @@ class TestLabels : public QObject {
     writeLayers(path.toStdString());
     c.labelChosen = LabelAnswer(1);
     c.window->open(path, true);
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().mesh(MeshKind::Exported), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().results.mesh(MeshKind::Exported), kPatienceMs);
     QCOMPARE(c.labelsShown.at(1).name, std::string("aneurysm"));
-    QCOMPARE(c.controller().results().evolve->label->voxels, count(5));
-    const std::string hash = c.controller().sourceHash();
-    c.controller().saveCase(c.folder.filePath("one.angiomesh"), {});
-    QTRY_VERIFY(!c.controller().saving());
-    c.controller().take(twoTubes());
-    QTRY_VERIFY(c.controller().sourceHash() != hash);
+    QCOMPARE(c.models().results.evolveResult()->label->voxels, count(5));
+    const std::string hash = c.models().document.sourceHash();
+    c.models().files.saveCase(c.folder.filePath("one.angiomesh"), {});
+    QTRY_VERIFY(!c.models().files.saving());
+    c.models().files.take(twoTubes());
+    QTRY_VERIFY(c.models().document.sourceHash() != hash);
 
     c.window->open(c.folder.filePath("one.angiomesh"));
-    QTRY_COMPARE(c.controller().sourceHash(), hash);
-    QCOMPARE(c.controller().parameters().segmentation.method, SegmentationMethod::Label);
-    c.controller().run();
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().meshFresh(), kPatienceMs);
-    QCOMPARE(c.controller().results().evolve->label->voxels, count(5));
+    QTRY_COMPARE(c.models().document.sourceHash(), hash);
+    QCOMPARE(c.models().document.parameters().segmentation.method, SegmentationMethod::Label);
+    c.models().runs.run();
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().results.meshFresh(), kPatienceMs);
+    QCOMPARE(c.models().results.evolveResult()->label->voxels, count(5));
   }
 
   void theTableListsTheLabels() {

@@ -42,7 +42,7 @@ class TestMainWindow : public QObject {
     QCOMPARE(QSettings().value("recent").toStringList(), QStringList{c.openPath});
     c.openPath.clear();
     c.clickTool("open");
-    QCOMPARE(c.controller().caseName(), QString("tubes"));
+    QCOMPARE(c.models().document.caseName(), QString("tubes"));
   }
 
   void takesAFileThatIsDropped() {
@@ -54,7 +54,7 @@ class TestMainWindow : public QObject {
     QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(c.window.get(), &drop);
-    QCOMPARE(c.controller().caseName(), QString("tubes"));
+    QCOMPARE(c.models().document.caseName(), QString("tubes"));
   }
 
   void aBadFileGivesALine() {
@@ -68,7 +68,7 @@ class TestMainWindow : public QObject {
     const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
     QCOMPARE(log.count('\n'), 0);
     QVERIFY2(log.contains("Error") && log.contains("broken"), qPrintable(log));
-    QVERIFY(!c.controller().hasCase());
+    QVERIFY(!c.models().document.hasCase());
     QVERIFY(!c.find<QPushButton>("run")->isEnabled());
   }
 
@@ -76,14 +76,14 @@ class TestMainWindow : public QObject {
     WindowCase c;
     c.window->findChild<QAction*>("openSample")->trigger();
     QCOMPARE(c.window->windowTitle(), QString("sample[*] — Angiomesh"));
-    QCOMPARE(c.controller().image()->geometry.size[0], 128);
+    QCOMPARE(c.models().document.image()->geometry.size[0], 128);
   }
 
   void slidersMakeStepsStaleAndUndoMakesThemFresh() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.click(c.find<QPushButton>("run"));
-    QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
+    QVERIFY(c.models().runs.state(Step::Quality) == StepState::Fresh);
     auto* slider = c.find<QSlider>("slider", "field:levelset.xi");
     QStyleOptionSlider option;
     option.initFrom(slider);
@@ -95,34 +95,34 @@ class TestMainWindow : public QObject {
             ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider)
             .center();
     c.drag(slider, handle, handle + QPoint(12, 0));
-    QVERIFY(c.controller().parameters().thresholds.xi > 20.0);
-    QVERIFY(c.controller().state(Step::Seeds) == StepState::Fresh);
-    QVERIFY(c.controller().state(Step::Evolve) == StepState::Stale);
-    QVERIFY(c.controller().state(Step::Quality) == StepState::Stale);
+    QVERIFY(c.models().document.parameters().thresholds.xi > 20.0);
+    QVERIFY(c.models().runs.state(Step::Seeds) == StepState::Fresh);
+    QVERIFY(c.models().runs.state(Step::Evolve) == StepState::Stale);
+    QVERIFY(c.models().runs.state(Step::Quality) == StepState::Stale);
     QCOMPARE(c.find<QLabel>("state", "step:evolve")->text(), QString("stale"));
-    QCOMPARE(c.controller().undoStack()->count(), 1);
+    QCOMPARE(c.models().document.undoStack()->count(), 1);
     c.clickTool("undo");
-    QCOMPARE(c.controller().parameters().thresholds.xi, 20.0);
+    QCOMPARE(c.models().document.parameters().thresholds.xi, 20.0);
     QCOMPARE(c.find<QDoubleSpinBox>("spin", "field:levelset.xi")->value(), 20.0);
-    QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
+    QVERIFY(c.models().runs.state(Step::Quality) == StepState::Fresh);
     c.clickTool("redo");
-    QVERIFY(c.controller().state(Step::Evolve) == StepState::Stale);
+    QVERIFY(c.models().runs.state(Step::Evolve) == StepState::Stale);
   }
 
   void vesselSizesAreShownAsDiameters() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     auto* spin = c.find<QDoubleSpinBox>("spin", "field:vesselness.sigmaMinMm");
     QVERIFY(!spin->isEnabled());
     QCOMPARE(spin->value(), 1.0);
     QTest::mouseClick(c.find<QCheckBox>("empty", "field:vesselness.sigmaMinMm"), Qt::LeftButton,
                       Qt::NoModifier, QPoint(8, 8));
     QVERIFY(spin->isEnabled());
-    QCOMPARE(*c.controller().parameters().vesselness.sigmaMinMm, 0.5);
+    QCOMPARE(*c.models().document.parameters().vesselness.sigmaMinMm, 0.5);
     spin->selectAll();
     QTest::keyClicks(spin, "1.6");
     QTest::keyClick(spin, Qt::Key_Return);
-    QCOMPARE(*c.controller().parameters().vesselness.sigmaMinMm, 0.8);
+    QCOMPARE(*c.models().document.parameters().vesselness.sigmaMinMm, 0.8);
   }
 
   void everyFieldHasAnEditorOfItsKind() {
@@ -145,7 +145,7 @@ class TestMainWindow : public QObject {
     auto* lower = c.find<QWidget>("empty", "field:comparison.threshold.lower");
     QVERIFY(xi->isEnabled() && !lower->isEnabled());
     c.choose(combo, combo->findText("threshold"));
-    QCOMPARE(c.controller().parameters().segmentation.method, SegmentationMethod::Threshold);
+    QCOMPARE(c.models().document.parameters().segmentation.method, SegmentationMethod::Threshold);
     QVERIFY(!xi->isEnabled() && lower->isEnabled());
   }
 
@@ -157,7 +157,7 @@ class TestMainWindow : public QObject {
     QVERIFY(rest->isVisible());
     auto* spline = c.find<QComboBox>("combo", "field:surface.spline");
     c.choose(spline, 1);
-    QVERIFY(c.controller().parameters().surface.spline == SplineKind::Bspline);
+    QVERIFY(c.models().document.parameters().surface.spline == SplineKind::Bspline);
   }
 
   void fieldsWithoutEffectAreDisabledAndSayWhy() {
@@ -165,12 +165,12 @@ class TestMainWindow : public QObject {
     auto* mu = c.find<QWidget>("field:smooth.mu");
     auto* bound = c.find<QWidget>("field:smooth.wallBoundVoxels");
     QVERIFY(!mu->isEnabled() && !bound->isEnabled());
-    c.controller().setField("surface.method", std::string("marching-cubes"));
+    c.models().document.setField("surface.method", std::string("marching-cubes"));
     QVERIFY(!mu->isEnabled() && bound->isEnabled());
     QVERIFY2(mu->toolTip().contains("taubin"), qPrintable(mu->toolTip()));
     c.choose(c.find<QComboBox>("combo", "field:smooth.method"), 1);
     QVERIFY(mu->isEnabled() && !bound->isEnabled());
-    QVERIFY(!mu->toolTip().contains("Without effect"));
+    QVERIFY(!mu->toolTip().contains("Has no effect"));
   }
 
   void theSurfaceFormFollowsItsMethod() {
@@ -179,40 +179,40 @@ class TestMainWindow : public QObject {
     auto* cell = c.find<QWidget>("field:surface.cellVoxels");
     QVERIFY(rho->isEnabled() && !cell->isEnabled());
     c.choose(c.find<QComboBox>("combo", "field:surface.method"), 1);
-    QVERIFY(c.controller().parameters().surface.method == SurfaceMethod::MarchingCubes);
+    QVERIFY(c.models().document.parameters().surface.method == SurfaceMethod::MarchingCubes);
     QVERIFY(!rho->isEnabled() && cell->isEnabled());
     QVERIFY2(rho->toolTip().contains("marching cubes"), qPrintable(rho->toolTip()));
     c.choose(c.find<QComboBox>("combo", "field:surface.border"), 1);
-    QVERIFY(c.controller().parameters().surface.border == SurfaceBorder::Open);
+    QVERIFY(c.models().document.parameters().surface.border == SurfaceBorder::Open);
     // A limit that is switched on begins with a length of this image, and keeps its partner.
-    QVERIFY(!c.controller().parameters().surface.sizing.edgeMaxMm);
-    c.controller().setField("surface.edgeMaxMm", 0.5);
-    c.controller().setField("surface.edgeMinMm", 0.8);
-    QCOMPARE(*c.controller().parameters().surface.sizing.edgeMaxMm, 0.8);
+    QVERIFY(!c.models().document.parameters().surface.sizing.edgeMaxMm);
+    c.models().document.setField("surface.edgeMaxMm", 0.5);
+    c.models().document.setField("surface.edgeMinMm", 0.8);
+    QCOMPARE(*c.models().document.parameters().surface.sizing.edgeMaxMm, 0.8);
   }
 
   void trianglesAreExpectedAndThenCounted() {
     WindowCase c;
     auto* note = c.find<QLabel>("surfaceNote");
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     QVERIFY(note->isHidden());
-    c.controller().run(Step::Evolve);
+    c.models().runs.run(Step::Evolve);
     QVERIFY2(note->text().contains("about"), qPrintable(note->text()));
-    const double usual = *c.controller().estimatedTriangles();
-    c.controller().setField("surface.edgeMinVoxels", 0.3);
-    QVERIFY(*c.controller().estimatedTriangles() > 1.5 * usual);
-    c.controller().setField("surface.edgeMinVoxels", 0.4);
-    c.controller().run(Step::Surface);
+    const double usual = *c.models().results.estimatedTriangles();
+    c.models().document.setField("surface.edgeMinVoxels", 0.3);
+    QVERIFY(*c.models().results.estimatedTriangles() > 1.5 * usual);
+    c.models().document.setField("surface.edgeMinVoxels", 0.4);
+    c.models().runs.run(Step::Surface);
     QVERIFY2(note->text().contains("from the front"), qPrintable(note->text()));
     QVERIFY2(note->text().contains("verified"), qPrintable(note->text()));
-    c.controller().setField("surface.method", std::string("marching-cubes"));
-    QVERIFY(!c.controller().estimatedTriangles());
+    c.models().document.setField("surface.method", std::string("marching-cubes"));
+    QVERIFY(!c.models().results.estimatedTriangles());
     QVERIFY(note->isHidden());
   }
 
   void theInspectorComparesThreeMeshes() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.click(c.find<QPushButton>("run"));
     auto* table = c.find<QTableWidget>("quality");
     QCOMPARE(table->columnCount(), 3);
@@ -232,7 +232,7 @@ class TestMainWindow : public QObject {
       QVERIFY(table->item(row, 1)->text() != QString("–"));
       QCOMPARE(table->item(row, 2)->text(), QString("–"));
     }
-    const SurfaceOrigin* origin = c.controller().surfaceOrigin();
+    const SurfaceOrigin* origin = c.models().results.surfaceOrigin();
     QVERIFY(origin && !origin->components.empty());
     QCOMPARE(table->item(verified, 1)->toolTip().isEmpty(), origin->warnings().empty());
   }
@@ -241,69 +241,69 @@ class TestMainWindow : public QObject {
     WindowCase c;
     auto* preset = c.find<QComboBox>("preset");
     c.choose(preset, preset->findText("thesis"));
-    QVERIFY(c.controller().parameters().smooth.method == SmoothMethod::Taubin);
-    c.controller().setField("levelset.d", 0.5);
+    QVERIFY(c.models().document.parameters().smooth.method == SmoothMethod::Taubin);
+    c.models().document.setField("levelset.d", 0.5);
     QCOMPARE(preset->currentIndex(), -1);
   }
 
   void aClickOnASlicePicksASeed() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.clickTool("toolSeed");
     SliceView* axial = c.window->views().slice(2);
     const QPoint at(axial->width() / 3, axial->height() / 2);
     const Eigen::Vector3d expected = axial->lpsAt(at);
     QTest::mouseClick(axial, Qt::LeftButton, Qt::NoModifier, at);
-    QCOMPARE(c.controller().seeds().size(), std::size_t(1));
-    QVERIFY((c.controller().seeds().front() - expected).norm() < 1e-6);
+    QCOMPARE(c.models().document.seeds().size(), std::size_t(1));
+    QVERIFY((c.models().document.seeds().front() - expected).norm() < 1e-6);
     auto* list = c.find<QListWidget>("seedList");
     QCOMPARE(list->count(), 1);
     QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier,
                       list->visualItemRect(list->item(0)).center());
     c.click(c.find<QPushButton>("removeSeed"));
-    QVERIFY(c.controller().seeds().empty());
+    QVERIFY(c.models().document.seeds().empty());
     c.clickTool("undo");
     QCOMPARE(list->count(), 1);
   }
 
   void aDragOnASliceDrawsTheRegion() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.clickTool("toolRoi");
     SliceView* axial = c.window->views().slice(2);
     const QPoint centre = axial->rect().center();
     c.drag(axial, centre - QPoint(60, 50), centre + QPoint(60, 50));
-    QVERIFY(c.controller().parameters().preprocess.roi.has_value());
+    QVERIFY(c.models().document.parameters().preprocess.roi.has_value());
     QVERIFY(c.state().tool() == Tool::Navigate);
     QTest::mouseClick(c.find<QToolButton>("runToHere", "step:preprocess"), Qt::LeftButton);
-    const Geometry& cropped = c.controller().layer(Layer::Preprocessed)->geometry;
+    const Geometry& cropped = c.models().results.layer(Layer::Preprocessed)->geometry;
     QVERIFY(cropped.size[0] < 40 && cropped.size[1] < 40);
     QTest::mouseClick(c.find<QToolButton>("more", "step:preprocess"), Qt::LeftButton);
     c.click(c.find<QPushButton>("clear", "field:preprocess.roi"));
-    QVERIFY(!c.controller().parameters().preprocess.roi.has_value());
+    QVERIFY(!c.models().document.parameters().preprocess.roi.has_value());
   }
 
   void aPartIsTickedOffInTheTable() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.click(c.find<QPushButton>("run"));
-    const std::size_t before = c.controller().mesh(MeshKind::Exported)->triangles.size();
+    const std::size_t before = c.models().results.mesh(MeshKind::Exported)->triangles.size();
     auto* table = c.find<QTableWidget>("components");
     QCOMPARE(table->rowCount(), 2);
     const QRect cell = table->visualItemRect(table->item(1, 0));
     QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier,
                       QPoint(cell.left() + 12, cell.center().y()));
-    QTRY_VERIFY(c.controller().state(Step::Surface) == StepState::Stale);
+    QTRY_VERIFY(c.models().runs.state(Step::Surface) == StepState::Stale);
     QVERIFY(table->item(1, 0)->checkState() == Qt::Unchecked);
     c.click(c.find<QPushButton>("run"));
-    QVERIFY(c.controller().mesh(MeshKind::Exported)->triangles.size() < before);
+    QVERIFY(c.models().results.mesh(MeshKind::Exported)->triangles.size() < before);
     c.clickTool("undo");
     QVERIFY(table->item(1, 0)->checkState() == Qt::Checked);
   }
 
   void layersAreSwitched() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     auto* layer = c.find<QComboBox>("layer");
     c.choose(layer, 2);
     QVERIFY(c.state().layer() == Layer::Source);
@@ -324,7 +324,7 @@ class TestMainWindow : public QObject {
 
   void panesAreLinked() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     ViewGrid& views = c.window->views();
     SliceView* axial = views.slice(2);
     const double before = axial->windowWidth();
@@ -353,7 +353,7 @@ class TestMainWindow : public QObject {
 
   void slabsAreChosen() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     auto* thickness = c.find<QDoubleSpinBox>("thickness");
     QVERIFY(!thickness->isEnabled());
     c.choose(c.find<QComboBox>("slab"), 1);
@@ -367,7 +367,7 @@ class TestMainWindow : public QObject {
 
   void contoursAndSurfaceAreSwitched() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.click(c.find<QPushButton>("run"));
     ViewGrid& views = c.window->views();
     const QImage with = views.slice(2)->grabFramebuffer();

@@ -71,7 +71,7 @@ class TestPortExports : public QObject {
     const bool has = std::count(back.patchNames.begin(), back.patchNames.end(), "inlet") == 1;
     QCOMPARE(has, named);
     const auto ports = readPorts(c.folder.filePath("v.ports.json").toStdString());
-    QCOMPARE(ports.size(), c.controller().ports(MeshKind::Exported).size());
+    QCOMPARE(ports.size(), c.models().results.ports(MeshKind::Exported).size());
     QCOMPARE(ports[0].name, std::string("inlet"));
     QVERIFY(QFile::exists(c.folder.filePath(QString(file).replace("v.", "v_inlet."))));
     const QString log = c.find<QPlainTextEdit>("log")->toPlainText();
@@ -91,7 +91,7 @@ class TestPortExports : public QObject {
     QVERIFY2(QFile::exists(c.folder.filePath("foam/system/snappyHexMeshDict")),
              qPrintable(c.find<QPlainTextEdit>("log")->toPlainText()));
     QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
-    c.controller().setField("segmentation.keep", std::string("all"));
+    c.models().document.setField("segmentation.keep", std::string("all"));
     c.click(c.find<QPushButton>("run"));
     dialog = exportAs(c, 6);
     QVERIFY(dialog);
@@ -121,23 +121,23 @@ class TestPortExports : public QObject {
     {
       WindowCase c;
       c.window->open(volume);
-      c.controller().run();
+      c.models().runs.run();
       cutAt(c, 0.5);
       c.window->ports().rename("inlet", "neck");
-      cuts = c.controller().parameters().ports.cuts;
+      cuts = c.models().document.parameters().ports.cuts;
       c.answers.savePath = saved;
       trigger(c, "saveCase");
-      QVERIFY(!c.controller().modified());
+      QVERIFY(!c.models().document.modified());
     }
     WindowCase c;
     c.window->open(saved);
-    QVERIFY(c.controller().parameters().ports.cuts == cuts);
+    QVERIFY(c.models().document.parameters().ports.cuts == cuts);
     QVERIFY(c.window->ports().find("neck"));
     // Cuts mean something in one image alone, and nothing to a preset.
-    c.controller().applyPreset("thesis");
-    QVERIFY(c.controller().parameters().ports.cuts == cuts);
-    c.controller().take(twoTubes(36));
-    QVERIFY(c.controller().parameters().ports.cuts.empty());
+    c.models().document.applyPreset("thesis");
+    QVERIFY(c.models().document.parameters().ports.cuts == cuts);
+    c.models().files.take(twoTubes(36));
+    QVERIFY(c.models().document.parameters().ports.cuts.empty());
   }
 
   void cutsComeBackAfterACrash() {
@@ -149,15 +149,15 @@ class TestPortExports : public QObject {
     {
       WindowCase c(makeInlineJobRunner, recovery.path().toStdString());
       c.window->open(volume);
-      c.controller().run();
+      c.models().runs.run();
       cutAt(c, 0.5);
-      cuts = c.controller().parameters().ports.cuts;
+      cuts = c.models().document.parameters().ports.cuts;
       QCOMPARE(cuts.size(), std::size_t(1));
     }
     WindowCase c(makeInlineJobRunner, recovery.path().toStdString());
     c.answers.restore = RestoreAnswer::Restore;
     QVERIFY(c.window->offerRestore());
-    QTRY_VERIFY(c.controller().parameters().ports.cuts == cuts);
+    QTRY_VERIFY(c.models().document.parameters().ports.cuts == cuts);
   }
 };
 

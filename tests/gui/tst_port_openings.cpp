@@ -27,15 +27,15 @@ class TestPortOpenings : public QObject {
     QCoreApplication::processEvents();
     QVERIFY(c.ports().find("supra") && !c.ports().find(first));
     // No step is to be made anew, and everything that is written has the name.
-    QVERIFY(c.controller().meshFresh());
-    const auto named = [&] { return c.controller().ports(MeshKind::Exported)[0].name; };
+    QVERIFY(c.models().results.meshFresh());
+    const auto named = [&] { return c.models().results.ports(MeshKind::Exported)[0].name; };
     QCOMPARE(named(), std::string("supra"));
-    QCOMPARE(c.controller().undoStack()->undoText(),
+    QCOMPARE(c.models().document.undoStack()->undoText(),
              QString("name the opening %1 supra").arg(first));
     // With a cut it is another number of the list.
     c.cutAt(0.5);
     c.click(c.find<QPushButton>("run"));
-    QVERIFY(c.controller().meshFresh());
+    QVERIFY(c.models().results.meshFresh());
     const PortRow* row = c.ports().find("supra");
     if (row) {
       QVERIFY((row->plane.pointLps - place).norm() < 0.1);
@@ -44,11 +44,11 @@ class TestPortOpenings : public QObject {
     }
     c.undo();
     c.undo();
-    QVERIFY(c.controller().parameters().ports.names.empty());
+    QVERIFY(c.models().document.parameters().ports.names.empty());
     c.redo();
     QVERIFY(!c.ports().rename("supra", "border_9").isEmpty());
     QVERIFY(c.ports().rename("supra", "").isEmpty());
-    QVERIFY(c.controller().parameters().ports.names.empty());
+    QVERIFY(c.models().document.parameters().ports.names.empty());
   }
 
   void whatTheBorderSlicesIsCutAcross() {
@@ -77,7 +77,7 @@ class TestPortOpenings : public QObject {
     // The cut has taken the name over.
     QCOMPARE(c.cuts(), std::size_t(1));
     QCOMPARE(c.cut(0).name, std::string("feed"));
-    QVERIFY(c.controller().parameters().ports.names.empty());
+    QVERIFY(c.models().document.parameters().ports.names.empty());
     c.trigger("cutAllAcross");
     QCOMPARE(c.cuts(), std::size_t(2));
     // Until the next run the list shows the openings of the last surface: none is cut twice.
@@ -90,7 +90,7 @@ class TestPortOpenings : public QObject {
     QCOMPARE(c.cuts(), std::size_t(2));
     QVERIFY(c.find<QLabel>("portNotice")->text().contains("cut there already"));
     c.click(c.find<QPushButton>("run"));
-    QVERIFY(c.controller().meshFresh());
+    QVERIFY(c.models().results.meshFresh());
     QCOMPARE(sliced(), 0);
     const PortRow* row = c.ports().find("feed");
     QVERIFY(row && row->cut && row->areaMm2 < 0.85 * area);
@@ -102,7 +102,7 @@ class TestPortOpenings : public QObject {
     PortCase c;
     c.cutAt(0.5);
     c.ports().rename("inlet", "supra");
-    const auto cuts = c.controller().parameters().ports.cuts;
+    const auto cuts = c.models().document.parameters().ports.cuts;
     c.click(c.find<QPushButton>("run"));
     QTemporaryDir folder;
     c.savePath = folder.filePath("p.json");

@@ -54,7 +54,7 @@ class TestPorts : public QObject {
              qPrintable(row->note));
     QVERIFY2(std::abs(row->diameterMm() - 3.0) < 0.3,
              qPrintable(QString::number(row->diameterMm())));
-    QVERIFY(c.controller().state(Step::Surface) == StepState::Stale);
+    QVERIFY(c.models().runs.state(Step::Surface) == StepState::Stale);
     QVERIFY(c.find<QLabel>("summary", "field:ports.cuts")->text().contains("1"));
     c.cutAt(0.25);
     QCOMPARE(c.cut(1).name, std::string("outlet"));
@@ -127,7 +127,8 @@ class TestPorts : public QObject {
 
   void offTheVesselsNothingIsCut() {
     PortCase c;
-    c.window->views().setCrosshair(c.controller().image()->geometry.toPhysical({1.0, 1.0, 20.0}));
+    c.window->views().setCrosshair(
+        c.models().document.image()->geometry.toPhysical({1.0, 1.0, 20.0}));
     c.trigger("cutHere");
     QCOMPARE(c.cuts(), std::size_t(0));
     QVERIFY(c.find<QLabel>("portNotice")->text().contains("no vessel"));
@@ -142,7 +143,7 @@ class TestPorts : public QObject {
     const int undos = c.undoCount();
     const QPoint centre = c.view()->positionOf(before.pointLps).toPoint();
     const QPoint tip = c.view()->arrowTipOf("inlet").toPoint();
-    const auto key = c.controller().parameters().ports.cuts;
+    const auto key = c.models().document.parameters().ports.cuts;
 
     // Along the vessel, away from the arrow.
     const QPointF away =
@@ -153,16 +154,16 @@ class TestPorts : public QObject {
                 Qt::LeftButton);
     }
     QVERIFY(c.ports().dragging());
-    QVERIFY(c.controller().parameters().ports.cuts == key);
+    QVERIFY(c.models().document.parameters().ports.cuts == key);
     QTest::mouseRelease(c.view(), Qt::LeftButton, Qt::NoModifier, (centre + 30.0 * away).toPoint());
     QCOMPARE(c.undoCount(), undos + 1);
-    QCOMPARE(c.controller().undoStack()->undoText(), QString("move the cut inlet"));
+    QCOMPARE(c.models().document.undoStack()->undoText(), QString("move the cut inlet"));
     const Eigen::Vector3d moved = c.cut(0).pointLps - given.pointLps;
     QVERIFY2(moved.dot(before.normalLps) < -0.8, qPrintable(QString::number(moved.norm())));
     QVERIFY(moved.cross(before.normalLps).norm() < 0.5);
     QVERIFY(c.ports().selected()->state != PortRow::State::Impossible);
     c.undo();
-    QVERIFY(c.controller().parameters().ports.cuts == key);
+    QVERIFY(c.models().document.parameters().ports.cuts == key);
     c.redo();
 
     c.settle();
@@ -171,7 +172,7 @@ class TestPorts : public QObject {
     const QPoint aside = now + QPoint(14, 0);
     c.drag(c.view(), now, aside);
     QCOMPARE(c.undoCount(), undos + 2);
-    QCOMPARE(c.controller().undoStack()->undoText(), QString("tilt the cut inlet"));
+    QCOMPARE(c.models().document.undoStack()->undoText(), QString("tilt the cut inlet"));
     const double cosine = c.cut(0).normalLps->normalized().dot(there.normalLps->normalized());
     QVERIFY2(cosine < 0.985 && cosine > 0.3, qPrintable(QString::number(cosine)));
     QVERIFY((c.cut(0).pointLps - there.pointLps).norm() < 0.3);
@@ -195,7 +196,7 @@ class TestPorts : public QObject {
     const GivenCut given = c.cut(0);
     const Eigen::Vector3d normal = given.normalLps->normalized();
     const int undos = c.undoCount();
-    const auto key = c.controller().parameters().ports.cuts;
+    const auto key = c.models().document.parameters().ports.cuts;
     SliceView* slice = c.window->views().slice(1);
     slice->grabFramebuffer();
     const QPointF centre = slice->positionOf(given.pointLps);
@@ -206,7 +207,7 @@ class TestPorts : public QObject {
     c.ports().select({});
     c.drag(slice, centre.toPoint(), ahead.toPoint());
     QCOMPARE(c.undoCount(), undos + 1);
-    QCOMPARE(c.controller().undoStack()->undoText(), QString("move the cut inlet"));
+    QCOMPARE(c.models().document.undoStack()->undoText(), QString("move the cut inlet"));
     QVERIFY(c.ports().selected() && c.ports().selected()->name == "inlet");
     QVERIFY(contrast.isEmpty());
     const Eigen::Vector3d moved = c.cut(0).pointLps - given.pointLps;
@@ -214,7 +215,7 @@ class TestPorts : public QObject {
     QVERIFY(moved.cross(normal).norm() < 0.5);
     QVERIFY((c.window->views().crosshair() - c.cut(0).pointLps).norm() < 0.01);
     c.undo();
-    QVERIFY(c.controller().parameters().ports.cuts == key);
+    QVERIFY(c.models().document.parameters().ports.cuts == key);
 
     // By its arrow about its centre, in the plane of the slice.
     slice->grabFramebuffer();
@@ -224,7 +225,7 @@ class TestPorts : public QObject {
     c.drag(slice, slice->positionOf(given.pointLps + length * normal).toPoint(),
            slice->positionOf(given.pointLps + length * wanted).toPoint());
     QCOMPARE(c.undoCount(), undos + 1);
-    QCOMPARE(c.controller().undoStack()->undoText(), QString("tilt the cut inlet"));
+    QCOMPARE(c.models().document.undoStack()->undoText(), QString("tilt the cut inlet"));
     QVERIFY(c.cut(0).normalLps->normalized().dot(wanted) > 0.98);
     // Written to micrometres.
     QVERIFY((c.cut(0).pointLps - given.pointLps).norm() < 2e-3);
@@ -235,15 +236,15 @@ class TestPorts : public QObject {
     c.ports().select({});
     QTest::mouseClick(slice, Qt::LeftButton, Qt::NoModifier, centre.toPoint());
     QVERIFY(c.ports().selected());
-    QVERIFY(c.controller().parameters().ports.cuts == key);
+    QVERIFY(c.models().document.parameters().ports.cuts == key);
     test::drag(*slice, Qt::LeftButton, centre.toPoint(), ahead.toPoint(), Qt::ControlModifier);
     QVERIFY(!contrast.isEmpty());
-    QVERIFY(c.controller().parameters().ports.cuts == key);
+    QVERIFY(c.models().document.parameters().ports.cuts == key);
     contrast.clear();
     c.state().setTool(Tool::PickSeed);
     c.drag(slice, centre.toPoint(), ahead.toPoint());
     QVERIFY(!contrast.isEmpty());
-    QVERIFY(c.controller().parameters().ports.cuts == key);
+    QVERIFY(c.models().document.parameters().ports.cuts == key);
     c.state().setTool(Tool::Navigate);
 
     // The tool changes while it is held: it can still be dropped.
@@ -253,7 +254,7 @@ class TestPorts : public QObject {
     c.state().setTool(Tool::DrawRoi);
     QTest::mouseRelease(slice, Qt::LeftButton, Qt::NoModifier, ahead.toPoint());
     QVERIFY(!c.ports().dragging());
-    QVERIFY(c.controller().parameters().ports.cuts != key);
+    QVERIFY(c.models().document.parameters().ports.cuts != key);
     c.state().setTool(Tool::Navigate);
     c.undo();
 
@@ -275,7 +276,7 @@ class TestPorts : public QObject {
     slice->grabFramebuffer();
     const int before = slice->slice();
     // Round the coil's axis, which rises.
-    const Geometry& g = c.controller().image()->geometry;
+    const Geometry& g = c.models().document.image()->geometry;
     const Eigen::Vector3d middle = g.toPhysical({21.5, 21.5, 21.5});
     const auto rotated = [&](double angle) {
       const Eigen::Vector3d arm = from - middle;
@@ -375,8 +376,8 @@ class TestPorts : public QObject {
     auto* editor = c.table()->findChild<QLineEdit*>();
     QVERIFY(editor);
     editor->setText("half");
-    Q_EMIT c.controller().statesChanged();
-    Q_EMIT c.controller().resultsChanged();
+    Q_EMIT c.models().runs.statesChanged();
+    Q_EMIT c.models().results.resultsChanged();
     QCOMPARE(editor->text(), QString("half"));
     QTest::keyClick(editor, Qt::Key_Return);
     QTRY_COMPARE(c.cut(0).name, std::string("half"));
@@ -402,16 +403,16 @@ class TestPorts : public QObject {
     QVERIFY(c.table()->item(1, 0)->toolTip() == noteOf(c, "outlet"));
     QVERIFY(c.ports().find("inlet")->state != PortRow::State::Impossible);
     c.click(c.find<QPushButton>("run"));
-    QVERIFY2(c.controller().state(Step::Surface) == StepState::Failed,
+    QVERIFY2(c.models().runs.state(Step::Surface) == StepState::Failed,
              qPrintable(c.find<QPlainTextEdit>("log")->toPlainText()));
     c.ports().remove("outlet");
     c.click(c.find<QPushButton>("run"));
-    QVERIFY(c.controller().meshFresh());
-    std::vector<std::string> cuts = c.controller().parameters().ports.cuts;
+    QVERIFY(c.models().results.meshFresh());
+    std::vector<std::string> cuts = c.models().document.parameters().ports.cuts;
     cuts.push_back("500,500,500,0,0,1,far");
-    QVERIFY(c.controller().setCuts(cuts, "far").isEmpty());
+    QVERIFY(c.models().document.setCuts(cuts, "far").isEmpty());
     QVERIFY2(noteOf(c, "far").contains("no vessel"), qPrintable(noteOf(c, "far")));
-    QVERIFY(!c.controller().setCuts({"nonsense"}, "bad").isEmpty());
+    QVERIFY(!c.models().document.setCuts({"nonsense"}, "bad").isEmpty());
   }
 
   void theRunMakesPatchesOfTheirNames() {
@@ -419,8 +420,8 @@ class TestPorts : public QObject {
     c.cutAt(0.5);
     c.ports().rename("inlet", "supra");
     c.click(c.find<QPushButton>("run"));
-    QVERIFY(c.controller().meshFresh());
-    const std::vector<Port> ports = c.controller().ports(MeshKind::Exported);
+    QVERIFY(c.models().results.meshFresh());
+    const std::vector<Port> ports = c.models().results.ports(MeshKind::Exported);
     QVERIFY(ports.size() >= 2);
     QCOMPARE(ports[0].name, std::string("supra"));
     QVERIFY(std::abs(ports[0].areaMm2 - c.ports().find("supra")->areaMm2) < 0.1 * ports[0].areaMm2);
@@ -438,18 +439,18 @@ class TestPorts : public QObject {
   void aCutWhosePartIsLeftOutSaysSo() {
     PortCase c;
     c.cutAt(0.5);
-    c.controller().setField("segmentation.keep", std::string("all"));
+    c.models().document.setField("segmentation.keep", std::string("all"));
     c.click(c.find<QPushButton>("run"));
     QVERIFY(!noteOf(c, "inlet").contains("left out"));
-    const std::size_t openings = c.controller().ports(MeshKind::Exported).size();
+    const std::size_t openings = c.models().results.ports(MeshKind::Exported).size();
     // More than the half tube that the cut leaves, less than the other tube.
-    c.controller().setField("surface.minComponentMm3", 100.0);
+    c.models().document.setField("surface.minComponentMm3", 100.0);
     c.click(c.find<QPushButton>("run"));
-    QVERIFY(c.controller().meshFresh());
+    QVERIFY(c.models().results.meshFresh());
     QVERIFY2(noteOf(c, "inlet").contains("left out"), qPrintable(noteOf(c, "inlet")));
     QVERIFY(c.ports().find("inlet")->state == PortRow::State::Advised);
     QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("the cut 'inlet' with the part"));
-    QVERIFY(c.controller().ports(MeshKind::Exported).size() < openings);
+    QVERIFY(c.models().results.ports(MeshKind::Exported).size() < openings);
   }
 
   void allEndsAreCutAsExplicitCuts() {
@@ -473,10 +474,10 @@ class TestPorts : public QObject {
 
   void workersDoTheSame() {
     WindowCase c(makeThreadedJobRunner);
-    c.controller().take(twoTubes());
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
+    c.models().files.take(twoTubes());
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
     c.click(c.find<QPushButton>("run"));
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().meshFresh() && !c.controller().busy(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().results.meshFresh() && !c.models().busy(), kPatienceMs);
     cutAt(c, 0.5);
     QTRY_VERIFY_WITH_TIMEOUT(c.window->ports().find("inlet"), kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(c.window->ports().find("inlet")->areaMm2 > 0.0, kPatienceMs);

@@ -93,16 +93,16 @@ class TestPrivacyWindow : public QObject {
   void casesAndMeshes() {
     auto c = newWindow();
     c->window->open(text(series_));
-    c->controller().addSeed({1.0, 2.0, 3.0});
-    c->controller().run();
-    QVERIFY(c->controller().mesh(MeshKind::Exported) != nullptr);
+    c->models().document.addSeed({1.0, 2.0, 3.0});
+    c->models().runs.run();
+    QVERIFY(c->models().results.mesh(MeshKind::Exported) != nullptr);
     c->answers.savePath = text(home / "cases/vessels.angiomesh");
     trigger(*c, "saveCase");
     trigger(*c, "saveCase");  // with a previous one
-    c->controller().setField("levelset.xi", 31.0);
+    c->models().document.setField("levelset.xi", 31.0);
     for (const char* name : {"a.ply", "b.stl", "c.obj", "d.vtp"})
-      c->controller().exportMesh(MeshKind::Exported, text(home / "meshes" / name), {},
-                                 {.report = true});
+      c->models().exports.exportMesh(MeshKind::Exported, text(home / "meshes" / name), {},
+                                     {.report = true});
     verifyLogHasNoPath(*c);
     // The window goes as in a crash: lock and journal stay.
     c.reset();
@@ -116,8 +116,8 @@ class TestPrivacyWindow : public QObject {
     for (const fs::path& path : {series_, volumes_[0], volumes_[1], volumes_[5]}) {
       auto c = newWindow();
       c->window->open(text(path));
-      c->controller().setField("levelset.xi", 31.0);
-      c->controller().addSeed({1.0, 2.0, 3.0});
+      c->models().document.setField("levelset.xi", 31.0);
+      c->models().document.addSeed({1.0, 2.0, 3.0});
       verifyLogHasNoPath(*c);
     }
     QVERIFY(filesBelow(recoveryFolder()) >= 8);
@@ -125,7 +125,7 @@ class TestPrivacyWindow : public QObject {
     auto c = newWindow();
     c->answers.restore = RestoreAnswer::Restore;
     QVERIFY(c->window->offerRestore());
-    QVERIFY(c->controller().caseName() == "restored");
+    QVERIFY(c->models().document.caseName() == "restored");
     verifyLogHasNoPath(*c);
     QVERIFY2(told().empty(), told().c_str());
   }
@@ -135,9 +135,9 @@ class TestPrivacyWindow : public QObject {
     c->window->open(text(damaged_));
     c->window->open(text(series_ / "none"));
     c->window->open(text(series_));
-    c->controller().run(Step::Evolve);
-    c->controller().exportMesh(MeshKind::Exported, text(planted_ / "none/a.ply"), {},
-                               {.report = true});
+    c->models().runs.run(Step::Evolve);
+    c->models().exports.exportMesh(MeshKind::Exported, text(planted_ / "none/a.ply"), {},
+                                   {.report = true});
     c->answers.savePath = text(planted_ / "none/a.angiomesh");
     trigger(*c, "saveCase");
     verifyLogHasNoPath(*c);

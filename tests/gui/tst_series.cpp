@@ -3,7 +3,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-#include "gui/model/case_controller.h"
+#include "gui/model/case_models.h"
 #include "gui/panel/series_dialog.h"
 #include "tests/io/dicom_writer.h"
 #include "window_case.h"
@@ -30,12 +30,12 @@ class TestSeries : public QObject {
     WindowCase c;
     c.window->open(QString::fromStdString(folder.path().string()));
     QTRY_COMPARE(c.seriesShown.size(), std::size_t{2});
-    QVERIFY(!c.window->controller().hasCase());
+    QVERIFY(!c.window->models().document.hasCase());
 
     c.seriesChosen = 0;
     c.window->open(QString::fromStdString(folder.path().string()));
-    QTRY_VERIFY(c.window->controller().hasCase());
-    QCOMPARE(c.window->controller().image()->at(1, 1, 1), float(storedValue(1, 1, 1)));
+    QTRY_VERIFY(c.window->models().document.hasCase());
+    QCOMPARE(c.window->models().document.image()->at(1, 1, 1), float(storedValue(1, 1, 1)));
   }
 
   void aVolumeAmongLocalizersIsTakenWithAWord() {
@@ -44,10 +44,10 @@ class TestSeries : public QObject {
     saveSecondSeries(folder.path(), [](const Slice& slice) { return slice.k < 2; });
     WindowCase c;
     QStringList said;
-    QObject::connect(&c.controller(), &CaseController::message, &c.controller(),
+    QObject::connect(&c.models().log, &MessageLog::message, &c.models().log,
                      [&](Severity, const QString& text) { said << text; });
     c.window->open(QString::fromStdString(folder.path().string()));
-    QTRY_VERIFY(c.controller().hasCase());
+    QTRY_VERIFY(c.models().document.hasCase());
     QVERIFY(c.seriesShown.empty());
     QVERIFY2(said.join('\n').contains("of 2 series all but one"), qPrintable(said.join('\n')));
   }
@@ -58,11 +58,11 @@ class TestSeries : public QObject {
     WindowCase c;
     c.window->open(QString::fromStdString(folder.path().string()));
     QTRY_VERIFY(c.unevenReason.contains("1 slice is missing"));
-    QVERIFY(!c.window->controller().hasCase());
+    QVERIFY(!c.window->models().document.hasCase());
     c.resample = true;
     c.window->open(QString::fromStdString(folder.path().string()));
-    QTRY_VERIFY(c.window->controller().hasCase());
-    QCOMPARE(c.window->controller().image()->geometry.size[2], kSlices);
+    QTRY_VERIFY(c.window->models().document.hasCase());
+    QCOMPARE(c.window->models().document.image()->geometry.size[2], kSlices);
   }
 
   void theTableShowsWhatTheSeriesAre() {

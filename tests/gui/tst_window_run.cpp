@@ -31,19 +31,19 @@ class TestWindowRun : public QObject {
  private Q_SLOTS:
   void theEvolutionIsPausedSteppedAndFinished() {
     WindowCase c(makeThreadedJobRunner);
-    c.controller().take(slowTree());
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    evolveFor(c.controller());
+    c.models().files.take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
+    evolveFor(c.models());
     auto* pause = c.find<QPushButton>("pause");
     auto* step = c.find<QPushButton>("step");
     auto* finish = c.find<QPushButton>("finish");
     QVERIFY(!pause->isEnabled() && !step->isEnabled() && !finish->isEnabled());
-    QSignalSpy snapshots(&c.controller(), &CaseController::snapshotArrived);
+    QSignalSpy snapshots(&c.models().runs, &RunModel::snapshotArrived);
     c.click(c.find<QPushButton>("run"));
     QTRY_VERIFY_WITH_TIMEOUT(snapshots.size() >= 2, kPatienceMs);
     QVERIFY(!c.find<QPushButton>("run")->isEnabled());
     QVERIFY(pause->isEnabled() && !step->isEnabled() && finish->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().history().size() >= 2, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().runs.history().size() >= 2, kPatienceMs);
     QVERIFY(c.find<QLabel>("evolutionText")->text().contains("change"));
 
     c.click(pause);
@@ -51,23 +51,23 @@ class TestWindowRun : public QObject {
     QVERIFY(step->isEnabled());
     int before = -1;
     QTRY_VERIFY_WITH_TIMEOUT(
-        std::exchange(before, c.controller().iterations()) == c.controller().iterations(),
+        std::exchange(before, c.models().runs.iterations()) == c.models().runs.iterations(),
         kPatienceMs);
     c.click(step);
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().iterations() >= before + 10, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().runs.iterations() >= before + 10, kPatienceMs);
     c.click(finish);
-    QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
-    QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), kPatienceMs);
+    QVERIFY(c.models().runs.state(Step::Quality) == StepState::Fresh);
     QVERIFY(!pause->isEnabled() && !finish->isEnabled());
     QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("Done up to Quality"));
   }
 
   void theSurfaceMovesTwicePerSecond() {
     WindowCase c(makeThreadedJobRunner);
-    c.controller().take(slowTree());
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    evolveFor(c.controller());
-    QSignalSpy snapshots(&c.controller(), &CaseController::snapshotArrived);
+    c.models().files.take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
+    evolveFor(c.models());
+    QSignalSpy snapshots(&c.models().runs, &RunModel::snapshotArrived);
     QSignalSpy drawn(c.window->views().surface(), &VtkView::rendered);
     c.click(c.find<QPushButton>("run"));
     QTRY_VERIFY_WITH_TIMEOUT(snapshots.size() >= 1, kPatienceMs);
@@ -80,37 +80,37 @@ class TestWindowRun : public QObject {
     QVERIFY2(timer.elapsed() < 8000, qPrintable(QString::number(timer.elapsed())));
     QVERIFY(drawn.size() > firstDrawn);
     c.click(c.find<QPushButton>("cancel"));
-    QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), 3000);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), 3000);
     QVERIFY(c.find<QPlainTextEdit>("log")->toPlainText().contains("Cancelled"));
     QVERIFY(c.find<QPushButton>("run")->isEnabled());
   }
 
   void aSliderMovedInMidRunRestartsIt() {
     WindowCase c(makeThreadedJobRunner);
-    c.controller().take(slowTree());
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    evolveFor(c.controller(), kLongEvolution);
+    c.models().files.take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
+    evolveFor(c.models(), kLongEvolution);
     c.click(c.find<QPushButton>("run"));
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().evolving() && c.controller().iterations() > 0,
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().runs.evolving() && c.models().runs.iterations() > 0,
                              kPatienceMs);
-    const auto vesselness = c.controller().vesselnessResult();
+    const auto vesselness = c.models().results.vesselnessResult();
     auto* slider = c.find<QSlider>("slider", "field:levelset.gamma");
     for (int i = 0; i < 5; ++i) {
       QTest::keyClick(slider, Qt::Key_PageUp);
     }
-    QVERIFY(c.controller().parameters().levelset.gamma > 0.7);
-    QTRY_VERIFY_WITH_TIMEOUT(!c.controller().running(), kPatienceMs);
-    QVERIFY(c.controller().state(Step::Quality) == StepState::Fresh);
-    QVERIFY(c.controller().vesselnessResult() == vesselness);
+    QVERIFY(c.models().document.parameters().levelset.gamma > 0.7);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), kPatienceMs);
+    QVERIFY(c.models().runs.state(Step::Quality) == StepState::Fresh);
+    QVERIFY(c.models().results.vesselnessResult() == vesselness);
   }
 
   void closesWhileRunning() {
     WindowCase c(makeThreadedJobRunner);
-    c.controller().take(slowTree());
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().hasCase(), kPatienceMs);
-    evolveFor(c.controller());
+    c.models().files.take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
+    evolveFor(c.models());
     c.click(c.find<QPushButton>("run"));
-    QTRY_VERIFY_WITH_TIMEOUT(c.controller().evolving(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().runs.evolving(), kPatienceMs);
     QVERIFY(c.window->close());
     c.window.reset();
   }
@@ -122,21 +122,21 @@ class TestWindowRun : public QObject {
     c.window->open(c.folder.filePath("missing.mha"), true);
     c.window->open(path);
     QCoreApplication::processEvents();
-    QVERIFY(!c.controller().results().preprocessed);
+    QVERIFY(!c.models().results.layer(Layer::Preprocessed));
     c.window->open(path, true);
-    QTRY_VERIFY(c.controller().meshFresh());
+    QTRY_VERIFY(c.models().results.meshFresh());
   }
 
   void theInspectorShowsNumbersAndColours() {
     WindowCase c;
     auto* table = c.find<QTableWidget>("quality");
     QCOMPARE(table->item(0, 0)->text(), QString("–"));
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.click(c.find<QPushButton>("run"));
     for (int kind = 0; kind < kMeshKindCount; ++kind) {
       QCOMPARE(QLocale().toULongLong(table->item(0, kind)->text()),
                static_cast<qulonglong>(
-                   c.controller().mesh(static_cast<MeshKind>(kind))->triangles.size()));
+                   c.models().results.mesh(static_cast<MeshKind>(kind))->triangles.size()));
       const auto& shares =
           c.find<HistogramWidget>("angleHistogram")->shares(static_cast<MeshKind>(kind));
       QVERIFY(std::abs(std::accumulate(shares.begin(), shares.end(), 0.0) - 100.0) < 1e-6);
@@ -164,7 +164,7 @@ class TestWindowRun : public QObject {
     QTRY_VERIFY(!beside->isVisible());
     c.choose(c.find<QComboBox>("meshShown"), 2);
     QVERIFY(c.state().meshKind() == MeshKind::MarchingCubes);
-    c.controller().setField("smooth.iterations", std::int64_t(7));
+    c.models().document.setField("smooth.iterations", std::int64_t(7));
     QVERIFY(c.find<QLabel>("hints")->text().contains("earlier parameters"));
   }
 
@@ -186,7 +186,7 @@ class TestWindowRun : public QObject {
     QFETCH(QByteArray, start);
     QFETCH(bool, metres);
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.click(c.find<QPushButton>("run"));
     c.savePath = c.folder.filePath("vessels");
     c.clickTool("export");
@@ -225,7 +225,8 @@ class TestWindowRun : public QObject {
     QVERIFY(written.open(QIODevice::ReadOnly));
     QVERIFY(written.read(start.size()) == start);
     const LoadedMesh back = loadMesh(path.toStdString());
-    QCOMPARE(back.mesh.triangles.size(), c.controller().mesh(MeshKind::Exported)->triangles.size());
+    QCOMPARE(back.mesh.triangles.size(),
+             c.models().results.mesh(MeshKind::Exported)->triangles.size());
     QVERIFY(back.unit == (metres ? LengthUnit::Metre : LengthUnit::Millimetre));
     QVERIFY(back.frame == (metres ? Frame::Ras : Frame::Lps));
     QVERIFY(!back.key.empty());
@@ -238,7 +239,7 @@ class TestWindowRun : public QObject {
 
   void anExportToNowhereSaysSo() {
     WindowCase c;
-    c.controller().take(twoTubes());
+    c.models().files.take(twoTubes());
     c.click(c.find<QPushButton>("run"));
     c.savePath = c.folder.filePath("missing/vessels.ply");
     c.clickTool("export");

@@ -90,7 +90,7 @@ struct WindowCase {
     [[maybe_unused]] const bool shown = QTest::qWaitForWindowExposed(window.get());
   }
 
-  CaseController& controller() { return window->controller(); }
+  CaseModels& models() { return window->models(); }
   ViewState& state() { return window->viewState(); }
 
   /// The widget with this name, anywhere or inside the step's panel.

@@ -170,7 +170,7 @@ class TestParameters : public QObject {
     const Parameters p =
         parametersFromJson("{\"levelset.xi\": 31, \"preprocess\": {\"sigmoid\": {\"window\": 5}}}",
                            preset("thesis"), "test");
-    QCOMPARE(p.levelset.xi, 31.0);
+    QCOMPARE(p.thresholds.xi, 31.0);
     QCOMPARE(*p.preprocess.sigmoidWindow, 5.0);
     QCOMPARE(p.levelset.gamma, 0.7);
     QVERIFY(p.smooth.method == SmoothMethod::Taubin);

@@ -82,7 +82,7 @@ class TestPipeline : public QObject {
     for (const Step step : {Step::Preprocess, Step::Evolve, Step::Quality})
       QVERIFY(pipeline.has(step, params));
     Parameters changed = params;
-    changed.levelset.xi = 22.0;
+    changed.thresholds.xi = 22.0;
     QCOMPARE(pipeline.key(Step::Seeds, changed), pipeline.key(Step::Seeds, params));
     QVERIFY(pipeline.key(Step::Evolve, changed) != pipeline.key(Step::Evolve, params));
     const RunResult run = pipeline.run(changed);
@@ -295,7 +295,7 @@ class TestPipeline : public QObject {
     QCOMPARE(report.step, Step::Evolve);
     Pipeline second(source);
     Parameters other = smallParams();
-    other.levelset.xi += 1.0;
+    other.thresholds.xi += 1.0;
     QVERIFY(!second.restore(run.evolve, report, other));
     QVERIFY(!second.restore(run.evolve, run.stages[4], smallParams()));
     QVERIFY(!second.has(Step::Evolve, smallParams()));
@@ -363,7 +363,7 @@ class TestPipeline : public QObject {
     progress.cancel();
     QVERIFY_EXCEPTION_THROWN(pipeline.run(smallParams(), {}, progress), Cancelled);
     Parameters dark = smallParams();
-    dark.levelset.b = 1.0;
+    dark.thresholds.b = 1.0;
     QVERIFY_EXCEPTION_THROWN(pipeline.run(dark), NumericError);
     QVERIFY(pipeline.run(smallParams()).quality->mesh.closed);
   }
@@ -381,7 +381,7 @@ class TestPipeline : public QObject {
     QCOMPARE(run.key, pipeline.key(Step::Evolve, params));
     QVERIFY(run.stages.back().step == Step::Evolve);
     // What failed before is thrown all the same.
-    params.levelset.b = 1.0;
+    params.thresholds.b = 1.0;
     QVERIFY_EXCEPTION_THROWN(pipeline.run(params, options), NumericError);
   }
 

@@ -223,21 +223,20 @@ class TestVesselness : public QObject {
     v.voxels[0] = 0.1F;
     v.voxels[1] = 0.3F;
     v.voxels[2] = -0.9F;
-    const Thresholds t = thresholds(v, ThresholdRule::Average, 3.0, 6.0, {}, 0.05, 0.15);
+    const Thresholds t = thresholds(v, {3.0, {}, ThresholdRule::Average}, 6.0);
     QVERIFY(std::fabs(t.vAverage - 0.2) < 1e-6);
     QVERIFY(std::fabs(t.b - 0.1) < 1e-6);
     QVERIFY(!t.clamped);
-    QVERIFY(thresholds(v, ThresholdRule::Average, 300.0, 6.0, {}, 0.05, 0.15).clamped);
-    QCOMPARE(thresholds(v, ThresholdRule::Average, 3.0, 6.0, 0.4, 0.05, 0.15).b, 0.4);
-    QVERIFY(std::fabs(thresholds(v, ThresholdRule::Contrast, 20.0, 6.0, {}, 0.05, 0.15).b - 0.14) <
+    QVERIFY(thresholds(v, {300.0, {}, ThresholdRule::Average}, 6.0).clamped);
+    QCOMPARE(thresholds(v, {3.0, 0.4, ThresholdRule::Average}, 6.0).b, 0.4);
+    QVERIFY(std::fabs(thresholds(v, {}, 6.0).b - 0.14) <
             1e-12);
     QCOMPARE(vesselSpeed(2.0 * t.a, t), 1.0);
     QVERIFY(std::fabs(vesselSpeed(t.b, t)) < 1e-12);
     QVERIFY(std::fabs(vesselSpeed(1.5 * t.b, t) - 0.5) < 1e-12);
     QVERIFY(std::fabs(vesselSpeed(0.5 * t.b, t) + 0.5) < 1e-12);
     QCOMPARE(vesselSpeed(-0.1, t), -1.0);
-    QVERIFY_EXCEPTION_THROWN(thresholds(Volume<float>(cube(3), 0.0F), ThresholdRule::Contrast, 20.0,
-                                        6.0, {}, 0.05, 0.15),
+    QVERIFY_EXCEPTION_THROWN(thresholds(Volume<float>(cube(3), 0.0F), {}, 6.0),
                              NumericError);
   }
 

@@ -197,13 +197,13 @@ class TestCaseFile : public QObject {
     const CaseReading reading = readCase(a);
     QCOMPARE(reading.warnings.size(), std::size_t(1));
     QVERIFY(reading.warnings.front().find("levelset.xj") != std::string::npos);
-    QCOMPARE(reading.document.params.thresholds.xi, Parameters().levelset.xi);
+    QCOMPARE(reading.document.params.thresholds.xi, Parameters().thresholds.xi);
     replaceIn(a / "case.json", "\"xj\": 44.0", "\"xi\": -1.0");
     replaceIn(a / "case.json", "\"method\": \"advancing-front\"", "\"method\": \"marching-cubes\"");
     const CaseReading other = readCase(a);
     QCOMPARE(other.warnings.size(), std::size_t(1));
     QVERIFY(other.warnings.front().find("levelset.xi") != std::string::npos);
-    QCOMPARE(other.document.params.thresholds.xi, Parameters().levelset.xi);
+    QCOMPARE(other.document.params.thresholds.xi, Parameters().thresholds.xi);
     QCOMPARE(other.document.params.surface.method, SurfaceMethod::MarchingCubes);
     replaceIn(a / "case.json", "\"layer\": \"vesselness\"", "\"layer\": 7");
     replaceIn(a / "case.json", "\"xi\": -1.0", "\"xi\": 2.0");

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/job/job_slot.h"
+
+namespace angiomesh {
+
+namespace {
+
+constexpr int kPollMilliseconds = 33;
+
+}  // namespace
+
+JobTimer::JobTimer(QObject* parent) : QObject(parent) {
+  timer_.setInterval(kPollMilliseconds);
+  connect(&timer_, &QTimer::timeout, this, &JobTimer::poll);
+}
+
+void JobTimer::wake() {
+  // A timer that is started again with each move of a slider would never come to its end.
+  if (!timer_.isActive()) {
+    timer_.start();
+  }
+}
+
+void JobTimer::poll() {
+  bool goesOn = false;
+  const std::vector<Polled*> now = polled_;
+  for (Polled* polled : now) {
+    goesOn = polled->poll() || goesOn;
+  }
+  if (!goesOn) {
+    timer_.stop();
+  }
+  Q_EMIT ticked();
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/job/result_jobs.h"
+
+#include <exception>
+#include <vector>
+
+#include "core/cuts/cuts.h"
+#include "core/field/wall_field.h"
+#include "core/pipeline/expected_surface.h"
+#include "core/pipeline/vesselness_step.h"
+
+namespace angiomesh {
+
+void SpeedJob::execute() noexcept {
+  try {
+    speed = std::make_shared<const Volume<float>>(
+        speedVolume(*vesselness->multiScale, thresholdsFor(*vesselness, params)));
+  } catch (const std::exception& failure) {
+    error = failure.what();
+  }
+}
+
+void EstimateJob::execute() noexcept {
+  try {
+    const SplineField field = wallField(*phi, surface.spline);
+    std::vector<std::string> remarks;
+    const CutAway away = makeCuts(field, *phi, ports, remarks, progress);
+    expected = expectSurface(*phi, field, surface, progress, away);
+  } catch (const std::exception&) {
+    expected.reset();
+  }
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/base/progress.h"
+#include "core/parameters/parameters.h"
+#include "core/pipeline/step_results.h"
+
+namespace angiomesh {
+
+/// The speed p as a layer.
+struct SpeedJob {
+  std::shared_ptr<const VesselnessResult> vesselness;
+  ThresholdParams params;
+  std::string key;
+
+  void execute() noexcept;
+
+  // After execute():
+  std::shared_ptr<const Volume<float>> speed;
+  std::string error;
+};
+
+/// What the surface will be. Without an estimate nothing is lost: meshing says what is wrong.
+struct EstimateJob {
+  std::shared_ptr<const Volume<float>> phi;
+  SurfaceParams surface;
+  PortParams ports;
+  std::string key;
+  Progress progress;
+
+  void execute() noexcept;
+
+  // After execute():
+  std::optional<ExpectedSurface> expected;
+};
+
+}  // namespace angiomesh

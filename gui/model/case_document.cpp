@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/model/case_document.h"
+
+#include <QUndoCommand>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace angiomesh {
+
+/// The one undoable edit: parameters before and after.
+class CaseDocument::Change final : public QUndoCommand {
+ public:
+  Change(CaseDocument& document, Parameters after, const QString& text, QString mergeKey,
+         bool continued)
+      : QUndoCommand(text),
+        document_(document),
+        before_(document.params_),
+        after_(std::move(after)),
+        mergeKey_(std::move(mergeKey)),
+        continued_(continued) {}
+
+  void undo() override { document_.replace(before_); }
+  void redo() override { document_.replace(after_); }
+  [[nodiscard]] int id() const override { return 1; }
+
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const Change*>(other);
+    if (!next->continued_ || next->mergeKey_ != mergeKey_) {
+      return false;
+    }
+    after_ = next->after_;
+    return true;
+  }
+
+ private:
+  CaseDocument& document_;
+  Parameters before_, after_;
+  QString mergeKey_;
+  bool continued_;
+};
+
+CaseDocument::CaseDocument(MessageLog& log, QObject* parent)
+    : QObject(parent), log_(log), params_(preset("angiomesh")) {}
+
+void CaseDocument::begin(std::shared_ptr<Pipeline> pipeline, const FieldContext& facts,
+                         const QString& name, const Parameters& params) {
+  pipeline_ = std::move(pipeline);
+  facts_ = facts;
+  name_ = name;
+  undo_.clear();
+  params_ = params;
+}
+
+std::shared_ptr<const Volume<float>> CaseDocument::image() const {
+  return pipeline_ ? pipeline_->source().image : nullptr;
+}
+
+std::string CaseDocument::sourceHash() const {
+  return pipeline_ ? pipeline_->source().hash : std::string();
+}
+
+void CaseDocument::change(const Parameters& after, const QString& text, const QString& mergeKey,
+                          bool continued) {
+  if (after == params_) {
+    Q_EMIT parametersChanged();
+    return;
+  }
+  undo_.push(new Change(*this, after, text, mergeKey, continued));
+}
+
+void CaseDocument::replace(const Parameters& params) {
+  params_ = params;
+  Q_EMIT parametersChanged();
+  Q_EMIT edited();
+}
+
+void CaseDocument::setField(const QString& key, const FieldValue& value, bool continued) {
+  Parameters after = params_;
+  try {
+    const Field& field = findField(key.toStdString());
+    angiomesh::setField(after, field.key, value);
+    pushPartners(after, field);
+    // That there are no seeds is told by the step that needs them.
+    if (field.step != Step::Seeds) {
+      validate(after);
+    }
+  } catch (const Error& failure) {
+    log_.say(Severity::Error, std::string(failure.what()));
+    Q_EMIT parametersChanged();
+    return;
+  }
+  change(after, tr("change %1").arg(key), key, continued);
+}
+
+void CaseDocument::applyPreset(const QString& name) {
+  Parameters after = preset(name.toStdString());
+  copyPlaces(params_, after);
+  change(after, tr("preset %1").arg(name));
+}
+
+QString CaseDocument::presetName() const {
+  for (const std::string& name : presetNames()) {
+    Parameters candidate = preset(name);
+    copyPlaces(params_, candidate);
+    if (candidate == params_) {
+      return QString::fromStdString(name);
+    }
+  }
+  return {};
+}
+
+std::vector<Eigen::Vector3d> CaseDocument::seeds() const {
+  std::vector<Eigen::Vector3d> points;
+  const std::vector<double>& numbers = params_.seeds.points;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+    points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  }
+  return points;
+}
+
+void CaseDocument::addSeed(const Eigen::Vector3d& lps) {
+  Parameters after = params_;
+  after.seeds.points.insert(after.seeds.points.end(), {lps[0], lps[1], lps[2]});
+  change(after, tr("add a seed"));
+}
+
+void CaseDocument::removeSeed(int index) {
+  Parameters after = params_;
+  std::vector<double>& points = after.seeds.points;
+  const auto at = static_cast<std::ptrdiff_t>(index) * 3;
+  if (index < 0 || at + 3 > static_cast<std::ptrdiff_t>(points.size())) {
+    return;
+  }
+  points.erase(points.begin() + at, points.begin() + at + 3);
+  change(after, tr("remove a seed"));
+}
+
+void CaseDocument::setRoi(const std::optional<std::array<double, 6>>& roi) {
+  if (roi && image()) {
+    try {
+      (void)voxelsInBox(image()->geometry, *roi);
+    } catch (const Error& failure) {
+      log_.say(Severity::Error, std::string(failure.what()));
+      return;
+    }
+  }
+  Parameters after = params_;
+  after.preprocess.roi = roi;
+  change(after, roi ? tr("draw the region of interest") : tr("clear the region of interest"));
+}
+
+QString CaseDocument::setCuts(const std::vector<std::string>& cuts, const QString& what) {
+  PortParams ports = params_.ports;
+  ports.cuts = cuts;
+  return setPorts(ports, what);
+}
+
+QString CaseDocument::setPorts(const PortParams& ports, const QString& what) {
+  Parameters after = params_;
+  after.ports = ports;
+  try {
+    checkPorts(after.ports);
+  } catch (const Error& failure) {
+    return QString::fromStdString(failure.what()).simplified();
+  }
+  change(after, what);
+  return {};
+}
+
+}  // namespace angiomesh

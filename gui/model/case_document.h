@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/parameters/field.h"
+#include "core/pipeline/pipeline.h"
+#include "gui/model/message_log.h"
+
+namespace angiomesh {
+
+/// The case that is open: its source and its parameters. Every edit is a change of the parameters,
+/// and goes through the undo stack.
+class CaseDocument : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CaseDocument(MessageLog& log, QObject* parent = nullptr);
+
+  // The source.
+  /// The facts are those of the viewer and of the image. parametersChanged() does not follow.
+  void begin(std::shared_ptr<Pipeline> pipeline, const FieldContext& facts, const QString& name,
+             const Parameters& params);
+  [[nodiscard]] bool hasCase() const { return pipeline_ != nullptr; }
+  /// Knows the keys, and remembers results. Null without a case.
+  [[nodiscard]] const std::shared_ptr<Pipeline>& pipeline() const { return pipeline_; }
+  [[nodiscard]] std::string key(Step step) const { return pipeline_->key(step, params_); }
+  [[nodiscard]] std::shared_ptr<const Volume<float>> image() const;
+  /// Of the image alone, not of results.
+  [[nodiscard]] const FieldContext& facts() const { return facts_; }
+  [[nodiscard]] QString caseName() const { return name_; }
+  void setCaseName(const QString& name) { name_ = name; }
+  /// Source::hash; empty without a case.
+  [[nodiscard]] std::string sourceHash() const;
+
+  // Edits: each one is undoable.
+  [[nodiscard]] const Parameters& parameters() const { return params_; }
+  [[nodiscard]] QUndoStack* undoStack() { return &undo_; }
+  /// There are edits since the last save.
+  [[nodiscard]] bool modified() const { return hasCase() && !undo_.isClean(); }
+  /// @param mergeKey `continued` merges the change with the last one that has the same
+  void change(const Parameters& after, const QString& text, const QString& mergeKey = {},
+              bool continued = false);
+  /// @param continued merges with the last change of the same field, as while a slider is dragged
+  void setField(const QString& key, const FieldValue& value, bool continued = false);
+  void applyPreset(const QString& name);
+  /// The preset that the parameters, places aside, are equal to; empty: none.
+  [[nodiscard]] QString presetName() const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> seeds() const;
+  void addSeed(const Eigen::Vector3d& lps);
+  void removeSeed(int index);
+  void setRoi(const std::optional<std::array<double, 6>>& roi);
+  /// `what` names the edit. @returns why not, in a line; empty: done
+  QString setPorts(const PortParams& ports, const QString& what);
+  QString setCuts(const std::vector<std::string>& cuts, const QString& what);
+
+ Q_SIGNALS:
+  void parametersChanged();  ///< or an edit was refused, and a form has to show what is
+  void edited();             ///< after parametersChanged(), where there was an edit
+
+ private:
+  class Change;
+  void replace(const Parameters& params);
+
+  MessageLog& log_;
+  QUndoStack undo_;
+  Parameters params_;
+  std::shared_ptr<Pipeline> pipeline_;
+  FieldContext facts_;
+  QString name_;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "gui/model/case_files.h"
+#include "gui/model/exports.h"
+
+namespace angiomesh {
+
+/// The models of the open case. All work runs on workers and is looked at 30 times a second by one
+/// timer; nothing here blocks, and nothing goes through a volume.
+struct CaseModels {
+  explicit CaseModels(const JobRunnerFactory& makeRunner = makeThreadedJobRunner,
+                      const std::filesystem::path& recovery = {});
+
+  MessageLog log;
+  JobTimer timer;
+  CaseDocument document;
+  ResultModel results;
+  RunModel runs;
+  CaseFiles files;
+  Exports exports;
+
+  /// Whether any work is on.
+  [[nodiscard]] bool busy() const;
+  /// Ends the load and the run that are on.
+  void cancel();
+};
+
+}  // namespace angiomesh

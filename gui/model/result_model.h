@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gui/job/job_slot.h"
+#include "gui/job/result_jobs.h"
+#include "gui/job/run_job.h"
+#include "gui/model/case_document.h"
+
+namespace angiomesh {
+
+enum class Layer { Source, Preprocessed, Vesselness, Speed };
+constexpr int kLayerCount = 4;
+
+/// A row of the components table.
+struct ComponentRow {
+  std::size_t voxels = 0;
+  double volumeMm3 = 0.0;
+  std::optional<ComponentMeasure> measure;  ///< of the largest only
+  bool ticked = true;
+  bool byRule = false;  ///< left out by segmentation.keep or .minVolumeMm3: a tick has no say
+};
+
+/// The results that are shown: of each step the last one that came, whatever came of later steps.
+/// They are derived data, and belong to the present parameters as long as their key does.
+class ResultModel : public QObject {
+  Q_OBJECT
+
+ public:
+  ResultModel(CaseDocument& document, MessageLog& log, JobTimer& timer,
+              const JobRunnerFactory& makeRunner, QObject* parent = nullptr);
+  ~ResultModel() override;
+
+  void clear();
+  void accept(const StepResult& result);
+  /// The evolving level set; null pointers end it. @returns whether something was shown
+  bool setLive(std::shared_ptr<const Volume<float>> phi, std::shared_ptr<const TriMesh> surface);
+
+  /// Of the result shown; empty: there is none.
+  [[nodiscard]] const std::string& key(Step step) const {
+    return keys_[static_cast<std::size_t>(step)];
+  }
+  /// Whether the result shown is that of the present parameters.
+  [[nodiscard]] bool fresh(Step step) const;
+  /// Computing time of a fresh result, seconds; negative without one.
+  [[nodiscard]] double seconds(Step step) const;
+  [[nodiscard]] const StageReport& report(Step step) const {
+    return reports_[static_cast<std::size_t>(step)];
+  }
+
+  // The grid.
+  /// Null while it is not there; the speed is made on demand, resultsChanged() tells when.
+  [[nodiscard]] std::shared_ptr<const Volume<float>> layer(Layer layer);
+  /// Window and level that suit a layer.
+  [[nodiscard]] std::pair<double, double> windowLevel(Layer layer) const;
+  [[nodiscard]] std::shared_ptr<const VesselnessResult> vesselnessResult() const {
+    return shown_.vesselness;
+  }
+  [[nodiscard]] std::shared_ptr<const SeedsResult> seedsResult() const { return shown_.seeds; }
+  [[nodiscard]] std::shared_ptr<const EvolveResult> evolveResult() const { return shown_.evolve; }
+  /// phi to outline: the evolving one, else that of the kept components, else the evolution's.
+  [[nodiscard]] std::shared_ptr<const Volume<float>> phi() const;
+  /// What cuts are made in: phi of the kept components, else the evolution's; null before.
+  [[nodiscard]] std::shared_ptr<const Volume<float>> uncutPhi() const;
+  [[nodiscard]] std::vector<ComponentRow> components() const;
+  void setComponentTicked(int index, bool ticked);
+
+  // The meshes.
+  /// The evolving surface; null when no evolution runs.
+  [[nodiscard]] std::shared_ptr<const TriMesh> liveSurface() const { return liveSurface_; }
+  [[nodiscard]] std::shared_ptr<const TriMesh> mesh(MeshKind kind) const;
+  /// Mesh of the kind, or the unsmoothed one where there is none that is smoothed yet.
+  [[nodiscard]] MeshKind kindAtHand(MeshKind wanted) const;
+  /// The openings of a mesh, in the order of its patches; none where it has no patches.
+  [[nodiscard]] std::vector<Port> ports(MeshKind kind) const;
+  [[nodiscard]] const MeshQuality* quality(MeshKind kind) const;
+  [[nodiscard]] std::shared_ptr<const MeshFacts> facts() const { return facts_; }
+  /// Whether the exported mesh belongs to the present parameters.
+  [[nodiscard]] bool meshFresh() const { return fresh(Step::Smooth); }
+  /// The run that the meshes come from; null without one.
+  [[nodiscard]] std::shared_ptr<const RunResult> meshRun() const { return meshRun_; }
+  /// That the mesh at hand was made with; null without one.
+  [[nodiscard]] const Parameters* meshParameters() const {
+    return meshRun_ ? &meshRun_->params : nullptr;
+  }
+  /// How the mesh at hand came to be; null without one.
+  [[nodiscard]] const SurfaceOrigin* surfaceOrigin() const;
+
+  // Before it is made.
+  /// The number of triangles that the parameters ask for, before meshing; made on demand,
+  /// resultsChanged() tells when. Empty for marching cubes and before the evolution.
+  [[nodiscard]] std::optional<double> estimatedTriangles();
+  /// What is to be said of the surface that the parameters ask for, before it is made.
+  [[nodiscard]] QStringList expectationWarnings();
+  void cancelEstimate();
+  /// Whether a speed or an estimate is being made.
+  [[nodiscard]] bool asking() const { return speedSlot_ || estimateSlot_; }
+  /// While a run is on nothing is estimated: its surface step will tell.
+  void setRunning(bool running) { running_ = running; }
+  /// What a form needs beside a field and the parameters.
+  [[nodiscard]] FieldContext fieldContext() const;
+
+ Q_SIGNALS:
+  void resultsChanged();
+
+ private:
+  void finishSpeed(const SpeedJob& job);
+  void finishEstimate(const EstimateJob& job);
+  [[nodiscard]] std::optional<ExpectedSurface> expectedSurface();
+  [[nodiscard]] static std::vector<std::size_t> dropsIn(const SegmentComponent& component,
+                                                        const Parameters& params);
+
+  CaseDocument& document_;
+  MessageLog& log_;
+  RunResult shown_;
+  std::array<std::string, kStepCount> keys_;
+  std::array<StageReport, kStepCount> reports_;
+  std::shared_ptr<const RunResult> meshRun_;
+  std::shared_ptr<const MeshFacts> facts_;
+  std::shared_ptr<const Volume<float>> livePhi_;
+  std::shared_ptr<const TriMesh> liveSurface_;
+  std::shared_ptr<const Volume<float>> speed_;
+  std::string speedKey_;
+  std::optional<ExpectedSurface> estimate_;
+  std::string estimateKey_;
+  std::weak_ptr<const Volume<float>> estimatePhi_;
+  bool running_ = false;
+  bool quiet_ = false;  ///< somebody waits for the answer, and needs no signal
+  JobSlot<SpeedJob> speedSlot_;
+  JobSlot<EstimateJob> estimateSlot_;
+};
+
+}  // namespace angiomesh
