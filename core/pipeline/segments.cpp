@@ -12,8 +12,9 @@ namespace angiomesh {
 namespace {
 
 /// Labels of the components at, or one voxel beside, the given points.
-std::vector<std::vector<std::size_t>> pointsIn(const Volume<std::int32_t>& labels, std::size_t count,
-                           const std::vector<double>& points) {
+std::vector<std::vector<std::size_t>> pointsIn(const Volume<std::int32_t>& labels,
+                                               std::size_t count,
+                                               const std::vector<double>& points) {
   const Geometry& g = labels.geometry;
   std::vector<std::vector<std::size_t>> in(count);
   for (std::size_t n = 0; n + 2 < points.size(); n += 3) {

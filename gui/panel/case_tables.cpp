@@ -193,10 +193,10 @@ void EvolutionControls::showProgress() {
   }
   const int iterations = models_.runs.iterations();
   text_->setVisible(iterations > 0 || models_.runs.evolving());
-  text_->setText(models_.runs.change() < 0.0 ? tr("Iteration %1").arg(iterations)
-                                                 : tr("Iteration %1, change %2")
-                                                       .arg(iterations)
-                                                       .arg(models_.runs.change(), 0, 'g', 3));
+  text_->setText(
+      models_.runs.change() < 0.0
+          ? tr("Iteration %1").arg(iterations)
+          : tr("Iteration %1, change %2").arg(iterations).arg(models_.runs.change(), 0, 'g', 3));
 }
 
 }  // namespace angiomesh

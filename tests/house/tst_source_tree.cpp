@@ -5,6 +5,8 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -72,6 +74,75 @@ bool matches(const std::string& text, const char* pattern) {
   return std::regex_search(text, std::regex(pattern));
 }
 
+/// Which rooms of its own layer a room may include, beside itself. docs/architecture.md has the
+/// same table with what lives there.
+const std::map<std::string, std::string> kMayInclude{
+    {"core/base", ""},
+    {"core/image", "base"},
+    {"core/mesh", "base"},
+    {"core/field", "base image"},
+    {"core/preprocess", "base image field"},
+    {"core/vesselness", "base image"},
+    {"core/phantom", "base image mesh"},
+    {"core/levelset", "base image vesselness"},
+    {"core/topology", "base image field"},
+    {"core/distance", "base image field"},
+    {"core/lumen", "base image field distance vesselness topology"},
+    {"core/centreline", "base image field"},
+    {"core/openings", "base image field mesh distance centreline"},
+    {"core/sizing", "base field openings"},
+    {"core/contour", "base image field mesh openings"},
+    {"core/cuts", "base image field mesh distance centreline openings contour"},
+    {"core/front", "base field mesh openings sizing contour"},
+    {"core/remesh", "base field mesh openings sizing contour"},
+    {"core/smooth", "base field mesh openings"},
+    {"core/surface", "base field mesh openings sizing contour cuts front remesh"},
+    {"core/quality", "base image field mesh sizing phantom"},
+    {"core/parameters",
+     "base preprocess vesselness levelset topology lumen sizing contour cuts smooth surface"},
+    {"core/pipeline",
+     "base image field mesh preprocess vesselness phantom levelset topology distance lumen "
+     "centreline openings sizing contour cuts front remesh smooth surface quality parameters"},
+    {"io/file", ""},
+    {"io/volume", "file"},
+    {"io/dicom", "file volume"},
+    {"io/scan", "file volume dicom"},
+    {"io/mesh", "file"},
+    {"io/vessel", "file mesh"},
+    {"io/case", "file volume scan"},
+    {"render", ""},
+    {"gui/job", ""},
+    {"gui/model", "job"},
+    {"gui/view", "model"},
+    {"gui/panel", "job model view"},
+    {"gui", "job model view panel"},
+    {"app/session", ""},
+    {"app/study", "session"},
+    {"app/cli", "session study"},
+    {"app/angiomesh", ""},
+    {"app/display", ""},
+};
+
+/// "core/mesh" of "core/mesh/tri_mesh.h", "gui" of "gui/main_window.h".
+std::string roomOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
+
+/// Of the classes whose member functions a file defines, outside its unnamed namespaces.
+std::set<std::string> classesDefinedIn(const SourceFile& file) {
+  static const std::regex member(
+      R"(^(?:[A-Za-z][\w:<>,&*\[\] ]*?\b)?([A-Z]\w*(?:::[A-Z]\w*)*)::~?\w+\()");
+  std::set<std::string> classes;
+  bool unnamed = false;
+  for (const std::string& line : file.lines) {
+    if (line == "namespace {") unnamed = true;
+    if (line == "}  // namespace") unnamed = false;
+    std::smatch match;
+    if (!unnamed && std::regex_search(line, match, member) &&
+        line.find('=') > line.find(match.str(1)))
+      classes.insert(match[1]);
+  }
+  return classes;
+}
+
 }  // namespace
 
 // The rules of CONTRIBUTING.md that a text search can check.
@@ -121,6 +192,78 @@ class TestSourceTree : public QObject {
                      return include.quoted && layer != allowed.end() &&
                             !matches(include.name, layer->second.c_str());
                    });
+  }
+
+  void roomsIncludeWhatTheirRowsName() {
+    verifyFiles("every folder with sources of the product has its row", [](const SourceFile& file) {
+      return file.isCpp() && matches(file.path, "^(core|io|render|gui|app)/") &&
+             kMayInclude.count(roomOf(file.path)) == 0;
+    });
+    verifyIncludes("a room includes itself and the rooms of its row", [](const Include& include) {
+      const auto row = kMayInclude.find(roomOf(include.file->path));
+      const std::string layer = include.file->layer();
+      if (row == kMayInclude.end() || !include.quoted || !include.name.starts_with(layer + "/"))
+        return false;
+      const std::string room = roomOf(include.name);
+      if (room == row->first) return false;
+      const std::string within = room == layer ? room : room.substr(layer.size() + 1);
+      return (" " + row->second + " ").find(" " + within + " ") == std::string::npos;
+    });
+    for (const auto& [room, row] : kMayInclude) {
+      const bool there = std::any_of(files_.begin(), files_.end(), [&](const SourceFile& file) {
+        return file.isCpp() && roomOf(file.path) == room;
+      });
+      QVERIFY2(there, ("there is no room " + room).c_str());
+    }
+  }
+
+  void roomsGoOneWay() {
+    // With what each row names struck off that includes nothing that is left, none may stay.
+    std::map<std::string, std::string> left = kMayInclude;
+    const auto hasNone = [&](const auto& entry) {
+      const auto& [room, row] = entry;
+      std::istringstream words(row);
+      const std::string layer = room.substr(0, room.find('/'));
+      for (std::string word; words >> word;)
+        if (left.count(layer + "/" + word) != 0) return false;
+      return true;
+    };
+    while (!left.empty()) {
+      const auto next = std::find_if(left.begin(), left.end(), hasNone);
+      QVERIFY2(next != left.end(), ("rooms in a circle with " + left.begin()->first).c_str());
+      left.erase(next);
+    }
+  }
+
+  void roomsAreOfReadableSize() {
+    std::map<std::string, std::set<std::string>> units;
+    std::map<std::string, std::size_t> lines;
+    std::size_t core = 0;
+    for (const SourceFile& file : files_) {
+      if (!file.isCpp()) continue;
+      units[roomOf(file.path)].insert(fs::path(file.path).stem().string());
+      if (!file.in("core")) continue;
+      lines[roomOf(file.path)] += file.lines.size();
+      core += file.lines.size();
+    }
+    for (const auto& [room, names] : units)
+      QVERIFY2(names.size() <= 20, (room + " has more than 20 units").c_str());
+    for (const auto& [room, count] : lines)
+      QVERIFY2(count * 100 < core * 12, (room + " has 12 % of core's lines or more").c_str());
+  }
+
+  void classesStandInOneFile() {
+    std::map<std::string, std::set<std::string>> places;
+    for (const SourceFile& file : files_)
+      if (file.path.ends_with(".cpp") && matches(file.path, "^(core|io|render|gui|app)/"))
+        for (const std::string& name : classesDefinedIn(file)) places[name].insert(file.path);
+    std::string list;
+    for (const auto& [name, paths] : places) {
+      if (paths.size() < 2) continue;
+      list += "\n  " + name + " in";
+      for (const std::string& path : paths) list += " " + path;
+    }
+    QVERIFY2(list.empty(), ("a class has one .cpp" + list).c_str());
   }
 
   void qtStaysInGuiAndApp() {

@@ -229,15 +229,13 @@ class TestVesselness : public QObject {
     QVERIFY(!t.clamped);
     QVERIFY(thresholds(v, {300.0, {}, ThresholdRule::Average}, 6.0).clamped);
     QCOMPARE(thresholds(v, {3.0, 0.4, ThresholdRule::Average}, 6.0).b, 0.4);
-    QVERIFY(std::fabs(thresholds(v, {}, 6.0).b - 0.14) <
-            1e-12);
+    QVERIFY(std::fabs(thresholds(v, {}, 6.0).b - 0.14) < 1e-12);
     QCOMPARE(vesselSpeed(2.0 * t.a, t), 1.0);
     QVERIFY(std::fabs(vesselSpeed(t.b, t)) < 1e-12);
     QVERIFY(std::fabs(vesselSpeed(1.5 * t.b, t) - 0.5) < 1e-12);
     QVERIFY(std::fabs(vesselSpeed(0.5 * t.b, t) + 0.5) < 1e-12);
     QCOMPARE(vesselSpeed(-0.1, t), -1.0);
-    QVERIFY_EXCEPTION_THROWN(thresholds(Volume<float>(cube(3), 0.0F), {}, 6.0),
-                             NumericError);
+    QVERIFY_EXCEPTION_THROWN(thresholds(Volume<float>(cube(3), 0.0F), {}, 6.0), NumericError);
   }
 
   void theLargestScaleFollowsTheThickestVessel() {
