@@ -2,34 +2,34 @@
 #include "gui/main_window.h"
 
 #include <QCloseEvent>
-#include <QComboBox>
 #include <QDockWidget>
-#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QScreen>
 #include <QSettings>
-#include <QSignalBlocker>
-#include <QStandardItemModel>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QUrl>
 #include <algorithm>
 
-#include "gui/job/known_sources.h"
+#include "gui/case_dialogs.h"
 #include "gui/model/case_ports.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
+#include "gui/panel/help_dialogs.h"
 #include "gui/panel/inspector_panel.h"
 #include "gui/panel/log_panel.h"
 #include "gui/panel/pipeline_panel.h"
 #include "gui/panel/plot_widget.h"
 #include "gui/panel/port_panel.h"
 #include "gui/panel/view_grid.h"
+#include "gui/port_menu.h"
+#include "gui/view_tools.h"
+#include "gui/window_actions.h"
 
 namespace angiomesh {
 
@@ -39,21 +39,7 @@ constexpr int kWidth = 1560, kHeight = 960;
 constexpr int kPanelWidth = 400, kNarrowPanelWidth = 360;
 constexpr int kInspectorHeight = 650, kPortsHeight = 250;
 constexpr int kMostRecent = 10;
-constexpr double kThickestSlabMm = 200.0;
-
-QAction* actionOf(const QObject* parent, const char* name) {
-  return parent->findChild<QAction*>(QLatin1String(name));
-}
-
-void enable(const QObject* parent, std::initializer_list<const char*> names, bool on) {
-  for (const char* name : names) {
-    actionOf(parent, name)->setEnabled(on);
-  }
-}
-
-void check(const QObject* parent, const char* name, bool on) {
-  actionOf(parent, name)->setChecked(on);
-}
+constexpr int kStepIterations = 10;
 
 }  // namespace
 
@@ -63,7 +49,10 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       models_(std::make_unique<CaseModels>(options_.makeRunner, options_.recovery)),
       state_(new ViewState(*models_, this)),
       ports_(new CasePorts(*models_, options_.makeRunner, this)),
-      views_(new ViewGrid(*models_, *state_, *ports_, this)) {
+      views_(new ViewGrid(*models_, *state_, *ports_, this)),
+      cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
+                             options_.recovery)),
+      tools_(new ViewTools(this, *models_, *state_, *views_)) {
   setObjectName("mainWindow");
   keepSettingsPrivate();
   setAcceptDrops(true);
@@ -72,7 +61,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   setCentralWidget(views_);
   buildDocks();
   buildMenus();
-  buildToolBar();
+  tools_->buildToolBar();
   buildStatusBar();
   connect(&models_->files, &CaseFiles::caseChanged, this, &MainWindow::refreshTitle);
   connect(&models_->runs, &RunModel::statesChanged, this, &MainWindow::refreshActions);
@@ -88,13 +77,15 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
           Qt::QueuedConnection);
   connect(&models_->files, &CaseFiles::unevenFound, this, &MainWindow::askToResample,
           Qt::QueuedConnection);
-  connect(state_, &ViewState::changed, this, &MainWindow::refreshViewActions);
-  connectCases();
+  connect(cases_, &CaseDialogs::saved, this, [this](const QString& folder) {
+    refreshTitle();
+    remember(folder);
+  });
   connect(views_, &ViewGrid::hovered, hover_, &QLabel::setText);
   refreshTitle();
   refreshActions();
-  refreshPortActions();
-  refreshViewActions();
+  portMenu_->refresh();
+  tools_->refreshActions();
   refreshRecent();
 }
 
@@ -137,50 +128,75 @@ void MainWindow::buildDocks() {
   resizeDocks({pipeline, inspector}, {side, side}, Qt::Horizontal);
 }
 
-void MainWindow::buildToolBar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
-  bar->setObjectName("toolBar");
-  bar->setMovable(false);
-  const auto add = [&](std::initializer_list<const char*> names) {
-    for (const char* name : names) {
-      bar->addAction(actionOf(this, name));
+void MainWindow::buildMenus() {
+  buildFileMenu();
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = models_->document.undoStack()->createUndoAction(this, tr("Undo"));
+  undo->setObjectName("undo");
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* redo = models_->document.undoStack()->createRedoAction(this, tr("Redo"));
+  redo->setObjectName("redo");
+  redo->setShortcut(QKeySequence::Redo);
+  for (QAction* action : {undo, redo}) {
+    // The text grows with the edit's name; a tool bar must not jump.
+    action->setIconText(action == undo ? tr("Undo") : tr("Redo"));
+    edit->addAction(action);
+  }
+  edit->addSeparator();
+  addMenuAction(this, edit, "clearSeeds", tr("Remove all seeds by hand"), {},
+                [this] { models_->document.setField("seeds.points", std::vector<double>()); });
+  addMenuAction(this, edit, "clearRoi", tr("Clear region of interest"), {},
+                [this] { models_->document.setRoi(std::nullopt); });
+  buildRunMenu();
+  tools_->buildToolMenu();
+  portMenu_ = new PortMenu(this, *models_, *ports_, *portPanel_, *views_, options_.chooser);
+  tools_->buildViewMenu();
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  addMenuAction(this, help, "shortcuts", tr("Shortcuts"), QKeySequence(Qt::Key_F1),
+                [this] { showShortcuts(this); });
+  addMenuAction(this, help, "about", tr("About Angiomesh"), {}, [this] { showAbout(this); });
+}
+
+void MainWindow::buildFileMenu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  addMenuAction(this, file, "open", tr("Open…"), QKeySequence::Open, [this] {
+    if (const QString path = options_.chooser.openFile(this); !path.isEmpty()) {
+      open(path);
     }
-    bar->addSeparator();
-  };
-  add({"open", "saveCase", "export"});
-  add({"undo", "redo"});
-  add({"runAll", "cancelRun"});
-  add({"toolNavigate", "toolSeed", "toolRoi", "toolCut"});
-  bar->addWidget(new QLabel(tr(" Layer "), bar));
-  layer_ = new QComboBox(bar);
-  layer_->setObjectName("layer");
-  for (int i = 0; i < kLayerCount; ++i) {
-    layer_->addItem(layerTitle(static_cast<Layer>(i)));
-  }
-  bar->addWidget(layer_);
-  bar->addWidget(new QLabel(tr("  Slab "), bar));
-  slab_ = new QComboBox(bar);
-  slab_->setObjectName("slab");
-  slab_->addItems({tr("off"), tr("MIP"), tr("MinIP"), tr("mean")});
-  bar->addWidget(slab_);
-  thickness_ = new QDoubleSpinBox(bar);
-  thickness_->setObjectName("thickness");
-  thickness_->setRange(0.1, kThickestSlabMm);
-  thickness_->setDecimals(1);
-  thickness_->setSuffix(tr(" mm"));
-  thickness_->setKeyboardTracking(false);
-  bar->addWidget(thickness_);
-  bar->addSeparator();
-  for (const char* name : {"contours", "mip", "surface", "edges"}) {
-    bar->addAction(actionOf(this, name));
-  }
-  connect(layer_, &QComboBox::activated, this,
-          [this](int layer) { state_->setLayer(static_cast<Layer>(layer)); });
-  connect(slab_, &QComboBox::activated, this, [this](int mode) {
-    state_->setSlab(static_cast<SlabMode>(mode), state_->slabThicknessMm());
   });
-  connect(thickness_, &QDoubleSpinBox::valueChanged, this,
-          [this](double mm) { state_->setSlab(state_->slabMode(), mm); });
+  addMenuAction(this, file, "openFolder", tr("Open folder or case…"),
+                QKeySequence(tr("Ctrl+Shift+O")), [this] {
+                  if (const QString path = options_.chooser.openFolder(this); !path.isEmpty()) {
+                    open(path);
+                  }
+                });
+  addMenuAction(this, file, "openSample", tr("Open the sample"), {}, [this] { openSample(); });
+  recent_ = file->addMenu(tr("Recent"));
+  file->addSeparator();
+  addMenuAction(this, file, "saveCase", tr("Save case"), QKeySequence::Save,
+                [this] { cases_->save(); });
+  addMenuAction(this, file, "saveCaseAs", tr("Save case as…"), QKeySequence(tr("Ctrl+Shift+S")),
+                [this] { cases_->saveAs(); });
+  file->addSeparator();
+  addMenuAction(this, file, "export", tr("Export…"), QKeySequence(tr("Ctrl+E")),
+                [this] { showExport(); });
+  file->addSeparator();
+  addMenuAction(this, file, "quit", tr("Quit"), QKeySequence::Quit, [this] { close(); });
+}
+
+void MainWindow::buildRunMenu() {
+  QMenu* run = menuBar()->addMenu(tr("&Run"));
+  addMenuAction(this, run, "runAll", tr("Run"), QKeySequence(Qt::Key_F5),
+                [this] { models_->runs.run(); });
+  addMenuAction(this, run, "cancelRun", tr("Cancel"), QKeySequence(Qt::Key_Escape),
+                [this] { models_->cancel(); });
+  run->addSeparator();
+  addMenuAction(this, run, "pauseRun", tr("Pause"), QKeySequence(Qt::Key_F6),
+                [this] { models_->runs.setPaused(!models_->runs.paused()); });
+  addMenuAction(this, run, "stepRun", tr("Step"), QKeySequence(Qt::Key_F7),
+                [this] { models_->runs.stepEvolution(kStepIterations); });
+  addMenuAction(this, run, "finishRun", tr("Finish"), QKeySequence(Qt::Key_F8),
+                [this] { models_->runs.finishEvolution(); });
 }
 
 void MainWindow::buildStatusBar() {
@@ -198,7 +214,7 @@ void MainWindow::buildStatusBar() {
 }
 
 void MainWindow::open(const QString& path, bool thenRun) {
-  if (!mayLeave([this, path, thenRun] { open(path, thenRun); })) {
+  if (!cases_->mayLeave([this, path, thenRun] { open(path, thenRun); })) {
     return;
   }
   thenRun_ = thenRun;
@@ -206,14 +222,14 @@ void MainWindow::open(const QString& path, bool thenRun) {
     runOnceLoaded();
   }
   if (isCase(caseFolder(path.toStdString()))) {
-    openCase(path);
+    cases_->open(path);
   } else {
     models_->files.open(path);
   }
 }
 
 void MainWindow::openSample(bool thenRun) {
-  if (!mayLeave([this, thenRun] { openSample(thenRun); })) {
+  if (!cases_->mayLeave([this, thenRun] { openSample(thenRun); })) {
     return;
   }
   if (thenRun) {
@@ -238,6 +254,8 @@ void MainWindow::runOnceLoaded() {
   });
 }
 
+bool MainWindow::offerRestore() { return cases_->offerRestore(); }
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   if (!urls.isEmpty() && urls.first().isLocalFile()) {
@@ -255,13 +273,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayLeave([this] { close(); })) {
+  if (!cases_->mayLeave([this] { close(); })) {
     event->ignore();
     return;
   }
   models_->cancel();
   models_->files.leaveCase();
-  refreshModified();
+  cases_->refreshModified();
   event->accept();
 }
 
@@ -269,57 +287,36 @@ void MainWindow::refreshTitle() {
   setWindowTitle(models_->document.hasCase()
                      ? tr("%1[*] — Angiomesh").arg(models_->document.caseName())
                      : tr("Angiomesh"));
-  refreshModified();
+  cases_->refreshModified();
 }
 
 void MainWindow::refreshActions() {
   const bool idle = !models_->runs.running();
   const bool evolving = models_->runs.evolving();
   const bool any = models_->document.hasCase();
-  enable(this, {"runAll"}, any && idle);
-  enable(this, {"cancelRun"}, !idle || models_->files.loading());
-  enable(this, {"pauseRun", "finishRun"}, evolving);
-  enable(this, {"stepRun"}, evolving && models_->runs.paused());
+  enableActions(this, {"runAll"}, any && idle);
+  enableActions(this, {"cancelRun"}, !idle || models_->files.loading());
+  enableActions(this, {"pauseRun", "finishRun"}, evolving);
+  enableActions(this, {"stepRun"}, evolving && models_->runs.paused());
   actionOf(this, "pauseRun")->setText(models_->runs.paused() ? tr("Resume") : tr("Pause"));
   const bool mesh =
       models_->results.mesh(MeshKind::Exported) || models_->results.mesh(MeshKind::Unsmoothed);
-  enable(this, {"export"}, mesh);
-  enable(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
-  enable(this, {"surface", "edges"}, mesh || models_->results.liveSurface());
-  enable(this, {"contours"}, mesh || models_->results.phi());
-  enable(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "resetWindow"}, any);
-  enable(this, {"clearSeeds"}, !models_->document.seeds().empty());
-  enable(this, {"clearRoi"}, models_->document.parameters().preprocess.roi.has_value());
-  layer_->setEnabled(any);
-  slab_->setEnabled(any);
-  thickness_->setEnabled(any && state_->slabMode() != SlabMode::None);
-  const bool vesselness = models_->results.vesselnessResult() != nullptr;
-  const std::array<bool, kLayerCount> there{
-      any, models_->results.layer(Layer::Preprocessed) != nullptr, vesselness, vesselness};
-  auto* items = qobject_cast<QStandardItemModel*>(layer_->model());
-  for (int i = 0; i < kLayerCount; ++i) {
-    items->item(i)->setEnabled(there[static_cast<std::size_t>(i)]);
-  }
+  enableActions(this, {"export"}, mesh);
+  enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
+  enableActions(this, {"surface", "edges"}, mesh || models_->results.liveSurface());
+  enableActions(this, {"contours"}, mesh || models_->results.phi());
+  enableActions(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "resetWindow"},
+                any);
+  enableActions(this, {"clearSeeds"}, !models_->document.seeds().empty());
+  enableActions(this, {"clearRoi"}, models_->document.parameters().preprocess.roi.has_value());
+  tools_->refresh();
   showProgress();
 }
 
-void MainWindow::refreshViewActions() {
-  const QSignalBlocker quietLayer(layer_);
-  const QSignalBlocker quietSlab(slab_);
-  const QSignalBlocker quietThickness(thickness_);
-  layer_->setCurrentIndex(static_cast<int>(state_->layer()));
-  slab_->setCurrentIndex(static_cast<int>(state_->slabMode()));
-  thickness_->setValue(state_->slabThicknessMm());
-  thickness_->setEnabled(models_->document.hasCase() && state_->slabMode() != SlabMode::None);
-  check(this, "contours", state_->contours());
-  check(this, "mip", state_->mip());
-  check(this, "surface", state_->surface());
-  check(this, "edges", state_->edges());
-  check(this, "toolNavigate", state_->tool() == Tool::Navigate);
-  check(this, "toolSeed", state_->tool() == Tool::PickSeed);
-  check(this, "toolRoi", state_->tool() == Tool::DrawRoi);
-  check(this, "toolCut", state_->tool() == Tool::CutVessel);
-  check(this, "engineering", state_->scheme() == MouseScheme::Engineering);
+void MainWindow::showExport() {
+  auto* dialog = new ExportDialog(*models_, options_.chooser, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
 }
 
 void MainWindow::showProgress() {

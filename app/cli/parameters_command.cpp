@@ -52,22 +52,24 @@ void printMarkdown() {
       "cropping and resampling. `--preset` chooses between the columns of values.\n\n"
       "This page is the output of `angiomesh-cli parameters --markdown`.\n\n| key |");
   for (const std::string& name : presetNames()) std::printf(" `%s` |", name.c_str());
-  std::printf(" allowed | unit | meaning |\n|---|");
+  std::printf(" allowed | unit | meaning | a larger value |\n|---|");
   for (std::size_t i = 0; i < presetNames().size(); ++i) std::printf("---|");
-  std::printf("---|---|---|\n");
+  std::printf("---|---|---|---|\n");
   for (const Field& field : parameterFields()) {
     std::printf("| `%s` |", field.key.c_str());
     for (const std::string& name : presetNames())
       std::printf(" %s |", valueIn(field, name).c_str());
-    std::printf(" %s | %s | %s |\n", allowed(field).c_str(), field.unit.c_str(),
-                field.help.c_str());
+    std::printf(" %s | %s | %s | %s |\n", allowed(field).c_str(), field.unit.c_str(),
+                field.help.c_str(), field.rise.c_str());
   }
 }
 
 void printText() {
-  for (const Field& field : parameterFields())
+  for (const Field& field : parameterFields()) {
     std::printf("%-36s %-24s %s%s%s\n", field.key.c_str(), valueIn(field, "angiomesh").c_str(),
                 field.help.c_str(), field.unit.empty() ? "" : ", ", field.unit.c_str());
+    if (!field.rise.empty()) std::printf("%-61s larger: %s\n", "", field.rise.c_str());
+  }
 }
 
 }  // namespace

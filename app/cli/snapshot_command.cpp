@@ -62,7 +62,7 @@ int snapshot(const SnapshotOptions& options) {
   if (options.at.empty() != (options.width == 0.0))
     throw InputError("a close-up needs a place and a width", "--at, --width", "give both");
   if (options.at.empty() && options.folders.size() > 1)
-    throw InputError("several results are shown as close-ups alone", "DIR",
+    throw InputError("several results can be shown only as close-ups", "DIR",
                      "give one folder, or --at and --width");
   writePng(options.at.empty() ? wholePicture(options.folders.front()) : closeUp(options),
            options.output);

@@ -215,10 +215,10 @@ void addStudy(CLI::App& program, Session& session) {
                             "5.4, 5.5, 5.6, B.1 and B.2: the meshing (needs an X "
                             "display, a virtual one will do)");
   command->add_option("PHI", options->input,
-                      "Level set function or mask: the figures of the meshing alone, of it; a "
+                      "Level set function or mask: only the figures of the meshing, of it; a "
                       "phantom tree unless given");
   command->add_option("--image", options->image,
-                      "Image: the figures of the segmentation alone, of it");
+                      "Image: only the figures of the segmentation, of it");
   command->add_option("--series", options->reading.series,
                       "Series UID, where the image is a DICOM folder "
                       "that holds several");

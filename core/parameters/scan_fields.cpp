@@ -17,15 +17,16 @@ void addPreprocess(FieldTable& t) {
            "resample to cubic voxels of the smallest spacing; auto: when spacing differs by more "
            "than 10 % and the voxels grow at most threefold");
   t.real("preprocess.clamp.lower", "Lowest intensity", ANGIOMESH_MEMBER(preprocess.clampLower),
-         -1e6, 1e6, "", "intensities below are raised to it; none: no bound")
+         -1e6, 1e6, "", "raise darker voxels to this intensity; none: no lower bound")
       .emptyWord("none")
       .slider(aroundLevel)
       .suggest([](const Parameters&, const FieldContext& c) { return c.level - c.window; })
       .rises("more of the dark tissue becomes one grey");
   t.real("preprocess.clamp.upper", "Bone above", ANGIOMESH_MEMBER(preprocess.clampUpper), -1e6, 1e6,
          "",
-         "voxels above are bone, calcium or metal: they and their rim are filled with the median "
-         "intensity between the bounds; none: no bound")
+         "brighter voxels count as bone, calcium or metal; they and a rim around them are filled "
+         "with "
+         "the median intensity between the bounds; none: no upper bound")
       .emptyWord("none")
       .above("preprocess.clamp.lower")
       .slider(aroundLevel)
@@ -33,7 +34,7 @@ void addPreprocess(FieldTable& t) {
       .rises("less of bone and calcium is taken out");
   t.integer("preprocess.clamp.rimVoxels", "Rim of bone",
             ANGIOMESH_MEMBER(preprocess.clampRimVoxels), 0, 10,
-            "width of the rim that is filled with them, voxels of the input")
+            "width of that rim, in voxels of the input")
       .idle([](const Parameters& p) {
         return p.preprocess.clampUpper ? "" : "it is used only with preprocess.clamp.upper";
       })
@@ -104,8 +105,8 @@ void addVesselness(FieldTable& t) {
       .rises("thicker vessels are found, neighbours may run together, and it takes longer");
   t.boolean("vesselness.scalesFromImage", "Scales from the image",
             ANGIOMESH_MEMBER(vesselness.scalesFromImage),
-            "an automatic sigmaMaxMm is half of the radius of the thickest bright thing, where "
-            "that is more than 6 working voxels; 15 at most")
+            "let an automatic sigmaMaxMm grow to half the radius of the thickest bright structure "
+            "if that exceeds 6 working voxels, at most 15")
       .idle([](const Parameters& p) {
         return p.vesselness.sigmaMaxMm ? "it is used only with an automatic sigmaMaxMm" : "";
       });
@@ -142,7 +143,7 @@ void addVesselness(FieldTable& t) {
       })
       .rises("faint vessels and noise get less");
   t.real("vesselness.cFraction", "c of the contrast", ANGIOMESH_MEMBER(vesselness.cFraction), 1e-3,
-         2.0, "", "share of the contrast that makes c")
+         2.0, "", "c as a fraction of the contrast")
       .rises("faint vessels and noise get less");
   t.choice("vesselness.contrast", "Contrast", ANGIOMESH_MEMBER(vesselness.contrast),
            {"robust", "range"},
@@ -160,8 +161,8 @@ void addSeeds(FieldTable& t) {
       .logarithmic()
       .rises("fainter vessels get seeds, and so may what is none");
   t.real("seeds.least", "Least of a seed", ANGIOMESH_MEMBER(seeds.least), 0.0, 1.0, "",
-         "vesselness of an automatic seed at least, but for the best one: topPercent may be more "
-         "than there is of vessels")
+         "lowest vesselness of an automatic seed (the best one is always kept); stops topPercent "
+         "from taking noise where there are few vessels")
       .rises("faint vessels get no seeds of their own");
   t.real("seeds.radiusVoxels", "Radius", ANGIOMESH_MEMBER(seeds.radiusVoxels), 0.5, 20.0, "voxels",
          "radius of the starting spheres, working voxels")

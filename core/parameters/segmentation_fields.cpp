@@ -29,10 +29,11 @@ std::string idleWithoutSmoothWall(const Parameters& p) {
 
 void addMethod(FieldTable& t) {
   t.begin(Step::Evolve, ReadOf::Scans);
-  t.choice("segmentation.method", "Method", ANGIOMESH_MEMBER(segmentation.method),
-           {"level-set", "geodesic-active-contour", "confidence-connected", "threshold", "label"},
-           "how the step evolve segments; label: the image is a segmentation; the others are there "
-           "to compare the level set with, from the same seeds")
+  t.choice(
+       "segmentation.method", "Method", ANGIOMESH_MEMBER(segmentation.method),
+       {"level-set", "geodesic-active-contour", "confidence-connected", "threshold", "label"},
+       "how the vessels are segmented; label: the image is already a segmentation; the others are "
+       "for comparison with the level set, from the same seeds")
       .ofMask(Step::Preprocess)  // what a segmentation is made of differs from there on
       .main();
   t.integer("segmentation.label", "Label", ANGIOMESH_MEMBER(segmentation.label), 1, 1000000000,
@@ -53,12 +54,13 @@ void addMethod(FieldTable& t) {
 
 void addLevelSet(FieldTable& t) {
   t.choice("levelset.start", "Start", ANGIOMESH_MEMBER(levelset.start), {"flood", "seeds"},
-           "flood: all that is connected to a seed at v >= b, at once; seeds: the front goes all "
-           "the way")
+           "flood: start from everything with v >= b that is connected to a seed; seeds: grow from "
+           "the seeds")
       .idle(idleWithoutLevelSet);
   t.integer("levelset.floodLeastVoxels", "Least part without a seed",
             ANGIOMESH_MEMBER(levelset.floodLeastVoxels), 1, 1000000,
-            "parts with v >= b of this size are vessels without a seed")
+            "parts with v >= b and at least this many voxels count as vessels even without a "
+            "seed")
       .idle([](const Parameters& p) {
         const std::string why = idleWithoutLevelSet(p);
         if (!why.empty()) return why;
@@ -78,17 +80,17 @@ void addLevelSet(FieldTable& t) {
       .idle(idleWithoutLevelSet)
       .rises("the front goes farther into thin vessels");
   t.boolean("levelset.acrossCrests", "Move on crests", ANGIOMESH_MEMBER(levelset.acrossCrests),
-            "the front moves in vessels and gaps one voxel wide too, where upwind differences "
+            "also move the front in vessels and gaps one voxel wide, where upwind differences "
             "vanish")
       .idle(idleWithoutLevelSet);
   t.real("levelset.stepVoxels", "Step of the front", ANGIOMESH_MEMBER(levelset.stepVoxels), 0.01,
          0.5, "voxels",
-         "how far the front moves in an iteration at most: about half a voxel it flickers about "
-         "steep walls, a sixth comes to rest")
+         "largest step of the front per iteration; near 0.5 it flickers at steep walls, at 1/6 it "
+         "comes to rest")
       .idle(idleWithoutLevelSet)
       .rises("it takes fewer iterations, and flickers more about steep walls");
   t.real("levelset.xi", "Threshold ξ", ANGIOMESH_MEMBER(thresholds.xi), 0.1, 500.0, "",
-         "scales the threshold b: larger segments less")
+         "scales the threshold b")
       .main()
       .logarithmic()
       .ofSpeed()
@@ -119,7 +121,7 @@ void addLevelSet(FieldTable& t) {
       .idle(idleWithoutLevelSet)
       .rises("less is segmented of images with strong vessels");
   t.integer("levelset.maxIterations", "Most iterations", ANGIOMESH_MEMBER(levelset.maxIterations),
-            1, 1000000, "the evolution ends here at the latest")
+            1, 1000000, "most iterations of the evolution")
       .slider(1.0, 20000.0)
       .idle(idleWithoutLevelSet)
       .rises("a front that has not come to rest goes on");
@@ -133,7 +135,8 @@ void addLevelSet(FieldTable& t) {
       .idle(idleWithoutLevelSet)
       .rises("the evolution ends sooner");
   t.real("levelset.toleranceDelta", "Tolerance, delta", ANGIOMESH_MEMBER(levelset.toleranceDelta),
-         0.0, 10.0, "voxels", "and below this difference from the previous change")
+         0.0, 10.0, "voxels",
+         "converged only if the change also differs from the previous one by less than this")
       .idle(idleWithoutLevelSet)
       .rises("the evolution ends sooner");
 }
@@ -143,17 +146,20 @@ void addLumen(FieldTable& t) {
             "place the wall between the brightness of lumen and surroundings, after the evolution")
       .idle(idleWithoutLevelSet);
   t.real("levelset.refineLevel", "Lumen level", ANGIOMESH_MEMBER(lumen.level), 0.1, 0.9, "",
-         "what a voxel of the vessel has at least, from the surroundings' brightness (0) to the "
-         "lumen's (1); the wall lies half-way, or here if this is more")
+         "least brightness of a vessel voxel, from the surroundings (0) to the lumen (1); the wall "
+         "lies half-way, or here if this is higher")
       .main()
       .idle(idleWithoutRefining)
       .rises("vessels get thinner, and narrow ones part");
   t.real("levelset.refineAlong", "Smoothing along", ANGIOMESH_MEMBER(lumen.along), 0.0, 1000.0, "",
-         "smoothing along the vessels, times the squared ratio of noise to contrast")
+         "strength of smoothing along the vessels, multiplied by the squared ratio of noise to "
+         "contrast")
       .idle(idleWithoutRefining)
       .rises("noise disturbs the wall less, and short narrow places are filled");
   t.real("levelset.refineAcross", "Smoothing across", ANGIOMESH_MEMBER(lumen.across), 0.0, 1000.0,
-         "", "smoothing across the vessels, times the squared ratio of noise to contrast")
+         "",
+         "strength of smoothing across the vessels, multiplied by the squared ratio of noise to "
+         "contrast")
       .idle(idleWithoutRefining)
       .rises("noise disturbs the wall less, and neighbours run together");
   t.integer("levelset.refineMeanSteps", "Lumen mean, steps", ANGIOMESH_MEMBER(lumen.meanSteps), 0,
@@ -162,7 +168,7 @@ void addLumen(FieldTable& t) {
       .idle(idleWithoutRefining)
       .rises("the lumen's brightness is steadier, and follows changes along the vessel less");
   t.real("levelset.refineReachVoxels", "Reach of the wall", ANGIOMESH_MEMBER(lumen.reachVoxels),
-         1.0, 10.0, "voxels", "from what the evolution found to where the wall is looked for")
+         1.0, 10.0, "voxels", "how far from the evolution's result the wall is looked for")
       .idle(idleWithoutRefining)
       .rises("walls farther out are found, and it takes longer");
 }
@@ -174,8 +180,8 @@ void addWall(FieldTable& t) {
       .main()
       .idle(idleWithoutWall);
   t.real("wall.reach", "Smoothness", ANGIOMESH_MEMBER(wall.reach), 2.0, 30.0, "",
-         "how far around each place of the wall is looked at: times the fourth root of the "
-         "vessel's radius times the wall's uncertainty, voxels")
+         "size of the window that the wall is fitted in, multiplied by the fourth root of (vessel "
+         "radius x uncertainty of the wall), voxels")
       .idle(idleWithoutSmoothWall)
       .rises("the wall gets smoother, and short bulges and dents are lost");
   t.real("wall.spreadVoxels", "Point spread", ANGIOMESH_MEMBER(wall.spreadVoxels), 0.2, 3.0,
@@ -240,7 +246,7 @@ void addComparison(FieldTable& t) {
   const auto confidence = onlyWith(SegmentationMethod::ConfidenceConnected);
   t.real("comparison.confidence.multiplier", "Region: multiplier",
          ANGIOMESH_MEMBER(comparison.confidenceMultiplier), 0.1, 20.0, "",
-         "half the width of the interval of intensities around the region's mean, standard "
+         "half-width of the accepted intensity range around the region's mean, in standard "
          "deviations")
       .idle(confidence)
       .rises("the region grows, and leaks sooner");

@@ -44,27 +44,28 @@ std::string idleWithoutKeepWall(const Parameters& p) {
 std::array<double, 2> upToHundredth(const FieldContext& c) { return {0.0, 0.01 * c.volumeMm3}; }
 
 void addPorts(FieldTable& t) {
-  t.texts("ports.cuts", "Cuts", ANGIOMESH_MEMBER(ports.cuts), "x,y,z,NAME or x,y,z,nx,ny,nz,NAME",
-          "planes that end vessels, in mm LPS, with the names of the openings; the part beyond, on "
-          "the side of the normal, goes; without a normal the vessel's axis, towards the smaller "
-          "part",
-          [](const std::string& text) { parseCut(text); })
+  t.texts(
+       "ports.cuts", "Cuts", ANGIOMESH_MEMBER(ports.cuts), "x,y,z,NAME or x,y,z,nx,ny,nz,NAME",
+       "planes that cut vessels, in mm LPS, and the names of the openings; the part on the side of "
+       "the normal is removed; without a normal the cut is straight across and removes the "
+       "smaller part",
+       [](const std::string& text) { parseCut(text); })
       .place();
   t.boolean(
       "ports.cutBorders", "Cut across at the border", ANGIOMESH_MEMBER(ports.cutBorders),
-      "vessels that the volume's border slices (by more than 30 degrees, or 1.3 times the area of "
-      "their section) are cut across just inside, as across_1 and on");
+      "cut vessels that the border slices (by more than 30 degrees, or 1.3 times their section) "
+      "straight across just inside, as across_1, across_2, ...");
   t.texts("ports.names", "Names of ports", ANGIOMESH_MEMBER(ports.names),
           "border_1=NAME or x,y,z=NAME",
-          "ports, as reports call them or by where they lie, in mm LPS, and the names that they "
-          "get instead",
+          "new names of ports, which are given by their name in the report or by their position in "
+          "mm LPS",
           [](const std::string& text) { parsePortNaming(text); })
       .place()
       .remakesNothing();
   t.real("ports.cutEndsRadii", "Ends cut at", ANGIOMESH_MEMBER(ports.cutEndsRadii), 0.0, 50.0,
          "radii",
-         "every vessel that ends in the volume is cut so far before its tip, as end_1 and on; 0: "
-         "none is")
+         "cut every vessel that ends inside the volume this many radii before its tip, as end_1, "
+         "end_2, ...; 0: off")
       .main()
       .rises("more of each end is cut off");
 }
@@ -99,8 +100,8 @@ void addSizing(FieldTable& t) {
       .rises("neighbouring triangles are more alike, and there are more of them");
   t.boolean("surface.etaCompensated", "1/η sets gradation only",
             ANGIOMESH_MEMBER(surface.sizing.etaCompensated),
-            "rho sets the accuracy and 1/eta the gradation, eq. 4.4; off: 1/eta shortens the edges "
-            "too")
+            "on: only rho sets the accuracy and 1/eta the gradation (eq. 4.4); off: 1/eta shortens "
+            "the edges too")
       .idle(idleForMarchingCubes);
   t.real("surface.curvatureRelax", "Curvature relax",
          ANGIOMESH_MEMBER(surface.sizing.curvatureRelax), 0.1, 10.0, "",
@@ -109,7 +110,7 @@ void addSizing(FieldTable& t) {
       .rises("longer edges where the wall is curved");
   t.countOrNone("surface.edgesAround", "Edges around", ANGIOMESH_MEMBER(surface.sizing.edgesAround),
                 3.0, 96.0,
-                "at least so many edges around any vessel; none: only the curvature counts")
+                "least number of edges around any vessel; none: only the curvature counts")
       .main()
       .slider(3.0, 48.0)
       .idle(idleForMarchingCubes)
@@ -131,7 +132,7 @@ void addSizing(FieldTable& t) {
       })
       .rises("fewer triangles where the wall is most curved");
   t.real("surface.edgeMinMm", "Shortest edge", ANGIOMESH_MEMBER(surface.sizing.edgeMinMm), 1e-3,
-         1e3, "mm", "no shorter edge is wanted; none: no limit")
+         1e3, "mm", "shortest wanted edge; none: no limit")
       .logarithmic()
       .emptyWord("none")
       .slider(0.02, 20.0, SliderUnit::Voxel)
@@ -141,7 +142,7 @@ void addSizing(FieldTable& t) {
       })
       .rises("fewer triangles, and thin vessels get angular");
   t.real("surface.edgeMaxMm", "Longest edge", ANGIOMESH_MEMBER(surface.sizing.edgeMaxMm), 1e-3, 1e3,
-         "mm", "no longer edge is wanted; none: no limit")
+         "mm", "longest wanted edge; none: no limit")
       .logarithmic()
       .emptyWord("none")
       .notBelow("surface.edgeMinMm")
@@ -157,7 +158,7 @@ void addSurface(FieldTable& t) {
   t.choice("surface.method", "Method", ANGIOMESH_MEMBER(surface.method),
            {"advancing-front", "marching-cubes", "remesh"},
            "advancing-front: triangles of the wanted size, made on phi = 0 itself; marching-cubes: "
-           "one set for each cell; remesh: marching cubes made over to the wanted size")
+           "the triangles of each cell; remesh: marching cubes, remeshed to the wanted size")
       .main();
   t.choice("surface.spline", "Interpolant", ANGIOMESH_MEMBER(surface.spline),
            {"interpolating-bspline", "bspline", "catmull-rom"},
@@ -178,8 +179,8 @@ void addSurface(FieldTable& t) {
       .rises("small pieces of the surface are left out");
   t.integer("surface.maxTriangles", "Most triangles", ANGIOMESH_MEMBER(surface.maxTriangles), 0.0,
             2e9,
-            "a surface of which more are expected is not begun; 0: any is; auto: what this "
-            "machine's memory and about half an hour hold")
+            "do not start a surface expected to have more triangles than this; 0: no limit; auto: "
+            "what fits this machine's memory and about half an hour")
       .idle(idleForMarchingCubes)
       .rises("larger surfaces are begun");
 }

@@ -168,7 +168,7 @@ MaskContacts settleContacts(Volume<float>& phi, const Volume<std::uint8_t>& mask
 
 std::string contactText(const MaskContacts& contacts) {
   if (contacts.joined + contacts.parted == 0) return {};
-  std::string text = "where voxels share an edge or a corner alone, the surface was joined in " +
+  std::string text = "where voxels share only an edge or a corner, the surface was joined in " +
                      std::to_string(contacts.joined) + " places and parted in " +
                      std::to_string(contacts.parted) + ", as segmentation.connectivity says";
   if (contacts.left > 0)

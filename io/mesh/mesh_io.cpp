@@ -36,7 +36,7 @@ void checkOptions(const std::string& extension, const MeshWriteOptions& options,
   if (ascii && extension == ".vtp")
     throw InputError("VTP is not written as ASCII text", path.string(), "choose .ply or .stl");
   if ((options.normals || options.quality) && extension != ".ply" && extension != ".vtp")
-    throw InputError("normals and quality are written to PLY and VTP files alone", path.string(),
+    throw InputError("normals and quality can be written only to PLY and VTP files", path.string(),
                      "choose .ply or .vtp, or leave them out");
 }
 
@@ -299,7 +299,7 @@ LoadedMesh loadMesh(const fs::path& path, const MeshReadOptions& options) {
   if (cut.folded > 0)
     loaded.warnings.push_back(counted(cut.folded, "face crosses itself", "faces cross themselves") +
                               " and cannot be cut into triangles that do not overlap, " +
-                              path.string() + ": write the mesh with triangles alone");
+                              path.string() + ": write the mesh with triangles only");
   loaded.mesh.triangles = std::move(cut.triangles);
   takePatches(polygons, path, loaded);
   loaded.mesh.points = std::move(polygons.points);

@@ -168,7 +168,7 @@ OpenFoamCase writeOpenFoamCase(const TriMesh& mesh, const std::vector<Port>& por
   plan.inside = insideACell(outward, plan);
   if (const std::size_t count = meshComponents(outward).count; count > 1)
     result.warnings.push_back("the surface has " + std::to_string(count) +
-                              " components: snappyHexMesh fills the largest alone");
+                              " components: snappyHexMesh fills only the largest");
 
   const std::map<std::string, std::string> texts = openFoamTexts(plan);
   std::vector<std::string> names{kSurface};

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "gui/case_dialogs.h"
+
 #include <QDateTime>
 #include <QFileInfo>
+#include <QLocale>
 #include <QSettings>
+#include <QWidget>
 #include <chrono>
+#include <utility>
 
-#include "gui/main_window.h"
-#include "gui/model/view_state.h"
-#include "gui/panel/view_grid.h"
+#include "gui/job/known_sources.h"
 
 namespace angiomesh {
 
@@ -22,7 +25,7 @@ std::filesystem::path pathOf(const QString& text) {
 }
 
 QString changesText(std::size_t count) {
-  return count == 1 ? MainWindow::tr("1 change") : MainWindow::tr("%1 changes").arg(count);
+  return count == 1 ? CaseDialogs::tr("1 change") : CaseDialogs::tr("%1 changes").arg(count);
 }
 
 /// The case's folder where somebody chose a name inside of it, as file dialogs make one do.
@@ -33,45 +36,54 @@ QString outOfCase(const QString& path) {
 
 }  // namespace
 
-void MainWindow::connectCases() {
-  connect(models_->document.undoStack(), &QUndoStack::cleanChanged, this,
-          &MainWindow::refreshModified);
-  connect(&models_->files, &CaseFiles::caseFound, this, [this](const CaseView& view) {
-    state_->take(view);
+CaseDialogs::CaseDialogs(QWidget* window, CaseModels& models, ViewState& state, ViewGrid& views,
+                         PathChooser chooser, CaseQuestions questions,
+                         std::filesystem::path recovery)
+    : QObject(window),
+      window_(window),
+      models_(models),
+      state_(state),
+      views_(views),
+      chooser_(std::move(chooser)),
+      questions_(std::move(questions)),
+      recovery_(std::move(recovery)) {
+  connect(models_.document.undoStack(), &QUndoStack::cleanChanged, this,
+          &CaseDialogs::refreshModified);
+  connect(&models_.files, &CaseFiles::caseFound, this, [this](const CaseView& view) {
+    state_.take(view);
     if (view.crosshairLps) {
-      views_->setCrosshair(*view.crosshairLps);
+      views_.setCrosshair(*view.crosshairLps);
     }
   });
-  connect(&models_->files, &CaseFiles::sourceSeen, this, [this](const QString& path) {
-    rememberSource(models_->document.sourceHash(), path.toStdString());
+  connect(&models_.files, &CaseFiles::sourceSeen, this, [this](const QString& path) {
+    rememberSource(models_.document.sourceHash(), path.toStdString());
   });
   // Asked from the event loop: the models is in the midst of its work.
-  connect(&models_->files, &CaseFiles::sourceMissing, this, [this](const QString& what) {
+  connect(&models_.files, &CaseFiles::sourceMissing, this, [this](const QString& what) {
     QMetaObject::invokeMethod(
         this, [this, what] { askForSource(what, {}); }, Qt::QueuedConnection);
   });
-  connect(&models_->files, &CaseFiles::sourceDiffers, this, [this](const QString& reason) {
+  connect(&models_.files, &CaseFiles::sourceDiffers, this, [this](const QString& reason) {
     QMetaObject::invokeMethod(
         this, [this, reason] { askForSource({}, reason); }, Qt::QueuedConnection);
   });
-  connect(&models_->files, &CaseFiles::editsFound, this, [this](int count) {
+  connect(&models_.files, &CaseFiles::editsFound, this, [this](int count) {
     QMetaObject::invokeMethod(
         this, [this, count] { askToRestore(count); }, Qt::QueuedConnection);
   });
-  connect(&models_->files, &CaseFiles::caseSaved, this, [this](const QString& folder) {
-    refreshTitle();
-    remember(folder);
-    if (afterSave_ && !models_->document.modified()) {
+  connect(&models_.files, &CaseFiles::caseSaved, this, [this](const QString& folder) {
+    Q_EMIT saved(folder);
+    if (afterSave_ && !models_.document.modified()) {
       QMetaObject::invokeMethod(this, std::exchange(afterSave_, nullptr), Qt::QueuedConnection);
     }
   });
-  connect(&models_->files, &CaseFiles::caseNotSaved, this, [this] { afterSave_ = nullptr; });
+  connect(&models_.files, &CaseFiles::caseNotSaved, this, [this] { afterSave_ = nullptr; });
 }
 
-void MainWindow::refreshModified() {
-  const bool modified = models_->document.modified();
-  setWindowModified(modified);
-  const QString wanted = modified ? models_->files.caseFolder() : QString();
+void CaseDialogs::refreshModified() {
+  const bool modified = models_.document.modified();
+  window_->setWindowModified(modified);
+  const QString wanted = modified ? models_.files.caseFolder() : QString();
   if (wanted == unfinished_) {
     return;
   }
@@ -85,25 +97,25 @@ void MainWindow::refreshModified() {
   settings.sync();
 }
 
-void MainWindow::openCase(const QString& path) {
+void CaseDialogs::open(const QString& path) {
   CaseRequest request;
   request.folder = caseFolder(pathOf(path));
   request.known = knownSources();
-  models_->files.openCase(std::move(request));
+  models_.files.openCase(std::move(request));
 }
 
-void MainWindow::saveCase() {
-  if (models_->files.caseFolder().isEmpty()) {
-    saveCaseAs();
+void CaseDialogs::save() {
+  if (models_.files.caseFolder().isEmpty()) {
+    saveAs();
   } else {
-    saveCaseTo(models_->files.caseFolder());
+    saveTo(models_.files.caseFolder());
   }
 }
 
-void MainWindow::saveCaseAs() {
-  const QString present = models_->files.caseFolder();
-  QString path = options_.questions.saveCaseAs(
-      this, present.isEmpty() ? QStringLiteral("vessels") + kExtension : present);
+void CaseDialogs::saveAs() {
+  const QString present = models_.files.caseFolder();
+  QString path = questions_.saveCaseAs(
+      window_, present.isEmpty() ? QStringLiteral("vessels") + kExtension : present);
   if (path.isEmpty()) {
     afterSave_ = nullptr;
     return;
@@ -113,29 +125,29 @@ void MainWindow::saveCaseAs() {
     path += kExtension;
   }
   if (path != present && isCase(pathOf(path)) &&
-      !options_.questions.replaceCase(this, QFileInfo(path).completeBaseName())) {
+      !questions_.replaceCase(window_, QFileInfo(path).completeBaseName())) {
     afterSave_ = nullptr;
     return;
   }
-  saveCaseTo(path);
+  saveTo(path);
 }
 
-void MainWindow::saveCaseTo(const QString& folder) {
-  CaseView view = state_->caseView();
-  view.crosshairLps = views_->crosshair();
-  models_->files.saveCase(folder, view);
+void CaseDialogs::saveTo(const QString& folder) {
+  CaseView view = state_.caseView();
+  view.crosshairLps = views_.crosshair();
+  models_.files.saveCase(folder, view);
 }
 
-bool MainWindow::mayLeave(const std::function<void()>& onceSaved) {
-  if (!models_->document.modified()) {
+bool CaseDialogs::mayLeave(const std::function<void()>& onceSaved) {
+  if (!models_.document.modified()) {
     return true;
   }
-  switch (options_.questions.saveChanges(this, models_->document.caseName())) {
+  switch (questions_.saveChanges(window_, models_.document.caseName())) {
     case SaveAnswer::Discard:
       return true;
     case SaveAnswer::Save:
       afterSave_ = onceSaved;
-      saveCase();
+      save();
       return false;
     case SaveAnswer::Cancel:
       break;
@@ -143,55 +155,55 @@ bool MainWindow::mayLeave(const std::function<void()>& onceSaved) {
   return false;
 }
 
-void MainWindow::askForSource(const QString& what, const QString& reason) {
+void CaseDialogs::askForSource(const QString& what, const QString& reason) {
   QString path;
-  switch (options_.questions.findSource(this, what, reason)) {
+  switch (questions_.findSource(window_, what, reason)) {
     case SourceAnswer::File:
-      path = options_.chooser.openFile(this);
+      path = chooser_.openFile(window_);
       break;
     case SourceAnswer::Folder:
-      path = options_.chooser.openFolder(this);
+      path = chooser_.openFolder(window_);
       break;
     case SourceAnswer::ParametersOnly:
-      models_->files.takeParametersOnly();
+      models_.files.takeParametersOnly();
       return;
     case SourceAnswer::Cancel:
       break;
   }
   if (path.isEmpty()) {
-    models_->files.giveUpCase();
+    models_.files.giveUpCase();
   } else {
-    models_->files.giveSource(path);
+    models_.files.giveSource(path);
   }
 }
 
-void MainWindow::askToRestore(int count) {
+void CaseDialogs::askToRestore(int count) {
   const QString what =
       tr("%1 of the case %2")
-          .arg(changesText(static_cast<std::size_t>(count)), models_->document.caseName());
-  if (options_.questions.restore(this, what, false) == RestoreAnswer::Discard) {
-    models_->files.forgetEdits();
+          .arg(changesText(static_cast<std::size_t>(count)), models_.document.caseName());
+  if (questions_.restore(window_, what, false) == RestoreAnswer::Discard) {
+    models_.files.forgetEdits();
   } else {
-    models_->files.restoreEdits();
+    models_.files.restoreEdits();
   }
 }
 
-bool MainWindow::offerRestore() {
-  for (const Recovery& recovery : findRecoveries(options_.recovery)) {
+bool CaseDialogs::offerRestore() {
+  for (const Recovery& recovery : findRecoveries(recovery_)) {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(
         std::filesystem::file_time_type::clock::now() - recovery.changed);
     const QString when = QLocale().toString(QDateTime::currentDateTime().addSecs(-seconds.count()),
                                             QLocale::ShortFormat);
     const QString what = tr("%1 of a case that was never saved, the last one on %2")
                              .arg(changesText(recovery.steps), when);
-    const RestoreAnswer answer = options_.questions.restore(this, what, true);
+    const RestoreAnswer answer = questions_.restore(window_, what, true);
     if (answer == RestoreAnswer::Restore) {
       CaseRequest request;
       request.folder = recovery.place->folder;
       request.place = recovery.place;
       request.known = knownSources();
       request.restore = true;
-      models_->files.openCase(std::move(request));
+      models_.files.openCase(std::move(request));
       return true;
     }
     if (answer == RestoreAnswer::Discard) {
@@ -201,7 +213,7 @@ bool MainWindow::offerRestore() {
   return offerUnfinished();
 }
 
-bool MainWindow::offerUnfinished() {
+bool CaseDialogs::offerUnfinished() {
   QStringList folders = QSettings().value(kUnfinished).toStringList();
   for (const QString& folder : QStringList(folders)) {
     CaseRequest request;
@@ -221,8 +233,8 @@ bool MainWindow::offerUnfinished() {
     RestoreAnswer answer = RestoreAnswer::Discard;
     if (steps > 0) {
       const QString name = QFileInfo(folder).completeBaseName();
-      answer = options_.questions.restore(
-          this, tr("%1 of the case %2").arg(changesText(steps), name), true);
+      answer =
+          questions_.restore(window_, tr("%1 of the case %2").arg(changesText(steps), name), true);
     }
     if (answer == RestoreAnswer::Later) {
       continue;
@@ -232,7 +244,7 @@ bool MainWindow::offerUnfinished() {
     if (answer == RestoreAnswer::Restore) {
       request.known = knownSources();
       request.restore = true;
-      models_->files.openCase(std::move(request));
+      models_.files.openCase(std::move(request));
       return true;
     }
     if (steps > 0) {

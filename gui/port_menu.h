@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <QObject>
+#include <QPoint>
+#include <QString>
+#include <optional>
+
+#include "gui/model/case_ports.h"
+#include "gui/panel/export_dialog.h"
+#include "gui/panel/port_panel.h"
+#include "gui/panel/view_grid.h"
+
+class QMainWindow;
+
+namespace angiomesh {
+
+/// What can be done with ports: the window's menu, the buttons of the list and the menu in a pane.
+class PortMenu : public QObject {
+  Q_OBJECT
+
+ public:
+  PortMenu(QMainWindow* window, CaseModels& models, CasePorts& ports, PortPanel& panel,
+           ViewGrid& views, PathChooser chooser);
+
+  void refresh();
+
+ private:
+  void show(const QPoint& global, const std::optional<Eigen::Vector3d>& place, const QString& port);
+  void askForEnds();
+  void importPorts();
+  void exportPorts();
+
+  QMainWindow* window_;
+  CaseModels& models_;
+  CasePorts& ports_;
+  PortPanel& panel_;
+  ViewGrid& views_;
+  PathChooser chooser_;
+};
+
+}  // namespace angiomesh

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/view_tools.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QToolBar>
+#include <array>
+#include <utility>
+
+#include "gui/model/step_text.h"
+#include "gui/view/slice_view.h"
+#include "gui/window_actions.h"
+
+namespace angiomesh {
+
+namespace {
+
+constexpr double kThickestSlabMm = 200.0;
+
+}  // namespace
+
+ViewTools::ViewTools(QMainWindow* window, CaseModels& models, ViewState& state, ViewGrid& views)
+    : QObject(window), window_(window), models_(models), state_(state), views_(views) {
+  connect(&state_, &ViewState::changed, this, &ViewTools::refreshActions);
+}
+
+void ViewTools::buildToolMenu() {
+  QMenu* menu = window_->menuBar()->addMenu(tr("&Tools"));
+  auto* tools = new QActionGroup(this);
+  const auto tool = [&](const char* name, const QString& text, Qt::Key key, Tool which) {
+    tools->addAction(addMenuToggle(window_, menu, name, text, QKeySequence(key),
+                                   [this, which](bool) { state_.setTool(which); }));
+  };
+  tool("toolNavigate", tr("Navigate"), Qt::Key_F2, Tool::Navigate);
+  tool("toolSeed", tr("Pick seed"), Qt::Key_F3, Tool::PickSeed);
+  tool("toolRoi", tr("Draw ROI"), Qt::Key_F4, Tool::DrawRoi);
+  tool("toolCut", tr("Cut vessel"), Qt::Key_F9, Tool::CutVessel);
+  menu->addSeparator();
+  addMenuToggle(window_, menu, "engineering", tr("Left button moves the crosshair (Engineering)"),
+                QKeySequence(tr("Ctrl+M")), [this](bool on) {
+                  state_.setScheme(on ? MouseScheme::Engineering : MouseScheme::Radiology);
+                });
+}
+
+void ViewTools::buildViewMenu() {
+  QMenu* view = window_->menuBar()->addMenu(tr("&View"));
+  addMenuToggle(window_, view, "contours", tr("Contours"), QKeySequence(tr("Ctrl+L")),
+                [this](bool on) { state_.setContours(on); });
+  addMenuToggle(window_, view, "mip", tr("3D MIP"), QKeySequence(tr("Ctrl+I")),
+                [this](bool on) { state_.setMip(on); });
+  addMenuToggle(window_, view, "surface", tr("Surface"), QKeySequence(tr("Ctrl+U")),
+                [this](bool on) { state_.setSurface(on); });
+  addMenuToggle(window_, view, "edges", tr("Edges"), QKeySequence(tr("Ctrl+G")),
+                [this](bool on) { state_.setEdges(on); });
+  view->addSeparator();
+  addMenuAction(window_, view, "resetWindow", tr("Reset window and level"),
+                QKeySequence(tr("Ctrl+W")), [this] { state_.resetWindowLevel(); });
+  addMenuAction(window_, view, "resetViews", tr("Reset all panes"), QKeySequence(tr("Ctrl+R")),
+                [this] { views_.resetViews(); });
+  view->addSeparator();
+  const std::array<std::pair<const char*, QString>, 4> panes{{{"axial", tr("Only axial")},
+                                                              {"sagittal", tr("Only sagittal")},
+                                                              {"coronal", tr("Only coronal")},
+                                                              {"surface3d", tr("Only 3D")}}};
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    const QString name = QLatin1String(panes[i].first);
+    addMenuAction(window_, view, qPrintable("maximise-" + name), panes[i].second,
+                  QKeySequence(QStringLiteral("Ctrl+%1").arg(i + 1)),
+                  [this, name] { views_.toggleMaximised(views_.findChild<QWidget*>(name)); });
+  }
+  view->addSeparator();
+  for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
+    view->addAction(dock->toggleViewAction());
+  }
+}
+
+void ViewTools::buildToolBar() {
+  QToolBar* bar = window_->addToolBar(tr("Tools"));
+  bar->setObjectName("toolBar");
+  bar->setMovable(false);
+  const auto add = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+      bar->addAction(actionOf(window_, name));
+    }
+    bar->addSeparator();
+  };
+  add({"open", "saveCase", "export"});
+  add({"undo", "redo"});
+  add({"runAll", "cancelRun"});
+  add({"toolNavigate", "toolSeed", "toolRoi", "toolCut"});
+  bar->addWidget(new QLabel(tr(" Layer "), bar));
+  layer_ = new QComboBox(bar);
+  layer_->setObjectName("layer");
+  for (int i = 0; i < kLayerCount; ++i) {
+    layer_->addItem(layerTitle(static_cast<Layer>(i)));
+  }
+  bar->addWidget(layer_);
+  bar->addWidget(new QLabel(tr("  Slab "), bar));
+  slab_ = new QComboBox(bar);
+  slab_->setObjectName("slab");
+  slab_->addItems({tr("off"), tr("MIP"), tr("MinIP"), tr("mean")});
+  bar->addWidget(slab_);
+  thickness_ = new QDoubleSpinBox(bar);
+  thickness_->setObjectName("thickness");
+  thickness_->setRange(0.1, kThickestSlabMm);
+  thickness_->setDecimals(1);
+  thickness_->setSuffix(tr(" mm"));
+  thickness_->setKeyboardTracking(false);
+  bar->addWidget(thickness_);
+  bar->addSeparator();
+  for (const char* name : {"contours", "mip", "surface", "edges"}) {
+    bar->addAction(actionOf(window_, name));
+  }
+  connect(layer_, &QComboBox::activated, this,
+          [this](int layer) { state_.setLayer(static_cast<Layer>(layer)); });
+  connect(slab_, &QComboBox::activated, this, [this](int mode) {
+    state_.setSlab(static_cast<SlabMode>(mode), state_.slabThicknessMm());
+  });
+  connect(thickness_, &QDoubleSpinBox::valueChanged, this,
+          [this](double mm) { state_.setSlab(state_.slabMode(), mm); });
+}
+
+void ViewTools::refresh() {
+  const bool any = models_.document.hasCase();
+  layer_->setEnabled(any);
+  slab_->setEnabled(any);
+  thickness_->setEnabled(any && state_.slabMode() != SlabMode::None);
+  const bool vesselness = models_.results.vesselnessResult() != nullptr;
+  const std::array<bool, kLayerCount> there{
+      any, models_.results.layer(Layer::Preprocessed) != nullptr, vesselness, vesselness};
+  auto* items = qobject_cast<QStandardItemModel*>(layer_->model());
+  for (int i = 0; i < kLayerCount; ++i) {
+    items->item(i)->setEnabled(there[static_cast<std::size_t>(i)]);
+  }
+}
+
+void ViewTools::refreshActions() {
+  const auto check = [this](const char* name, bool on) { actionOf(window_, name)->setChecked(on); };
+  const QSignalBlocker quietLayer(layer_);
+  const QSignalBlocker quietSlab(slab_);
+  const QSignalBlocker quietThickness(thickness_);
+  layer_->setCurrentIndex(static_cast<int>(state_.layer()));
+  slab_->setCurrentIndex(static_cast<int>(state_.slabMode()));
+  thickness_->setValue(state_.slabThicknessMm());
+  thickness_->setEnabled(models_.document.hasCase() && state_.slabMode() != SlabMode::None);
+  check("contours", state_.contours());
+  check("mip", state_.mip());
+  check("surface", state_.surface());
+  check("edges", state_.edges());
+  check("toolNavigate", state_.tool() == Tool::Navigate);
+  check("toolSeed", state_.tool() == Tool::PickSeed);
+  check("toolRoi", state_.tool() == Tool::DrawRoi);
+  check("toolCut", state_.tool() == Tool::CutVessel);
+  check("engineering", state_.scheme() == MouseScheme::Engineering);
+}
+
+}  // namespace angiomesh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+
+#include "gui/model/case_models.h"
+#include "gui/model/view_state.h"
+#include "gui/panel/view_grid.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QMainWindow;
+
+namespace angiomesh {
+
+/// How the panes are looked at: the menus Tools and View, and the tool bar.
+class ViewTools : public QObject {
+  Q_OBJECT
+
+ public:
+  ViewTools(QMainWindow* window, CaseModels& models, ViewState& state, ViewGrid& views);
+
+  // Each is built once, in the order that the window has them in.
+  void buildToolMenu();
+  void buildViewMenu();
+  /// Takes actions of the other menus too.
+  void buildToolBar();
+
+  /// What can be chosen, by what there is to see.
+  void refresh();
+  /// What is chosen.
+  void refreshActions();
+
+ private:
+  QMainWindow* window_;
+  CaseModels& models_;
+  ViewState& state_;
+  ViewGrid& views_;
+  QComboBox* layer_ = nullptr;
+  QComboBox* slab_ = nullptr;
+  QDoubleSpinBox* thickness_ = nullptr;
+};
+
+}  // namespace angiomesh
