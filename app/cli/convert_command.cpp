@@ -8,6 +8,7 @@
 #include "app/session/options.h"
 #include "core/base/error.h"
 #include "core/openings/port.h"
+#include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_io.h"
 #include "io/mesh/mesh_place.h"
 #include "io/mesh/patch_files.h"
@@ -41,8 +42,8 @@ void checkOther(const ConvertOptions& options) {
 }
 
 bool isMeshName(const fs::path& path) {
-  const std::string extension = meshExtension(path);
-  return extension == ".ply" || extension == ".stl" || extension == ".obj" || extension == ".vtp";
+  const MeshFormat* format = meshFormatOf(path);
+  return format != nullptr && format->written();
 }
 
 bool isVolumeName(const std::string& name) {
@@ -54,8 +55,7 @@ bool isVolumeName(const std::string& name) {
 
 /// Says which of the two names is wrong before a file is read as what it is not.
 void checkKinds(const ConvertOptions& options) {
-  const std::string input = meshExtension(options.input);
-  const bool fromMesh = isMeshName(options.input) || input == ".vtk";
+  const bool fromMesh = meshFormatOf(options.input) != nullptr;
   if (isMeshName(options.output)) {
     if (isVolumeName(options.input) || fs::is_directory(options.input))
       throw InputError("a volume does not become a mesh by conversion", options.input,
@@ -65,10 +65,10 @@ void checkKinds(const ConvertOptions& options) {
   if (!fromMesh) return;
   if (isVolumeName(options.output))
     throw InputError("a mesh does not become a volume", options.output,
-                     "end the output's name in .ply, .stl, .obj or .vtp");
+                     "end the output's name in " + meshEndings(true));
   throw InputError("no format that can be written has the ending of the output's name",
                    options.output,
-                   "end it in .ply, .stl, .obj or .vtp, or write a folder with --openfoam");
+                   "end it in " + meshEndings(true) + ", or write a folder with --openfoam");
 }
 
 LoadedMesh loadSpoken(const ConvertOptions& options) {
@@ -87,7 +87,10 @@ void sayNumbered(const ConvertOptions& options) {
 }
 
 int convertMesh(const ConvertOptions& options, const Progress& progress) {
-  const bool hasNames = options.ascii || meshExtension(options.output) != ".stl";
+  const MeshFormat* format = meshFormatOf(options.output);
+  const bool hasNames =
+      format == nullptr ||
+      format->holdsNames(options.ascii ? MeshEncoding::Ascii : MeshEncoding::Binary);
   if (options.solidNames && !hasNames && !options.patchFiles)
     throw InputError("a binary STL file has no names of patches", "--solid-names",
                      "leave it out, or write .stl with --ascii, .ply, .vtp or .obj");
@@ -138,7 +141,7 @@ int convertToOpenFoam(const ConvertOptions& options, const Progress& progress) {
 int convertVolume(const ConvertOptions& options, const Progress& progress) {
   if (!options.meshOption.empty())
     throw InputError("a volume has no such property", options.meshOption,
-                     "leave it out, or end the output's name in .ply, .stl, .obj or .vtp");
+                     "leave it out, or end the output's name in " + meshEndings(true));
   NativeImage native =
       readNative(options.input, options.reading, options.component, progress.sub(0.0, 0.6));
   const std::string replaced = replaceNotFinite(native.volume);

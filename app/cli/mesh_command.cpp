@@ -21,6 +21,7 @@
 #include "core/pipeline/surface_step.h"
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
+#include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_io.h"
 #include "io/mesh/mesh_place.h"
 #include "io/vessel/ports_file.h"
@@ -214,7 +215,7 @@ void addMesh(CLI::App& program, Session& session) {
   command->add_option("INPUT", options->input, "Level set function, mask or label image")
       ->required();
   addMaskChoice(*command, options->choice);
-  command->add_option("-o,--output", options->output, "Mesh to write: .ply, .stl, .obj or .vtp");
+  command->add_option("-o,--output", options->output, "Mesh to write: " + meshEndings(true));
   command->add_flag("--estimate", options->estimate,
                     "Only estimate the number of triangles; writes nothing");
   command->add_flag("--json", options->json,

@@ -13,6 +13,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
+#include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
@@ -90,7 +91,7 @@ int smoothCommand(const StepOptions& options, const Progress& progress) {
 }
 
 std::shared_ptr<StepOptions> addStep(CLI::App& program, Session& session, const char* name,
-                                     const char* help, const char* input, const char* output,
+                                     const char* help, const char* input, const std::string& output,
                                      int (*body)(const StepOptions&, const Progress&)) {
   auto options = std::make_shared<StepOptions>();
   CLI::App* command = program.add_subcommand(name, help);
@@ -134,7 +135,7 @@ void addSegment(CLI::App& program, Session& session) {
 
 void addSmooth(CLI::App& program, Session& session) {
   const auto options = addStep(program, session, "smooth", "Smooth a mesh", "Mesh",
-                               "Mesh to write: .ply, .stl, .obj or .vtp", smoothCommand);
+                               "Mesh to write: " + meshEndings(true), smoothCommand);
   CLI::App* command = program.get_subcommand("smooth");
   addSoundness(*command, options->soundness);
   addMeshReading(*command, options->meshReading);

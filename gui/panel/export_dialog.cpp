@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -19,6 +20,7 @@
 #include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/shared_history.h"
+#include "io/mesh/mesh_format.h"
 
 namespace angiomesh {
 
@@ -26,44 +28,44 @@ namespace {
 
 constexpr double kMillimetresPerMetre = 1000.0;
 
+/// What the list of formats has: a format of files in one encoding, or a folder for OpenFOAM.
 struct Format {
-  const char* title;
-  const char* extension;
+  QString title;
+  const MeshFormat* file;  ///< null: the folder
   MeshEncoding encoding;
-  bool holdsExtras;  ///< normals and quality
-  bool holdsNames;   ///< of patches
-  const char* hint;
+
+  [[nodiscard]] bool holdsExtras() const { return file && file->properties; }
+  [[nodiscard]] bool holdsNames() const { return !file || file->holdsNames(encoding); }
+  [[nodiscard]] QString hint() const {
+    return !file ? ExportDialog::tr(
+                       "A folder with the surface in metres, a patch for each port, "
+                       "and what OpenFOAM needs to fill it.")
+                 : QCoreApplication::translate("MeshFormat", file->hint);
+  }
 };
 
-constexpr const char* kNoTopology = QT_TRANSLATE_NOOP(
-    "angiomesh::ExportDialog",
-    "STL keeps no topology: each triangle stands alone, and its points have to be "
-    "merged again on import.");
-
-constexpr std::array<Format, 7> kFormats{
-    {{QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "PLY, binary"), ".ply", MeshEncoding::Binary,
-      true, true, ""},
-     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "PLY, ASCII"), ".ply", MeshEncoding::Ascii, true,
-      true, ""},
-     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "STL, binary"), ".stl", MeshEncoding::Binary,
-      false, false, kNoTopology},
-     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "STL, ASCII"), ".stl", MeshEncoding::Ascii,
-      false, true, kNoTopology},
-     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "OBJ"), ".obj", MeshEncoding::Ascii, false, true,
-      ""},
-     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "VTP (VTK)"), ".vtp", MeshEncoding::Binary, true,
-      true, ""},
-     {QT_TRANSLATE_NOOP("angiomesh::ExportDialog", "OpenFOAM case"), "", MeshEncoding::Ascii, false,
-      true,
-      QT_TRANSLATE_NOOP("angiomesh::ExportDialog",
-                        "A folder with the surface in metres, a patch for each port, and what "
-                        "OpenFOAM needs to fill it.")}}};
+std::vector<Format> exportFormats() {
+  std::vector<Format> all;
+  for (const MeshFormat& format : meshFormats()) {
+    const QString name = QLatin1String(format.name);
+    if (format.binary) {
+      all.push_back({format.text ? ExportDialog::tr("%1, binary").arg(name) : name, &format,
+                     MeshEncoding::Binary});
+    }
+    if (format.text) {
+      all.push_back({format.binary ? ExportDialog::tr("%1, ASCII").arg(name) : name, &format,
+                     MeshEncoding::Ascii});
+    }
+  }
+  all.push_back({ExportDialog::tr("OpenFOAM case"), nullptr, MeshEncoding::Ascii});
+  return all;
+}
 
 /// Not a file but a folder.
-bool isFolder(const Format& format) { return format.extension[0] == '\0'; }
+bool isFolder(const Format& format) { return format.file == nullptr; }
 
-const Format& chosenFormat(const QComboBox& combo) {
-  return kFormats[static_cast<std::size_t>(std::max(combo.currentIndex(), 0))];
+Format chosenFormat(const QComboBox& combo) {
+  return exportFormats()[static_cast<std::size_t>(std::max(combo.currentIndex(), 0))];
 }
 
 }  // namespace
@@ -137,8 +139,8 @@ void ExportDialog::addChoices(QFormLayout* form) {
     }
   }
   format_ = combo("exportFormat", tr("Format"), {});
-  for (const Format& format : kFormats) {
-    format_->addItem(tr(format.title));
+  for (const Format& format : exportFormats()) {
+    format_->addItem(format.title);
   }
   unit_ = combo("exportUnit", tr("Unit"), {tr("millimetres"), tr("metres")});
   frame_ = combo("exportFrame", tr("Frame"), {tr("LPS (DICOM, ITK)"), tr("RAS (NIfTI, Slicer)")});
@@ -174,10 +176,10 @@ void ExportDialog::addNotes(QFormLayout* form, QVBoxLayout* below) {
 MeshKind ExportDialog::kind() const { return static_cast<MeshKind>(mesh_->currentData().toInt()); }
 
 void ExportDialog::refresh() {
-  const Format& format = chosenFormat(*format_);
+  const Format format = chosenFormat(*format_);
   const bool patches = !models_.results.ports(kind()).empty();
-  normals_->setEnabled(format.holdsExtras);
-  quality_->setEnabled(format.holdsExtras);
+  normals_->setEnabled(format.holdsExtras());
+  quality_->setEnabled(format.holdsExtras());
   for (QWidget* widget : std::initializer_list<QWidget*>{unit_, frame_, report_}) {
     widget->setEnabled(!isFolder(format));
   }
@@ -200,13 +202,13 @@ void ExportDialog::refresh() {
 }
 
 void ExportDialog::refreshHint() {
-  const Format& format = chosenFormat(*format_);
+  const Format format = chosenFormat(*format_);
   QStringList hints;
-  if (*format.hint != '\0') {
-    hints << tr(format.hint);
+  if (!format.hint().isEmpty()) {
+    hints << format.hint();
   }
   const std::vector<Port> ports = models_.results.ports(kind());
-  if (!ports.empty() && !format.holdsNames) {
+  if (!ports.empty() && !format.holdsNames()) {
     hints << tr("⚠ It loses the names of the %1 ports: STL, ASCII has them.").arg(ports.size());
   }
   const MeshQuality* quality = models_.results.quality(kind());
@@ -238,14 +240,14 @@ void ExportDialog::refreshHint() {
 }
 
 MeshWriteOptions ExportDialog::options() const {
-  const Format& format = chosenFormat(*format_);
+  const Format format = chosenFormat(*format_);
   MeshWriteOptions options;
   const bool metres = unit_->currentIndex() == 1 || isFolder(format);
   options.unit = metres ? LengthUnit::Metre : LengthUnit::Millimetre;
   options.frame = frame_->currentIndex() == 1 ? Frame::Ras : Frame::Lps;
   options.encoding = format.encoding;
-  options.normals = format.holdsExtras && normals_->isChecked();
-  options.quality = format.holdsExtras && quality_->isChecked();
+  options.normals = format.holdsExtras() && normals_->isChecked();
+  options.quality = format.holdsExtras() && quality_->isChecked();
   return options;
 }
 
@@ -266,7 +268,7 @@ void ExportDialog::exportNow() {
     exportOpenFoam();
     return;
   }
-  const QString extension = QLatin1String(chosenFormat(*format_).extension);
+  const QString extension = QLatin1String(chosenFormat(*format_).file->extension);
   QString path = chooser_.save(this, "vessels" + extension,
                                tr("%1 (*%2)").arg(format_->currentText(), extension));
   if (path.isEmpty()) {

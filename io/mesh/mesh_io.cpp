@@ -13,11 +13,11 @@
 #include "core/smooth/wall.h"
 #include "io/file/files.h"
 #include "io/file/text_scanner.h"
+#include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_merge.h"
 #include "io/mesh/mesh_patch.h"
 #include "io/mesh/mesh_place.h"
 #include "io/mesh/point_merger.h"
-#include "io/mesh/polygon_mesh.h"
 
 namespace angiomesh {
 namespace {
@@ -28,14 +28,21 @@ std::string counted(std::size_t number, const char* one, const char* many) {
   return std::to_string(number) + " " + (number == 1 ? one : many);
 }
 
-/// Refuses what the format of the name does not have.
-void checkOptions(const std::string& extension, const MeshWriteOptions& options,
-                  const fs::path& path) {
-  checkMeshName(path);
-  const bool ascii = options.encoding == MeshEncoding::Ascii;
-  if (ascii && extension == ".vtp")
-    throw InputError("VTP is not written as ASCII text", path.string(), "choose .ply or .stl");
-  if ((options.normals || options.quality) && extension != ".ply" && extension != ".vtp")
+/// The format of a name that can be written. @throws InputError
+const MeshFormat& writtenFormat(const fs::path& path) {
+  const MeshFormat* format = meshFormatOf(path);
+  if (format == nullptr || !format->written())
+    throw InputError("cannot tell the mesh format from the name", path.string(),
+                     "end the name in " + meshEndings(true));
+  return *format;
+}
+
+/// Refuses what the format does not have.
+void checkOptions(const MeshFormat& format, const MeshWriteOptions& options, const fs::path& path) {
+  if (options.encoding == MeshEncoding::Ascii && !format.text)
+    throw InputError("this format is not written as ASCII text", path.string(),
+                     "choose .ply or .stl");
+  if ((options.normals || options.quality) && !format.properties)
     throw InputError("normals and quality can be written only to PLY and VTP files", path.string(),
                      "choose .ply or .vtp, or leave them out");
 }
@@ -71,37 +78,16 @@ void checkSinglePrecision(const TriMesh& mesh, const fs::path& path,
                      "STL, PLY, OBJ or VTP file instead");
 }
 
-void writeFile(const WritableMesh& mesh, const std::string& extension, const fs::path& path) {
-  if (extension == ".vtp") {
-    writeAtomically(path, [&](const fs::path& temporary) {
-      try {
-        writeVtp(mesh, temporary);
-      } catch (const IoError&) {
-        throw IoError("cannot write the mesh", path.string(),
-                      "check that the folder may be written to and has free space");
-      }
-    });
-  } else if (extension == ".ply") {
-    writeText(path, plyBytes(mesh));
-  } else if (extension == ".stl") {
-    writeText(path, mesh.options.encoding == MeshEncoding::Ascii ? stlText(mesh) : stlBytes(mesh));
-  } else {
-    writeText(path, objBytes(mesh));
-  }
-}
-
 PolygonMesh readPolygons(const fs::path& path) {
   std::string bytes = readText(path);
   if (bytes.empty()) throw IoError("the file is empty", path.string(), kCopyAgain);
-  const std::string extension = meshExtension(path);
+  const MeshFormat* format = meshFormatOf(path);
+  if (format == nullptr)
+    throw InputError("not a mesh file", path.string(), "give " + meshEndings(false));
   // What begins an STL file may be binary.
-  if (extension != ".stl" && bytes.starts_with(kByteOrderMark))
+  if (format->read != readStl && bytes.starts_with(kByteOrderMark))
     bytes.erase(0, kByteOrderMark.size());
-  if (extension == ".ply") return readPly(bytes, path);
-  if (extension == ".stl") return readStl(bytes, path);
-  if (extension == ".obj") return readObj(bytes, path);
-  if (extension == ".vtp" || extension == ".vtk") return readVtkPolyData(bytes, path);
-  throw InputError("not a mesh file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+  return format->read(bytes, path);
 }
 
 /// Ears are cut in a time that grows with the square of the corners: seconds for this many. Faces
@@ -248,17 +234,12 @@ void turnRound(const MeshReadOptions& options, const fs::path& path, LoadedMesh&
 
 }  // namespace
 
-void checkMeshName(const fs::path& path) {
-  const std::string extension = meshExtension(path);
-  if (extension != ".ply" && extension != ".stl" && extension != ".obj" && extension != ".vtp")
-    throw InputError("cannot tell the mesh format from the name", path.string(),
-                     "end the name in .ply, .stl, .obj or .vtp");
-}
+void checkMeshName(const fs::path& path) { (void)writtenFormat(path); }
 
 std::vector<std::string> writeMesh(const TriMesh& mesh, const fs::path& path,
                                    const MeshWriteOptions& options) {
-  const std::string extension = meshExtension(path);
-  checkOptions(extension, options, path);
+  const MeshFormat& format = writtenFormat(path);
+  checkOptions(format, options, path);
   try {
     checkMesh(mesh);
   } catch (const InputError& error) {
@@ -271,7 +252,7 @@ std::vector<std::string> writeMesh(const TriMesh& mesh, const fs::path& path,
                        " inside out and turned round in the file");
   toFilePlace(moved.mesh.points, options.frame, options.unit);
   moved.patchNames = patchNamesFor(mesh, options.patchNames);
-  if (extension == ".stl" && options.encoding == MeshEncoding::Binary) {
+  if (!format.holdsNames(options.encoding)) {
     if (moved.patchNames.size() > 1)
       warnings.push_back("the names of " + std::to_string(moved.patchNames.size()) +
                          " patches are lost in a binary STL file: write an ASCII STL, PLY, OBJ or "
@@ -284,7 +265,7 @@ std::vector<std::string> writeMesh(const TriMesh& mesh, const fs::path& path,
     for (const auto& t : moved.mesh.triangles)
       moved.quality.push_back(triangleShape(points[t[0]], points[t[1]], points[t[2]]).radiusRatio);
   }
-  writeFile(moved, extension, path);
+  format.write(moved, path);
   return warnings;
 }
 

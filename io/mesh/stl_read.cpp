@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "io/file/files.h"
 #include "io/file/text_scanner.h"
+#include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_patch.h"
 #include "io/mesh/point_merger.h"
 #include "io/mesh/polygon_mesh.h"
@@ -93,10 +94,10 @@ PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path)
   if (head.starts_with("solid") && head.find('\0') == std::string::npos)
     return readAscii(text, path);
   if (bytes.size() < kHeader)
-    throw InputError("not an STL file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+    throw InputError("not an STL file", path.string(), "give " + meshEndings(false));
   if (bytes.size() > expected) {
     if (count == 0)
-      throw InputError("not an STL file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+      throw InputError("not an STL file", path.string(), "give " + meshEndings(false));
     PolygonMesh mesh = readBinary(bytes, count);
     mesh.remarks.push_back(leftBytes(bytes.size() - expected));
     return mesh;

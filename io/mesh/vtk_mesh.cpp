@@ -25,6 +25,7 @@
 #include "core/base/error.h"
 #include "io/file/quiet_terminal.h"
 #include "io/mesh/cut_polygon.h"
+#include "io/mesh/mesh_format.h"
 #include "io/mesh/polygon_mesh.h"
 #include "io/mesh/vtp_data.h"
 
@@ -132,7 +133,7 @@ CornerTriangles cutWithVtk(const std::vector<Eigen::Vector3d>& corners, vtkPolyg
 PolygonMesh readVtkPolyData(const std::string& bytes, const fs::path& path) {
   if (bytes.starts_with("# vtk DataFile")) return readLegacyVtk(bytes, path);
   if (bytes.substr(0, 1000).find("<VTKFile") != std::string::npos) return readVtp(bytes, path);
-  throw InputError("not a VTK file", path.string(), "give .ply, .stl, .obj, .vtp or .vtk");
+  throw InputError("not a VTK file", path.string(), "give " + meshEndings(false));
 }
 
 void appendStrip(const std::vector<std::uint32_t>& strip,

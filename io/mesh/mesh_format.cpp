@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/mesh/mesh_format.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "io/file/files.h"
+#include "io/mesh/mesh_place.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNoTopology =
+    "STL keeps no topology: each triangle stands by itself, and its points have to be merged again "
+    "on import.";
+
+void writePlyFile(const WritableMesh& mesh, const fs::path& path) {
+  writeText(path, plyBytes(mesh));
+}
+
+void writeStlFile(const WritableMesh& mesh, const fs::path& path) {
+  writeText(path, mesh.options.encoding == MeshEncoding::Ascii ? stlText(mesh) : stlBytes(mesh));
+}
+
+void writeObjFile(const WritableMesh& mesh, const fs::path& path) {
+  writeText(path, objBytes(mesh));
+}
+
+void writeVtpFile(const WritableMesh& mesh, const fs::path& path) {
+  writeAtomically(path, [&](const fs::path& temporary) {
+    try {
+      writeVtp(mesh, temporary);
+    } catch (const IoError&) {
+      throw IoError("cannot write the mesh", path.string(),
+                    "check that the folder may be written to and has free space");
+    }
+  });
+}
+
+}  // namespace
+
+const std::vector<MeshFormat>& meshFormats() {
+  static const std::vector<MeshFormat> formats{
+      {".ply", "PLY", true, true, true, true, "", readPly, writePlyFile},
+      {".stl", "STL", true, true, false, false, kNoTopology, readStl, writeStlFile},
+      {".obj", "OBJ", false, true, false, false, "", readObj, writeObjFile},
+      {".vtp", "VTP (VTK)", true, false, true, true, "", readVtkPolyData, writeVtpFile},
+      {".vtk", "VTK", false, false, false, false, "", readVtkPolyData, nullptr},
+  };
+  return formats;
+}
+
+const MeshFormat* meshFormatOf(const fs::path& path) {
+  const std::string extension = meshExtension(path);
+  const auto& all = meshFormats();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const MeshFormat& format) {
+    return extension == format.extension;
+  });
+  return found != all.end() ? &*found : nullptr;
+}
+
+std::string meshEndings(bool onlyWritten) {
+  std::vector<std::string> endings;
+  for (const MeshFormat& format : meshFormats())
+    if (format.written() || !onlyWritten) endings.emplace_back(format.extension);
+  std::string text;
+  for (std::size_t i = 0; i < endings.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + endings[i];
+  return text;
+}
+
+}  // namespace angiomesh
