@@ -11,9 +11,9 @@
 #include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_io.h"
 #include "io/mesh/mesh_place.h"
-#include "io/mesh/patch_files.h"
 #include "io/scan/image_io.h"
 #include "io/vessel/openfoam_case.h"
+#include "io/vessel/patch_files.h"
 #include "io/volume/image_write.h"
 #include "io/volume/not_finite.h"
 

@@ -10,8 +10,8 @@
 #include "core/pipeline/report.h"
 #include "io/dicom/dicom.h"
 #include "io/file/files.h"
-#include "io/mesh/patch_files.h"
 #include "io/vessel/openfoam_case.h"
+#include "io/vessel/patch_files.h"
 #include "io/vessel/ports_file.h"
 
 namespace angiomesh {

@@ -43,11 +43,13 @@ void writeVtpFile(const WritableMesh& mesh, const fs::path& path) {
 
 const std::vector<MeshFormat>& meshFormats() {
   static const std::vector<MeshFormat> formats{
-      {".ply", "PLY", true, true, true, true, "", readPly, writePlyFile},
-      {".stl", "STL", true, true, false, false, kNoTopology, readStl, writeStlFile},
-      {".obj", "OBJ", false, true, false, false, "", readObj, writeObjFile},
-      {".vtp", "VTP (VTK)", true, false, true, true, "", readVtkPolyData, writeVtpFile},
-      {".vtk", "VTK", false, false, false, false, "", readVtkPolyData, nullptr},
+      {".ply", "PLY", true, true, true, PatchNames::Always, false, "", readPly, writePlyFile},
+      {".stl", "STL", true, true, false, PatchNames::InText, true, kNoTopology, readStl,
+       writeStlFile},
+      {".obj", "OBJ", false, true, false, PatchNames::InText, false, "", readObj, writeObjFile},
+      {".vtp", "VTP (VTK)", true, false, true, PatchNames::Always, false, "", readVtkPolyData,
+       writeVtpFile},
+      {".vtk", "VTK", false, false, false, PatchNames::Always, false, "", readVtkPolyData, nullptr},
   };
   return formats;
 }

@@ -9,15 +9,19 @@
 
 namespace angiomesh {
 
+/// Where a format can hold what patches are called.
+enum class PatchNames { Never, InText, Always };
+
 /// A file format of meshes. All that lists formats (reading, writing, options, the desktop's export
 /// dialog, help and messages) comes from their table.
 struct MeshFormat {
   const char* extension;  ///< ".ply"
   const char* name;
-  bool binary, text;   ///< the encodings that are written; neither: it is only read
-  bool properties;     ///< normals and quality can be written
-  bool namesInBinary;  ///< of patches; text always has them
-  const char* hint;    ///< for who exports; English, to be translated; may be empty
+  bool binary, text;  ///< the encodings that are written; neither: it is only read
+  bool properties;    ///< normals and quality can be written
+  PatchNames names;
+  bool singlePrecision;  ///< of what is binary
+  const char* hint;      ///< for who exports; English, to be translated; may be empty
   /// @throws IoError (truncated), InputError (not such a file)
   PolygonMesh (*read)(const std::string& bytes, const std::filesystem::path& path);
   /// To a temporary name, then renamed; null of what is only read. @throws IoError
@@ -25,7 +29,8 @@ struct MeshFormat {
 
   [[nodiscard]] bool written() const { return write != nullptr; }
   [[nodiscard]] bool holdsNames(MeshEncoding encoding) const {
-    return encoding == MeshEncoding::Ascii || !binary || namesInBinary;
+    return names == PatchNames::Always ||
+           (names == PatchNames::InText && text && (encoding == MeshEncoding::Ascii || !binary));
   }
 };
 

@@ -252,13 +252,12 @@ std::vector<std::string> writeMesh(const TriMesh& mesh, const fs::path& path,
                        " inside out and turned round in the file");
   toFilePlace(moved.mesh.points, options.frame, options.unit);
   moved.patchNames = patchNamesFor(mesh, options.patchNames);
-  if (!format.holdsNames(options.encoding)) {
-    if (moved.patchNames.size() > 1)
-      warnings.push_back("the names of " + std::to_string(moved.patchNames.size()) +
-                         " patches are lost in a binary STL file: write an ASCII STL, PLY, OBJ or "
-                         "VTP file to keep them");
+  if (!format.holdsNames(options.encoding) && moved.patchNames.size() > 1)
+    warnings.push_back("the names of " + std::to_string(moved.patchNames.size()) +
+                       " patches are lost in a file of this kind: write an ASCII STL, PLY, OBJ or "
+                       "VTP file to keep them");
+  if (format.singlePrecision && options.encoding == MeshEncoding::Binary)
     checkSinglePrecision(moved.mesh, path, warnings);
-  }
   if (options.normals) moved.normals = vertexNormals(moved.mesh);
   if (options.quality) {
     const auto& points = moved.mesh.points;

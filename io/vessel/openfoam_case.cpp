@@ -15,8 +15,8 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/mesh/mesh_io.h"
-#include "io/mesh/patch_files.h"
 #include "io/vessel/openfoam_text.h"
+#include "io/vessel/patch_files.h"
 
 namespace angiomesh {
 namespace {

@@ -19,8 +19,8 @@
 #include "io/mesh/cut_polygon.h"
 #include "io/mesh/mesh_io.h"
 #include "io/mesh/mesh_merge.h"
-#include "io/mesh/patch_files.h"
 #include "io/vessel/openfoam_case.h"
+#include "io/vessel/patch_files.h"
 #include "tests/io/io_test.h"
 #include "tests/io/mesh_samples.h"
 

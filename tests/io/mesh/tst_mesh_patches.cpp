@@ -27,7 +27,7 @@
 #include "core/openings/port.h"
 #include "core/openings/port_colour.h"
 #include "io/mesh/mesh_io.h"
-#include "io/mesh/patch_files.h"
+#include "io/vessel/patch_files.h"
 #include "tests/io/io_test.h"
 #include "tests/io/mesh_samples.h"
 

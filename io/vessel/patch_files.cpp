@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/mesh/patch_files.h"
+#include "io/vessel/patch_files.h"
 
 #include <algorithm>
 #include <cctype>
