@@ -97,8 +97,8 @@ inline void readImageInput(const std::uint8_t* data, std::size_t size) {
 /// A mesh; the first byte says of which format, from '0' on.
 inline void readMeshInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return;
-  constexpr std::array<const char*, 5> kEndings{".ply", ".stl", ".obj", ".vtp", ".vtk"};
-  const InputFile file(data + 1, size - 1, kEndings[(data[0] + 255U - '0') % kEndings.size()]);
+  constexpr std::array<const char*, 6> kEndings{".ply", ".stl", ".obj", ".vtp", ".vtk", ".off"};
+  const InputFile file(data + 1, size - 1, kEndings[(data[0] + 240U - '0') % kEndings.size()]);
   attempt([&] { static_cast<void>(loadMesh(file.path())); });
 }
 

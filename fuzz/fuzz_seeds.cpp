@@ -212,6 +212,7 @@ void keepMesh(const fs::path& folder, const std::string& name, const std::string
                     : ending == ".stl" ? '1'
                     : ending == ".obj" ? '2'
                     : ending == ".vtp" ? '3'
+                    : ending == ".off" ? '5'
                                        : '4';
   save(folder / name, kind + bytes);
 }
@@ -249,10 +250,10 @@ void makeVtkMeshes(const fs::path& folder, const fs::path& scratch) {
 
 void makeMeshes(const fs::path& folder) {
   const Folder scratch;
-  for (const char* ending : {".ply", ".stl", ".obj", ".vtp"})
+  for (const char* ending : {".ply", ".stl", ".obj", ".off", ".vtp"})
     for (const bool ascii : {false, true}) {
       const std::string extension = ending;
-      if (ascii && (extension == ".obj" || extension == ".vtp")) continue;
+      if (ascii && (extension == ".obj" || extension == ".off" || extension == ".vtp")) continue;
       MeshWriteOptions options;
       options.encoding = ascii ? MeshEncoding::Ascii : MeshEncoding::Binary;
       options.key = "0123abc";

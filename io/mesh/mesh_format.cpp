@@ -28,6 +28,10 @@ void writeObjFile(const WritableMesh& mesh, const fs::path& path) {
   writeText(path, objBytes(mesh));
 }
 
+void writeOffFile(const WritableMesh& mesh, const fs::path& path) {
+  writeText(path, offBytes(mesh));
+}
+
 void writeVtpFile(const WritableMesh& mesh, const fs::path& path) {
   writeAtomically(path, [&](const fs::path& temporary) {
     try {
@@ -47,6 +51,7 @@ const std::vector<MeshFormat>& meshFormats() {
       {".stl", "STL", true, true, false, PatchNames::InText, true, kNoTopology, readStl,
        writeStlFile},
       {".obj", "OBJ", false, true, false, PatchNames::InText, false, "", readObj, writeObjFile},
+      {".off", "OFF", false, true, false, PatchNames::Never, false, "", readOff, writeOffFile},
       {".vtp", "VTP (VTK)", true, false, true, PatchNames::Always, false, "", readVtkPolyData,
        writeVtpFile},
       {".vtk", "VTK", false, false, false, PatchNames::Always, false, "", readVtkPolyData, nullptr},

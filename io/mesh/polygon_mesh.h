@@ -37,6 +37,7 @@ inline std::string leftBytes(std::size_t bytes) {
 PolygonMesh readPly(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readStl(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readObj(const std::string& bytes, const std::filesystem::path& path);
+PolygonMesh readOff(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readLegacyVtk(const std::string& bytes, const std::filesystem::path& path);
 PolygonMesh readVtp(const std::string& bytes, const std::filesystem::path& path);
 /// .vtp and legacy .vtk, by content.
@@ -69,6 +70,7 @@ std::string plyBytes(const WritableMesh& mesh);
 std::string stlText(const WritableMesh& mesh);
 std::string stlBytes(const WritableMesh& mesh);
 std::string objBytes(const WritableMesh& mesh);
+std::string offBytes(const WritableMesh& mesh);
 /// Not atomic. @throws IoError
 void writeVtp(const WritableMesh& mesh, const std::filesystem::path& path);
 

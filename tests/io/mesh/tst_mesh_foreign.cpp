@@ -466,6 +466,23 @@ class TestMeshForeign : public QObject {
     }
   }
 
+  void offMayHaveColoursCommentsAndLoosePoints() {
+    const Folder folder;
+    const std::string points = "0 0 0 255 0 0\n1 0 0 255 0 0\n\n0 1 0 255 0 0\n0 0 1 255 0 0\n";
+    save(folder / "m.off", "COFF # from elsewhere\n# SPACE=RAS\n4 5 0\n" + points +
+                               "3 0 2 1 0.5 0.5 0.5\n3  0 1 3\n3 0 3 2\n3 1 2 3\n1 0\n");
+    const LoadedMesh loaded = loadMesh(folder / "m.off");
+    QCOMPARE(loaded.mesh.triangles.size(), std::size_t{4});
+    QVERIFY(loaded.frameStated && loaded.frame == Frame::Ras);
+    QVERIFY(std::fabs(enclosedVolumeMm3(loaded.mesh) - 1.0 / 6.0) < 1e-12);
+    for (const char* text :
+         {"OFF\n4 1 0\n0 0 0\n", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "OFF BINARY\n",
+          "4OFF\n1 0 0\n0 0 0 0\n", "OFF\n-1 0 0\n", "OFF\n1e30 1 0\n", "OFF\n"}) {
+      save(folder / "bad.off", text);
+      QVERIFY_EXCEPTION_THROWN(readMesh(folder / "bad.off"), Error);
+    }
+  }
+
   void linesOfAnObjGoOn() {
     const Folder folder;
     save(folder / "m.obj",

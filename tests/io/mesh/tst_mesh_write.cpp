@@ -54,7 +54,7 @@ class TestMeshWrite : public QObject {
     QTest::addColumn<bool>("ascii");
     QTest::addColumn<bool>("metre");
     QTest::addColumn<bool>("ras");
-    for (const char* extension : {".ply", ".stl", ".obj", ".vtp"})
+    for (const char* extension : {".ply", ".stl", ".obj", ".off", ".vtp"})
       for (const bool ascii : {false, true})
         for (const bool metre : {false, true})
           for (const bool ras : {false, true})
