@@ -16,6 +16,7 @@
 #include "core/parameters/field.h"
 #include "core/phantom/truth_json.h"
 #include "core/pipeline/report.h"
+#include "core/quality/quality_table.h"
 #include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"
 #include "core/sizing/guidance_field.h"
@@ -27,62 +28,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A named list of conditions on a mesh.
-struct Gate {
-  const char* name;
-  const char* help;
-  bool closed;
-  double leastAngleDeg = 0.0;  ///< every smallest angle is at least this
-  double mostAngleDeg = 180.0;
-  double leastRadiusRatio = 0.0;
-};
-
-constexpr Gate kGates[] = {
-    {"manifold", "oriented, no non-manifold spot, degenerate triangle or self-intersection", false},
-    {"closed", "as manifold, and no boundary edge", true},
-    {"cfd", "as closed, and no angle below 15 degrees", true, 15.0},
-    {"solver", "as closed, all angles from 30 to 110 degrees, all radius ratios at least 0.6", true,
-     30.0, 110.0, 0.6},
-};
-
-const Gate& findGate(const std::string& name) {
+const QualityGate& findGate(const std::string& name) {
   std::string known;
-  for (const Gate& gate : kGates) {
+  for (const QualityGate& gate : qualityGates()) {
     if (name == gate.name) return gate;
     known += (known.empty() ? "" : ", ") + std::string(gate.name);
   }
   throw InputError("no gate is called '" + name + "'", "--gate", "use one of " + known);
-}
-
-/// The conditions that the mesh does not meet.
-std::vector<std::string> failures(const Gate& gate, const MeshQuality& q) {
-  std::vector<std::string> list;
-  const auto none = [&](std::size_t number, const char* what) {
-    if (number > 0) list.push_back(std::to_string(number) + " " + what);
-  };
-  none(q.nonManifoldEdges, "non-manifold edges");
-  none(q.nonManifoldVertices, "non-manifold vertices");
-  none(q.degenerateTriangles, "degenerate triangles");
-  none(q.selfIntersections, "self-intersections");
-  if (!q.oriented) list.emplace_back("not oriented");
-  if (gate.closed) none(q.boundaryEdges, "boundary edges");
-  if (q.triangles == 0) list.emplace_back("no triangle");
-  const auto limit = [&](bool broken, const char* format, double value, double bound) {
-    if (!broken) return;
-    char text[80];
-    std::snprintf(text, sizeof text, format, value, bound);
-    list.emplace_back(text);
-  };
-  // No mesher chooses the angles in corners of the outline.
-  const double least = q.corners ? q.corners->otherMinAngle : q.minAngleMin;
-  const double most = q.corners ? q.corners->otherMaxAngle : q.maxAngleMax;
-  const double ratio = q.corners ? q.corners->otherRadiusRatio : q.radiusRatioMin;
-  limit(least < gate.leastAngleDeg, "least angle %.2f degrees, below %g", least,
-        gate.leastAngleDeg);
-  limit(most > gate.mostAngleDeg, "largest angle %.2f degrees, above %g", most, gate.mostAngleDeg);
-  limit(ratio < gate.leastRadiusRatio, "least radius ratio %.3f, below %g", ratio,
-        gate.leastRadiusRatio);
-  return list;
 }
 
 struct QualityOptions {
@@ -90,7 +42,7 @@ struct QualityOptions {
   std::string mesh, phi, spline, against, truth, gate, frame, unit;
   MaskChoice choice;
   MeshReading reading;
-  bool json = false;
+  bool json = false, measures = false;
 
   /// The interpolant of phi and the wanted edge length, by --set surface.* and --spline.
   [[nodiscard]] SurfaceParams surface() const {
@@ -166,7 +118,7 @@ TriMesh againstMesh(const QualityOptions& options) {
 }
 
 int quality(const QualityOptions& options, const Progress& progress) {
-  const Gate* gate = options.gate.empty() ? nullptr : &findGate(options.gate);
+  const QualityGate* gate = options.gate.empty() ? nullptr : &findGate(options.gate);
   const SurfaceParams surface = options.surface();
   std::optional<SplineField> phi;
   if (!options.phi.empty()) {
@@ -189,7 +141,7 @@ int quality(const QualityOptions& options, const Progress& progress) {
   if (!options.against.empty())
     other = measureQuality(againstMesh(options), field, progress.sub(0.7, 1.0));
   const std::vector<std::string> failed =
-      gate != nullptr ? failures(*gate, mine) : std::vector<std::string>{};
+      gate != nullptr ? gateFailures(*gate, mine) : std::vector<std::string>{};
 
   if (options.json) {
     Json report = Json::parse(meshQualityJson(mine));
@@ -214,12 +166,36 @@ int quality(const QualityOptions& options, const Progress& progress) {
   return GateFailed;
 }
 
+/// The page of docs.
+int printMeasures() {
+  std::printf(
+      "# Measures of mesh quality\n\n"
+      "Keys as in `report.json` (nested by the dots) and in `angiomesh-cli quality --json`; names "
+      "as "
+      "in\nsummaries and in the mesh inspector, which shows those in bold first. A measure that a "
+      "mesh "
+      "has\nnot is absent.\n\nThis page is the output of `angiomesh-cli quality --measures`.\n\n"
+      "| key | name | unit | meaning |\n|---|---|---|---|\n");
+  for (const QualityMeasure& measure : qualityMeasures()) {
+    const char* bold = measure.main ? "**" : "";
+    std::printf("| `%s` | %s%s%s | %s | %s |\n", measure.key, bold, measure.label, bold,
+                measure.unit, measure.meaning);
+  }
+  std::printf(
+      "\n## Gates\n\n`angiomesh-cli quality MESH --gate NAME` ends with exit code 3 unless "
+      "the mesh passes.\n\n| gate | passes |\n|---|---|\n");
+  for (const QualityGate& gate : qualityGates())
+    std::printf("| `%s` | %s |\n", gate.name, gate.help);
+  return Done;
+}
+
 }  // namespace
 
 void addQuality(CLI::App& program, Session& session) {
   auto options = std::make_shared<QualityOptions>();
   CLI::App* command = program.add_subcommand("quality", "What a mesh is worth to a solver");
-  command->add_option("MESH", options->mesh, "Mesh to measure")->required();
+  command->add_option("MESH", options->mesh, "Mesh to measure");
+  command->add_flag("--measures", options->measures, "Print what is measured, as docs/quality.md");
   command->add_option("--phi", options->phi,
                       "Level set function, mask or label image to measure against");
   addMaskChoice(*command, options->choice);
@@ -236,12 +212,18 @@ void addQuality(CLI::App& program, Session& session) {
       ->check(CLI::IsMember({"mm", "m"}));
   addMeshReading(*command, options->reading);
   std::string gates = "End with exit code 3 unless the mesh passes:";
-  for (const Gate& gate : kGates) gates += std::string(" ") + gate.name + " (" + gate.help + ")";
+  for (const QualityGate& gate : qualityGates())
+    gates += std::string(" ") + gate.name + " (" + gate.help + ")";
   command->add_option("--gate", options->gate, gates);
   command->add_flag("--json", options->json, "Print JSON");
   addSettings(*command, options->settings);
   command->callback([options, &session] {
-    session.action = [options, &session] { return quality(*options, session.progress); };
+    session.action = [options, &session] {
+      if (options->measures) return printMeasures();
+      if (options->mesh.empty())
+        throw InputError("no mesh is named", "MESH", "give the mesh to measure");
+      return quality(*options, session.progress);
+    };
   });
 }
 

@@ -2,6 +2,7 @@
 #include "app/session/summary.h"
 
 #include "core/parameters/field.h"
+#include "core/quality/quality_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,42 +12,6 @@
 
 namespace angiomesh::cli {
 namespace {
-
-constexpr int kColumnWidth = 16;
-
-std::string text(const char* format, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
-}
-
-std::string count(std::size_t value) { return std::to_string(value); }
-
-void printRow(const char* label, const std::vector<NamedQuality>& columns,
-              const std::function<std::string(const MeshQuality&)>& value) {
-  std::printf("  %-28s", label);
-  for (const NamedQuality& column : columns)
-    std::printf("%*s", kColumnWidth, value(*column.quality).c_str());
-  std::printf("\n");
-}
-
-void printShape(const std::vector<NamedQuality>& columns) {
-  using Q = const MeshQuality&;
-  printRow("smallest angle, least (deg)", columns, [](Q q) { return text("%.2f", q.minAngleMin); });
-  printRow("  1st percentile", columns, [](Q q) { return text("%.2f", q.minAngleP01); });
-  printRow("  mean", columns, [](Q q) { return text("%.2f", q.minAngleMean); });
-  if (std::any_of(columns.begin(), columns.end(),
-                  [](const NamedQuality& c) { return c.quality->corners.has_value(); }))
-    printRow("  outside corners of caps", columns, [](Q q) {
-      return text("%.2f", q.corners ? q.corners->otherMinAngle : q.minAngleMin);
-    });
-  printRow("largest angle, most (deg)", columns, [](Q q) { return text("%.2f", q.maxAngleMax); });
-  printRow("below 20 deg (%)", columns, [](Q q) { return text("%.3f", q.below20Percent); });
-  printRow("below 30 deg (%)", columns, [](Q q) { return text("%.3f", q.below30Percent); });
-  printRow("radius ratio, mean", columns, [](Q q) { return text("%.4f", q.radiusRatioMean); });
-  printRow("  least", columns, [](Q q) { return text("%.4f", q.radiusRatioMin); });
-  printRow("edge, mean (mm)", columns, [](Q q) { return text("%.4g", q.edgeMeanMm); });
-}
 
 void printGrid(const char* label, const Geometry& g) {
   std::printf("%-13s %d x %d x %d voxels of %.4g x %.4g x %.4g mm\n", label, g.size[0], g.size[1],
@@ -125,46 +90,20 @@ void printSegmentation(const RunResult& result) {
 }  // namespace
 
 void printQualities(const std::vector<NamedQuality>& columns) {
-  using Q = const MeshQuality&;
-  std::printf("  %-28s", "");
+  constexpr int kLabelWidth = 34, kColumnWidth = 16;
+  std::printf("  %-*s", kLabelWidth, "");
   for (const NamedQuality& column : columns) std::printf("%*s", kColumnWidth, column.name.c_str());
   std::printf("\n");
-  printRow("triangles", columns, [](Q q) { return count(q.triangles); });
-  if (std::any_of(columns.begin(), columns.end(),
-                  [](const NamedQuality& c) { return c.quality->fromFrontPercent.has_value(); }))
-    printRow("from the front (%)", columns, [](Q q) {
-      return q.fromFrontPercent ? text("%.2f", *q.fromFrontPercent) : std::string("-");
-    });
-  printRow("components", columns, [](Q q) { return std::to_string(q.components); });
-  printRow("genus", columns, [](Q q) { return std::to_string(q.genus); });
-  printRow("closed, oriented", columns, [](Q q) {
-    return std::string(q.closed ? "yes" : "no") + ", " + (q.oriented ? "yes" : "no");
-  });
-  printRow("non-manifold spots", columns,
-           [](Q q) { return count(q.nonManifoldEdges + q.nonManifoldVertices); });
-  printRow("degenerate triangles", columns, [](Q q) { return count(q.degenerateTriangles); });
-  printRow("self-intersections", columns, [](Q q) { return count(q.selfIntersections); });
-  printRow("area (mm2)", columns, [](Q q) { return text("%.6g", q.areaMm2); });
-  printRow("volume (mm3)", columns,
-           [](Q q) { return q.hasVolume() ? text("%.6g", q.volumeMm3) : std::string("-"); });
-  printShape(columns);
-  printRow("roughness (mm)", columns, [](Q q) {
-    return q.roughness ? text("%.4g", q.roughness->spreadMm) : std::string("-");
-  });
-  printRow("  between neighbours (deg)", columns, [](Q q) {
-    return q.roughness ? text("%.2f", q.roughness->angleDeg) : std::string("-");
-  });
-  const auto largest = [](const std::optional<DeviationStats>& d) {
-    return d ? text("%.4g", d->maxMm) : std::string("-");
-  };
-  if (std::any_of(columns.begin(), columns.end(),
-                  [](const NamedQuality& c) { return c.quality->vertexDeviation.has_value(); })) {
-    printRow("off the wall, vertex (mm)", columns, [&](Q q) { return largest(q.vertexDeviation); });
-    printRow("  centroid", columns, [&](Q q) { return largest(q.centroidDeviation); });
-    printRow("  times curvature, mean", columns, [](Q q) {
-      const auto& curved = q.centroidTimesCurvature;
-      return curved ? text("%.4f", curved->mean) : std::string("-");
-    });
+  for (const QualityMeasure& measure : qualityMeasures()) {
+    if (!measure.main || std::none_of(columns.begin(), columns.end(), [&](const NamedQuality& c) {
+          return measure.value(*c.quality).has_value();
+        }))
+      continue;
+    const std::string unit = *measure.unit != '\0' ? " (" + std::string(measure.unit) + ")" : "";
+    std::printf("  %-*s", kLabelWidth, (measure.label + unit).c_str());
+    for (const NamedQuality& column : columns)
+      std::printf("%*s", kColumnWidth, measureText(measure, *column.quality).c_str());
+    std::printf("\n");
   }
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/openings/port_json.h"
 #include "core/parameters/field.h"
+#include "core/quality/quality_table.h"
 
 namespace angiomesh {
 namespace {
@@ -24,58 +25,7 @@ Json gridBlock(const Geometry& geometry) {
           {"spacing_mm", {geometry.spacing.x(), geometry.spacing.y(), geometry.spacing.z()}}};
 }
 
-Json deviationBlock(const DeviationStats& stats) {
-  return {{"mean_mm", stats.meanMm}, {"p99_mm", stats.p99Mm}, {"max_mm", stats.maxMm}};
-}
-
-Json meshBlock(const MeshQuality& q) {
-  Json block{{"vertices", q.vertices},
-             {"triangles", q.triangles},
-             {"components", q.components},
-             {"boundary_edges", q.boundaryEdges},
-             {"boundary_loops", q.boundaryLoops},
-             {"non_manifold_edges", q.nonManifoldEdges},
-             {"non_manifold_vertices", q.nonManifoldVertices},
-             {"degenerate_triangles", q.degenerateTriangles},
-             {"self_intersections", q.selfIntersections},
-             {"euler", q.euler},
-             {"genus", q.genus},
-             {"closed", q.closed},
-             {"oriented", q.oriented},
-             {"area_mm2", q.areaMm2}};
-  // The volume of an open surface would depend on where the origin lies.
-  if (q.hasVolume()) block["volume_mm3"] = q.volumeMm3;
-  if (q.triangles > 0) {
-    block["min_angle_deg"] = {
-        {"min", q.minAngleMin}, {"p01", q.minAngleP01}, {"mean", q.minAngleMean}};
-    block["max_angle_deg"] = {{"max", q.maxAngleMax}, {"p99", q.maxAngleP99}};
-    block["radius_ratio"] = {
-        {"min", q.radiusRatioMin}, {"p01", q.radiusRatioP01}, {"mean", q.radiusRatioMean}};
-    if (q.corners)
-      block["corners"] = {{"triangles", q.corners->triangles},
-                          {"min_angle_deg", q.corners->minAngle},
-                          {"max_angle_deg", q.corners->maxAngle},
-                          {"radius_ratio", q.corners->radiusRatio},
-                          {"elsewhere",
-                           {{"min_angle_deg", q.corners->otherMinAngle},
-                            {"max_angle_deg", q.corners->otherMaxAngle},
-                            {"radius_ratio", q.corners->otherRadiusRatio}}}};
-    block["edge_length_mm"] = {{"min", q.edgeMinMm}, {"mean", q.edgeMeanMm}, {"max", q.edgeMaxMm}};
-    block["below_20_deg_percent"] = q.below20Percent;
-    block["below_30_deg_percent"] = q.below30Percent;
-  }
-  if (q.roughness)
-    block["roughness"] = {{"spread_mm", q.roughness->spreadMm},
-                          {"spread_p95_mm", q.roughness->spread95Mm},
-                          {"angle_deg", q.roughness->angleDeg}};
-  if (q.fromFrontPercent) block["from_front_percent"] = *q.fromFrontPercent;
-  if (q.vertexDeviation) block["deviation"]["vertex"] = deviationBlock(*q.vertexDeviation);
-  if (q.centroidDeviation) block["deviation"]["centroid"] = deviationBlock(*q.centroidDeviation);
-  if (const auto& curved = q.centroidTimesCurvature)
-    block["deviation"]["centroid_times_curvature"] = {
-        {"mean", curved->mean}, {"p99", curved->p99}, {"max", curved->max}};
-  return block;
-}
+Json meshBlock(const MeshQuality& quality) { return Json::parse(qualityBlock(quality)); }
 
 Json overlapBlock(const OverlapMeasures& m) {
   Json block{{"overlap", m.overlap}, {"sensitivity", m.sensitivity}, {"precision", m.precision}};

@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/quality/quality_table.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
 #include "gui/panel/plot_widget.h"
@@ -23,87 +25,55 @@ namespace angiomesh {
 
 namespace {
 
-struct Row {
-  const char* title;
-  std::function<QString(const MeshQuality&)> text;
-};
-
 const QString kNothing = QStringLiteral("–");
 
-QString count(std::size_t n) { return QLocale().toString(static_cast<qulonglong>(n)); }
-QString fixed(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
-QString yesNo(bool value) { return value ? QStringLiteral("yes") : QStringLiteral("no"); }
-QString deviation(const std::optional<DeviationStats>& stats, double DeviationStats::*member) {
-  return stats ? QLocale().toString((*stats).*member, 'g', 3) : kNothing;
-}
-QString curved(const std::optional<CurvedDeviation>& stats, double CurvedDeviation::*member) {
-  return stats ? QLocale().toString((*stats).*member, 'g', 3) : kNothing;
-}
-
-/// Not of the mesh alone: see refreshVerified().
+/// Of the surface, not of a mesh's quality: see refreshVerified().
 constexpr const char* kVerifiedTitle = "Verified parts";
 
-const std::vector<Row>& rows() {
-  using Q = MeshQuality;
-  // First what decides between meshes, then the rest.
-  static const std::vector<Row> table{
-      {"Triangles", [](const Q& q) { return count(q.triangles); }},
-      {"From the front, %",
-       [](const Q& q) { return q.fromFrontPercent ? fixed(*q.fromFrontPercent, 1) : kNothing; }},
-      {kVerifiedTitle, [](const Q&) { return kNothing; }},
-      {"Components", [](const Q& q) { return QString::number(q.components); }},
-      {"Genus", [](const Q& q) { return QString::number(q.genus); }},
-      {"Closed", [](const Q& q) { return yesNo(q.closed); }},
-      {"Self-intersections", [](const Q& q) { return count(q.selfIntersections); }},
-      {"Roughness, mm",
-       [](const Q& q) {
-         return q.roughness ? QLocale().toString(q.roughness->spreadMm, 'g', 3) : kNothing;
-       }},
-      {"Between neighbours, °",
-       [](const Q& q) { return q.roughness ? fixed(q.roughness->angleDeg, 2) : kNothing; }},
-      {"Min angle, least, °", [](const Q& q) { return fixed(q.minAngleMin, 2); }},
-      {"Max angle, most, °", [](const Q& q) { return fixed(q.maxAngleMax, 2); }},
-      {"Min angle < 30°, %", [](const Q& q) { return fixed(q.below30Percent, 2); }},
-      {"Radius ratio, mean", [](const Q& q) { return fixed(q.radiusRatioMean, 3); }},
-      {"Radius ratio, min", [](const Q& q) { return fixed(q.radiusRatioMin, 3); }},
-      {"Vertex off, max, mm",
-       [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::maxMm); }},
-      {"Centroid off, mean, mm",
-       [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::meanMm); }},
-      {"Centroid off · κ, mean",
-       [](const Q& q) { return curved(q.centroidTimesCurvature, &CurvedDeviation::mean); }},
-      {"Area, mm²", [](const Q& q) { return fixed(q.areaMm2, 1); }},
-      {"Volume, mm³", [](const Q& q) { return q.hasVolume() ? fixed(q.volumeMm3, 1) : kNothing; }},
-      {"Vertices", [](const Q& q) { return count(q.vertices); }},
-      {"Oriented", [](const Q& q) { return yesNo(q.oriented); }},
-      {"Boundary edges", [](const Q& q) { return count(q.boundaryEdges); }},
-      {"Boundary loops", [](const Q& q) { return count(q.boundaryLoops); }},
-      {"Non-manifold edges", [](const Q& q) { return count(q.nonManifoldEdges); }},
-      {"Non-manifold verts", [](const Q& q) { return count(q.nonManifoldVertices); }},
-      {"Degenerate triangles", [](const Q& q) { return count(q.degenerateTriangles); }},
-      {"Euler number", [](const Q& q) { return QString::number(q.euler); }},
-      {"Min angle, 1 %, °", [](const Q& q) { return fixed(q.minAngleP01, 2); }},
-      {"Min angle, mean, °", [](const Q& q) { return fixed(q.minAngleMean, 2); }},
-      {"Max angle, 99 %, °", [](const Q& q) { return fixed(q.maxAngleP99, 2); }},
-      {"Min angle < 20°, %", [](const Q& q) { return fixed(q.below20Percent, 2); }},
-      {"Radius ratio, 1 %", [](const Q& q) { return fixed(q.radiusRatioP01, 3); }},
-      {"Edge, min, mm", [](const Q& q) { return fixed(q.edgeMinMm, 3); }},
-      {"Edge, mean, mm", [](const Q& q) { return fixed(q.edgeMeanMm, 3); }},
-      {"Edge, max, mm", [](const Q& q) { return fixed(q.edgeMaxMm, 3); }},
-      {"Vertex off, mean, mm",
-       [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::meanMm); }},
-      {"Vertex off, 99 %, mm",
-       [](const Q& q) { return deviation(q.vertexDeviation, &DeviationStats::p99Mm); }},
-      {"Centroid off, 99 %, mm",
-       [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::p99Mm); }},
-      {"Centroid off, max, mm",
-       [](const Q& q) { return deviation(q.centroidDeviation, &DeviationStats::maxMm); }},
-      {"Centroid off · κ, 99 %",
-       [](const Q& q) { return curved(q.centroidTimesCurvature, &CurvedDeviation::p99); }},
-      {"Roughness, 95 %, mm", [](const Q& q) {
-         return q.roughness ? QLocale().toString(q.roughness->spread95Mm, 'g', 3) : kNothing;
-       }}};
+/// What decides between meshes, then the rest; null stands for the verified parts.
+const std::vector<const QualityMeasure*>& rows() {
+  static const std::vector<const QualityMeasure*> table = [] {
+    std::vector<const QualityMeasure*> all;
+    for (const bool main : {true, false}) {
+      for (const QualityMeasure& measure : qualityMeasures()) {
+        if (measure.main == main) {
+          all.push_back(&measure);
+        }
+        if (main && std::string(measure.key) == "components") {
+          all.push_back(nullptr);
+        }
+      }
+    }
+    return all;
+  }();
   return table;
+}
+
+QString titleOf(const QualityMeasure* measure) {
+  if (!measure) {
+    return QCoreApplication::translate("QualityMeasure", kVerifiedTitle);
+  }
+  const QString label = QCoreApplication::translate("QualityMeasure", measure->label);
+  return *measure->unit == '\0' ? label : label + ", " + QString::fromUtf8(measure->unit);
+}
+
+QString valueOf(const QualityMeasure* measure, const MeshQuality* quality) {
+  const std::optional<double> value =
+      measure && quality ? measure->value(*quality) : std::optional<double>();
+  if (!value) {
+    return kNothing;
+  }
+  switch (measure->kind) {
+    case MeasureKind::Count:
+      return QLocale().toString(static_cast<qlonglong>(*value));
+    case MeasureKind::YesNo:
+      return *value != 0.0 ? QStringLiteral("yes") : QStringLiteral("no");
+    case MeasureKind::Fixed:
+      return QLocale().toString(*value, 'f', measure->digits);
+    case MeasureKind::Significant:
+      break;
+  }
+  return QLocale().toString(*value, 'g', measure->digits);
 }
 
 }  // namespace
@@ -171,8 +141,8 @@ void InspectorPanel::buildTable() {
                  .remove('(')
                  .remove(')');
   }
-  for (const Row& row : rows()) {
-    titles << QString::fromUtf8(row.title);
+  for (const QualityMeasure* measure : rows()) {
+    titles << titleOf(measure);
   }
   table_->setHorizontalHeaderLabels(kinds);
   table_->setVerticalHeaderLabels(titles);
@@ -203,8 +173,7 @@ void InspectorPanel::refreshResults() {
     const auto kind = static_cast<MeshKind>(column);
     const MeshQuality* quality = models_.results.quality(kind);
     for (int row = 0; row < table_->rowCount(); ++row) {
-      table_->item(row, column)
-          ->setText(quality ? rows()[static_cast<std::size_t>(row)].text(*quality) : kNothing);
+      table_->item(row, column)->setText(valueOf(rows()[static_cast<std::size_t>(row)], quality));
     }
     const auto i = static_cast<std::size_t>(column);
     angles_->setValues(kind, facts ? facts->minAnglesDeg[i] : std::vector<float>());
@@ -215,9 +184,8 @@ void InspectorPanel::refreshResults() {
 }
 
 void InspectorPanel::refreshVerified() {
-  const auto title = [](const Row& row) { return row.title == kVerifiedTitle; };
   const auto row =
-      static_cast<int>(std::find_if(rows().begin(), rows().end(), title) - rows().begin());
+      static_cast<int>(std::find(rows().begin(), rows().end(), nullptr) - rows().begin());
   const SurfaceOrigin* origin = models_.results.surfaceOrigin();
   const QString text = origin ? verifiedText(*origin) : QString();
   const QString why = origin ? verifiedReasons(*origin) : QString();
