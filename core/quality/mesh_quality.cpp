@@ -212,6 +212,9 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
     smallest.push_back(s.minAngle);
     largest.push_back(s.maxAngle);
     ratios.push_back(s.radiusRatio);
+    const double skewness = std::max((s.maxAngle - 60.0) / 120.0, (60.0 - s.minAngle) / 60.0);
+    q.skewnessMax = std::max(q.skewnessMax, skewness);
+    q.skewnessMean += skewness / static_cast<double>(shapes.size());
     if (s.minAngle < 20.0) ++below20;
     if (s.minAngle < 30.0) ++below30;
   }

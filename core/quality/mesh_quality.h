@@ -58,7 +58,10 @@ struct MeshQuality {
          minAngleMean = 0.0;  ///< smallest angle of each triangle, degrees
   double maxAngleMax = 0.0, maxAngleP99 = 0.0;
   double radiusRatioMin = 0.0, radiusRatioP01 = 0.0,
-         radiusRatioMean = 0.0;         ///< 2 r / R, 1 is equilateral
+         radiusRatioMean = 0.0;  ///< 2 r / R, 1 is equilateral
+  /// Equiangular skewness, max((largest - 60) / 120, (60 - smallest) / 60) of the angles in
+  /// degrees: 0 is equilateral, 1 has no area.
+  double skewnessMax = 0.0, skewnessMean = 0.0;
   std::optional<CornerShapes> corners;  ///< where there are such triangles
   double edgeMinMm = 0.0, edgeMeanMm = 0.0, edgeMaxMm = 0.0;
   double below20Percent = 0.0, below30Percent = 0.0;  ///< of triangles, by smallest angle

@@ -103,6 +103,12 @@ const std::vector<QualityMeasure>& qualityMeasures() {
        shape<&Q::radiusRatioP01>},
       {"radius_ratio.mean", "Radius ratio, mean", "", K::Fixed, 4, true, "",
        shape<&Q::radiusRatioMean>},
+      {"skewness.max", "Skewness, most", "", K::Fixed, 3, true,
+       "equiangular skewness, as in Fluent: max((largest angle - 60) / 120, (60 - smallest) / 60); "
+       "0 "
+       "is equilateral, 1 has no area",
+       shape<&Q::skewnessMax>},
+      {"skewness.mean", "Skewness, mean", "", K::Fixed, 3, false, "", shape<&Q::skewnessMean>},
       {"corners.triangles", "Triangles in corners", "", K::Count, 0, false,
        "those with two sides on the borders of two other patches, whose angles no mesher chooses; "
        "absent if there are none",

@@ -119,6 +119,8 @@ class TestMeshQuality : public QObject {
     QCOMPARE(t.genus, 0);
     QCOMPARE(t.components, 1);
     QVERIFY(near(t.minAngleMin, 45.0, 1e-12) && near(t.maxAngleMax, 90.0, 1e-12));
+    // Both parts of the definition give a quarter: 30 / 120 and 15 / 60.
+    QVERIFY(near(t.skewnessMax, 0.25, 1e-12));
     QVERIFY(near(t.edgeMinMm, 1.0, 1e-15) && near(t.edgeMaxMm, std::sqrt(2.0), 1e-15));
     QVERIFY(near(t.edgeMeanMm, (3.0 + 3.0 * std::sqrt(2.0)) / 6.0, 1e-14));
     const MeshQuality c = measureQuality(shapes::cube());
@@ -127,6 +129,7 @@ class TestMeshQuality : public QObject {
     QCOMPARE(c.below20Percent, 0.0);
     const MeshQuality i = measureQuality(shapes::icosahedron());
     QVERIFY(near(i.minAngleMin, 60.0, 1e-10) && near(i.radiusRatioMin, 1.0, 1e-12));
+    QVERIFY(near(i.skewnessMax, 0.0, 1e-11) && near(i.skewnessMean, 0.0, 1e-11));
     QVERIFY(!i.vertexDeviation && !i.centroidDeviation);
   }
 
