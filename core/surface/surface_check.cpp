@@ -188,6 +188,15 @@ SurfaceCheck checkManifold(const PatchMesh& mesh, SurfaceBorder border) {
   return check;
 }
 
+void dropBroken(PatchMesh& mesh, SurfaceBorder border) {
+  const SurfaceCheck check = checkManifold(mesh, border);
+  if (std::all_of(check.components.begin(), check.components.end(),
+                  [](const SurfaceComponent& c) { return c.why.empty(); }))
+    return;
+  mesh = selectTriangles(
+      mesh, [&](std::uint32_t t) { return check.components[check.parts.label[t]].why.empty(); });
+}
+
 SurfaceCheck checkReach(const PatchMesh& mesh, const SplineField& field, const GuidanceField& size,
                         const Landmarks& landmarks, SurfaceBorder border) {
   SurfaceCheck check = checkManifold(mesh, border);

@@ -31,6 +31,9 @@ struct SurfaceCheck {
 /// The first of the checks below: manifold, oriented, closed but for rims.
 SurfaceCheck checkManifold(const PatchMesh& mesh, SurfaceBorder border);
 
+/// Takes out the components that checkManifold() doubts: improving their triangles makes no sense.
+void dropBroken(PatchMesh& mesh, SurfaceBorder border);
+
 /// The same, and which part reaches which component of the landmarks; what is missed is no doubt
 /// yet.
 SurfaceCheck checkReach(const PatchMesh& mesh, const SplineField& field, const GuidanceField& size,

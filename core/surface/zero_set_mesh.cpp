@@ -3,9 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/contour/port_patches.h"
@@ -51,7 +48,7 @@ class Mesher {
     } else {
       mesh = growFront(landmarks_, field_, size_, ends_, away_, border_, progress_);
       progress_.report(0.5);
-      if (!mendBroken(mesh)) dropBroken(mesh);
+      if (!mendBroken(mesh)) dropBroken(mesh, border_);
       improveTriangles(mesh, field_, size_, ends_, progress_.sub(0.5, 0.8));
     }
     const SurfaceGround ground{reference_, landmarks_, field_, size_, ends_, border_};
@@ -75,16 +72,6 @@ class Mesher {
       mendMesh(mesh, broken, rings, field_);
     }
     return false;
-  }
-
-  // Takes out components that are no manifolds, or not closed: improving them makes no sense.
-  void dropBroken(PatchMesh& mesh) const {
-    const SurfaceCheck check = checkManifold(mesh, border_);
-    if (std::all_of(check.components.begin(), check.components.end(),
-                    [](const SurfaceComponent& c) { return c.why.empty(); }))
-      return;
-    mesh = selectTriangles(
-        mesh, [&](std::uint32_t t) { return check.components[check.parts.label[t]].why.empty(); });
   }
 
   ZeroSetMesh result(SoundSurface sound, const SurfaceCheck& check) const {
