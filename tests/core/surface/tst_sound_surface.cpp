@@ -4,7 +4,6 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/field/cell_bounds.h"
 #include "core/mesh/mesh_faults.h"
 #include "core/pipeline/surface_step.h"
 #include "core/quality/mesh_quality.h"
@@ -166,39 +165,6 @@ class TestSoundSurface : public QObject {
                                            left, {});
     QVERIFY(smoothed.points == apart.points);
     QCOMPARE(left, std::size_t{2});
-  }
-
-  void boundsOfTheSlopeHoldAndClose() {
-    const Volume<float> phi = shapes::noise({8, 8, 8}, 21);
-    for (const SplineKind kind :
-         {SplineKind::InterpolatingBspline, SplineKind::Bspline, SplineKind::CatmullRom}) {
-      const SplineField field(phi, kind);
-      for (std::uint64_t i = 0; i < 40; ++i) {
-        const Vector3d way =
-            Vector3d(randomNormal(1, 3 * i), randomNormal(1, 3 * i + 1), randomNormal(1, 3 * i + 2))
-                .normalized();
-        const Vector3d low(2.0 + randomUniform(2, 3 * i), 3.0 + 0.5 * randomUniform(2, 3 * i + 1),
-                           4.0 + 0.2 * randomUniform(2, 3 * i + 2));
-        const Index3 cell{2, 3, 4};
-        double wide = 0.0;
-        for (const double side : {0.4, 0.05}) {
-          const Vector3d high = (low + Vector3d::Constant(side)).cwiseMin(Vector3d(3.0, 4.0, 5.0));
-          const auto bounds = slopeBounds(field, cell, low, high, way);
-          for (std::uint64_t k = 0; k < 20; ++k) {
-            Vector3d at = low;
-            for (int a = 0; a < 3; ++a)
-              at[a] += randomUniform(5, 100 * i + 3 * k + static_cast<std::uint64_t>(a)) *
-                       (high[a] - low[a]);
-            const double slope = field.at(phi.geometry.toPhysical(at)).gradient.dot(way);
-            QVERIFY(slope > bounds[0] - 1e-6 && slope < bounds[1] + 1e-6);
-          }
-          if (side > 0.1)
-            wide = bounds[1] - bounds[0];
-          else
-            QVERIFY(bounds[1] - bounds[0] < 0.5 * wide + 1e-9);
-        }
-      }
-    }
   }
 
   // Coarse triangles on a ball: a bound of the second derivatives times their size is too loose,
