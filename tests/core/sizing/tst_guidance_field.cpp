@@ -88,6 +88,22 @@ class TestGuidanceField : public QObject {
     }
   }
 
+  // Eq. 4.1: an edge subtends the angle rho on a circle of radius 1 / kappa.
+  void theIdealLengthIsTheChordOfRho() {
+    const Geometry g = cube(30);
+    const SplineField field = fieldOf(g, [&](const auto& x) { return ball(x, centreOf(g), 8.0); });
+    for (const double rho : {0.1, 0.4, 1.2}) {
+      SizingParams p = SizingParams::printed(rho);
+      for (const double kappa : {0.1, 0.25, 2.0}) {
+        const double chord = 2.0 * std::sin(0.5 * rho) / kappa;
+        p.etaCompensated = false;
+        QVERIFY(std::fabs(GuidanceField(field, p).idealLength(kappa) / (0.8 * chord) - 1.0) < 1e-9);
+        p.etaCompensated = true;
+        QVERIFY(std::fabs(GuidanceField(field, p).idealLength(kappa) / chord - 1.0) < 1e-9);
+      }
+    }
+  }
+
   void soManyEdgesGoAround() {
     const Geometry g = cube(36);
     const Eigen::Vector3d c = centreOf(g) + Eigen::Vector3d(0.3, 0.1, -0.2);

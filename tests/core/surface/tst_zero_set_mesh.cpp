@@ -141,6 +141,14 @@ class TestZeroSetMesh : public QObject {
     QVERIFY(q.vertexDeviation->maxMm < 1e-4);
   }
 
+  // The largest curvature of a torus is that of its tube, everywhere.
+  void edgesSpanTheAngleRho() {
+    const double chord = 0.8 * 2.0 * std::sin(0.2) * 3.1;
+    const MeshQuality q = measureQuality(meshed(shapeNamed("torus"), literal(0.4)).mesh);
+    QVERIFY2(std::abs(q.edgeMeanMm / chord - 1.0) < 0.05,
+             qPrintable(QString::number(q.edgeMeanMm)));
+  }
+
   void halvesTheEdgesWithRho() {
     const Volume<float> phi = shapeNamed("torus");
     const MeshQuality coarse = measureQuality(meshed(phi, literal(0.4)).mesh);
