@@ -66,6 +66,13 @@ Scene dumbbellScene() {
           }};
 }
 
+// A box across an oblique, anisotropic grid; its half sides in mm.
+Scene boxScene(const Vector3d& half) {
+  const Geometry g = shapes::obliqueGeometry({26, 26, 20}, true);
+  const Vector3d centre = g.toPhysical({12.2, 12.7, 9.6});
+  return {g, [=](const Vector3d& p) { return ((p - centre).cwiseAbs() - half).maxCoeff(); }};
+}
+
 double furthestFromWall(const TriMesh& mesh, const SplineField& field) {
   const MeshQuality q = measureQuality(mesh, &field);
   return q.vertexDeviation->maxMm / field.geometry().voxelMm();
@@ -222,6 +229,21 @@ class TestSmoothing : public QObject {
     tight.wallBoundVoxels = 0.001;
     QVERIFY(furthestFromWall(keepWallSmooth(scene.mesh, tight, scene.field.get()), *scene.field) <=
             0.001);
+  }
+
+  // At a box's edges and corners triangles turn or get thin before their vertices are at the wall;
+  // they get there all the same.
+  void verticesComeToSharpWallsToo() {
+    for (const double size : {0.7, 1.0, 2.0}) {
+      const Scene scene = boxScene(size * Vector3d(1.0, 1.3, 1.7));
+      for (const int iterations : {1, 3, 10, 50}) {
+        SmoothParams params;
+        params.iterations = iterations;
+        const double furthest =
+            furthestFromWall(keepWallSmooth(scene.mesh, params, scene.field.get()), *scene.field);
+        QVERIFY2(furthest < 1.02 * params.wallBoundVoxels, qPrintable(QString::number(furthest)));
+      }
+    }
   }
 
   void capsStayFlat() {
