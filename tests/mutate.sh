@@ -6,8 +6,8 @@
 # them, in the files named, or in those that differ from a git ref. A fault is killed when a test of
 # core fails, crashes or takes three times its usual time of the processor; those that no test notices
 # are printed, with their share. The faults follow from the seed (1) alone; what the compiler refuses,
-# or makes the same program of, is none. It starts no new fault after M minutes, and fails where more
-# than PERCENT of the faults survive. It works in a copy of the tree in a temporary folder, or in
+# or makes the same program of, is none. It starts no fault M minutes after the first, and fails where
+# more than PERCENT of the faults survive. It works in a copy of the tree in a temporary folder, or in
 # FOLDER, which then is kept: the next run need not build all of it again. Ctrl-C ends it with what is
 # known by then.
 set -u
@@ -237,7 +237,7 @@ worker() {
     echo "$n" >"$work/mutants/next"
     exec 8>&-
     [ "$n" -le "$(wc -l <"$work/candidates")" ] || return 0
-    [ -z "$minutes" ] || [ "$SECONDS" -lt $((60 * minutes)) ] || return 0
+    [ -z "$minutes" ] || [ $((SECONDS - started)) -lt $((60 * minutes)) ] || return 0
     [ "$(cat "$work"/mutants/*.done 2>/dev/null | cut -f 2 | grep -vc '^none$')" -lt "$count" ] ||
       return 0
     plant "$n"
