@@ -1,22 +1,26 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# mutate.sh [--count N] [--seed S] [--jobs J] [--minutes M] [--most PERCENT] [--work FOLDER]
-#           [--since REF | FILE...]
+# mutate.sh [--count N] [--seed S] [--skip K] [--jobs J] [--minutes M] [--effort SECONDS]
+#           [--most PERCENT] [--work FOLDER] [--since REF | FILE...]
 # Plants N small faults (by default 100), one at a time and one line each, in core/*/*.cpp: in all of
 # them, in the files named, or in those that differ from a git ref. A fault is killed when a test of
 # core fails, crashes or takes three times its usual time of the processor; those that no test notices
-# are printed, with their share. The faults follow from the seed (1) alone; what the compiler refuses,
-# or makes the same program of, is none. It starts no fault M minutes after the first, and fails where
-# more than PERCENT of the faults survive. It works in a copy of the tree in a temporary folder, or in
-# FOLDER, which then is kept: the next run need not build all of it again. Ctrl-C ends it with what is
-# known by then.
+# are printed, with their share. The faults follow from the seed (1) alone, but for the first K of
+# them, which are left out; what the compiler refuses, or makes the same program of, is none. It starts
+# no fault M minutes after the first, and fails where more than PERCENT of the faults survive. A fault
+# meets the tests that can see its file, the nearest first, as far as these usually take SECONDS (by
+# default all): then some survive that a far test would notice. It works in a copy of the tree in a
+# temporary folder, or in FOLDER, which then is kept: the next run need not build all of it again.
+# Ctrl-C ends it with what is known by then.
 set -u
 . "$(dirname "${BASH_SOURCE[0]}")/../packaging/setup.sh"
 
 count=100
 seed=1
 jobs=$(jobs)
+skip=0
 minutes=
+effort=
 most=
 work=
 since=
@@ -24,10 +28,10 @@ files=()
 while [ $# -gt 0 ]; do
   case "$1" in
     -h | --help)
-      sed -n '3,12s/^# //p' "$0"
+      sed -n '3,14s/^# //p' "$0"
       exit 0
       ;;
-    --count | --seed | --jobs | --minutes | --most | --work | --since)
+    --count | --seed | --skip | --jobs | --minutes | --effort | --most | --work | --since)
       [ $# -gt 1 ] || fail "$1 needs a value: see --help" 2
       case "$1" in
         --work | --since) ;;
@@ -157,13 +161,20 @@ fi
 
 # For each source the tests that can see it, the likeliest to notice first: of the same room, then by
 # the number of includes between them, then by their time. A header stands for the sources that
-# include it first.
+# include it first, or of its room by way of the header that they include first.
 # shellcheck disable=SC2016
 (cd "$work/tree" && grep -o '^#include "[^"]*"' -r core tests/core --include='*.h' --include='*.cpp') |
   awk -F'[:"]' -v times="$work/times" '
     { if (!($1 in first)) { first[$1] = $3; if ($1 ~ /^core.*\.cpp$/) made[$3] = made[$3] " " $1 }
       uses[$1] = uses[$1] " " $3 }
     END {
+      for (file in first) {
+        if (file !~ /^core.*\.cpp$/) continue
+        room = file; sub(/[^\/]*$/, "", room)
+        n = split(uses[first[file]], at, " ")
+        for (i = 1; i <= n; ++i)
+          if (index(at[i], room) == 1) made[at[i]] = made[at[i]] " " file
+      }
       while ((getline line < times) > 0) {
         split(line, field, "\t"); test = "tests/core/" field[1] ".cpp"
         room = field[1]; sub(/\/.*/, "", room)
@@ -185,13 +196,18 @@ fi
       }
     }' | sort -t "$(printf '\t')" -k1,1 -k2,2n -k3,3n -k4,4n >"$work/seen"
 
-# shellcheck disable=SC2046
-awk -v seed="$seed" -f tests/mutants.awk "${files[@]}" | sort -n -k1,1 >"$work/candidates"
-[ -s "$work/candidates" ] || fail "nothing to change in ${files[*]}" 2
+seen=() unseen=()
+for file in "${files[@]}"; do
+  if grep -q "^$file	" "$work/seen"; then seen+=("$file"); else unseen+=("$file"); fi
+done
+[ ${#unseen[@]} -eq 0 ] || say "No test of core sees ${unseen[*]}: left out"
+[ ${#seen[@]} -gt 0 ] || exit 0
+awk -v seed="$seed" -f tests/mutants.awk "${seen[@]}" | sort -n -k1,1 >"$work/candidates"
+[ -s "$work/candidates" ] || fail "nothing to change in ${seen[*]}" 2
 
 # plant N: the fault of line N of the candidates. Its verdict: none, killed BY, or survived.
 plant() {
-  local dir="$work/mutants/$1" key file line new object command code test ms limit
+  local dir="$work/mutants/$1" key file line new object command code test ms limit spent=0
   IFS=$'\t' read -r key file line new < <(sed -n "$1p" "$work/candidates")
   mkdir -p "$dir"
   new=$(sed -n "$1p" "$work/candidates" | cut -f 4-)
@@ -208,6 +224,8 @@ plant() {
     "${CXX:-c++}" -shared -o "$dir/fault.so" "$dir/fault.o" >>"$dir/log" 2>&1; then
     verdict=survived
     while IFS=$'\t' read -r _ _ _ ms test; do
+      [ -z "$effort" ] || [ $((spent + ms)) -le $((1000 * effort)) ] || continue
+      spent=$((spent + ms))
       # Of the processor; one that waits for ever is ended by the clock.
       limit=$((3 * ms / 1000 + 3))
       (
@@ -233,7 +251,7 @@ worker() {
   while :; do
     exec 8>"$work/mutants/lock"
     flock 8
-    n=$(($(cat "$work/mutants/next" 2>/dev/null || echo 0) + 1))
+    n=$(($(cat "$work/mutants/next" 2>/dev/null || echo "$skip") + 1))
     echo "$n" >"$work/mutants/next"
     exec 8>&-
     [ "$n" -le "$(wc -l <"$work/candidates")" ] || return 0
@@ -275,7 +293,7 @@ summary() {
     }'
 }
 
-say "Planting $count faults in ${#files[@]} files ($(wc -l <"$work/candidates") lines can have one)"
+say "Planting $count faults in ${#seen[@]} files ($(wc -l <"$work/candidates") lines can have one)"
 started=$SECONDS
 set -m
 workers &
