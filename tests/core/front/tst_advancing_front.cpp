@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <utility>
 
+#include "core/base/random.h"
 #include "core/front/advancing_front.h"
 #include "core/front/fill_loop.h"
 #include "core/mesh/mesh_faults.h"
 #include "core/mesh/tri_mesh.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/quality/mesh_quality.h"
 #include "tests/core/mesh_shapes.h"
 
@@ -19,12 +22,13 @@ using Triangle = AdvancingFront::Triangle;
 
 namespace {
 
-// f = 0, with edges of one length everywhere.
+// f = 0, with edges of one length everywhere, or that grow along z.
 class AnalyticSurface : public FrontSurface {
  public:
   using Function = std::function<double(const Vector3d&)>;
 
-  AnalyticSurface(Function f, double length) : f_(std::move(f)), length_(length) {}
+  AnalyticSurface(Function f, double length, double growth = 0.0)
+      : f_(std::move(f)), length_(length), growth_(growth) {}
 
   [[nodiscard]] FrontPoint at(const Vector3d& point) const {
     Vector3d gradient;
@@ -32,7 +36,7 @@ class AnalyticSurface : public FrontSurface {
       const Vector3d step = 1e-6 * Vector3d::Unit(a);
       gradient[a] = f_(point + step) - f_(point - step);
     }
-    return {point, gradient.normalized(), length_};
+    return {point, gradient.normalized(), lengthAt(point)};
   }
   [[nodiscard]] double off(const Vector3d& point) const { return std::fabs(f_(point)); }
 
@@ -54,12 +58,14 @@ class AnalyticSurface : public FrontSurface {
     apex = at(place(low));
     return apex.normal.dot(up) > 0.3;
   }
-  [[nodiscard]] double lengthAt(const Vector3d&) const override { return length_; }
+  [[nodiscard]] double lengthAt(const Vector3d& point) const override {
+    return length_ + growth_ * point.z();
+  }
   [[nodiscard]] double slope() const override { return 0.2; }
 
  private:
   Function f_;
-  double length_;
+  double length_, growth_;
 };
 
 AnalyticSurface unitBall(double length) {
@@ -92,7 +98,26 @@ std::size_t countOf(const AdvancingFront& front, FaceOrigin origin) {
       std::count(front.origins().begin(), front.origins().end(), origin));
 }
 
-// Twice the area of a polygon's triangles.
+// The share of the edges whose flip would enlarge the smaller of the two least angles beside them.
+double worthFlipping(const TriMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> opposite;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) opposite[{t[k], t[(k + 1) % 3]}] = t[(k + 2) % 3];
+  std::size_t worth = 0, all = 0;
+  for (const auto& [edge, left] : opposite) {
+    const auto right = opposite.find({edge.second, edge.first});
+    if (right == opposite.end() || edge.first > edge.second) continue;
+    const Vector3d &a = mesh.points[edge.first], &b = mesh.points[edge.second],
+                   &c = mesh.points[left], &d = mesh.points[right->second];
+    ++all;
+    const double before = std::max(largestCosine(a, b, c), largestCosine(b, a, d));
+    const double after = std::max(largestCosine(a, d, c), largestCosine(d, b, c));
+    if (after < before - 1e-6 && opposite.count({left, right->second}) == 0) ++worth;
+  }
+  return static_cast<double>(worth) / static_cast<double>(all);
+}
+
+// The area of a polygon's triangles.
 double areaOf(const std::vector<Triangle>& triangles, const std::vector<FrontPoint>& vertices) {
   double sum = 0.0;
   for (const Triangle& t : triangles)
@@ -177,11 +202,36 @@ class TestAdvancingFront : public QObject {
              qPrintable(QString::number(q.edgeMeanMm / length)));
     QVERIFY2(q.minAngleMin > 20.0, qPrintable(QString::number(q.minAngleMin)));
     QVERIFY2(q.radiusRatioMean > 0.9, qPrintable(QString::number(q.radiusRatioMean)));
+    // Edges are flipped as the front goes on.
+    QVERIFY2(worthFlipping(mesh) < 0.005, qPrintable(QString::number(worthFlipping(mesh))));
     const double truth =
         torus ? 2.0 * shapes::pi * shapes::pi * ring * tube * tube : 4.0 / 3.0 * shapes::pi;
     // Inscribed: short by about the mean height of the surface over its triangles.
     const double volume = enclosedVolumeMm3(mesh);
     QVERIFY(volume < truth && volume > truth * (1.0 - 0.4 * length * length / (tube * tube)));
+  }
+
+  // Edges that grow from one pole to the other by a factor of seven.
+  void edgesGrowAsTheyAreAskedTo() {
+    const AnalyticSurface ball([](const Vector3d& p) { return p.norm() - 1.0; }, 0.16, 0.12);
+    AdvancingFront front(ball);
+    startAtSouthPole(front, ball, 0.04);
+    front.run({});
+    QCOMPARE(front.close(), std::size_t{0});
+    const TriMesh mesh = meshOf(front);
+    const MeshQuality q = measureQuality(mesh);
+    QVERIFY(q.closed && q.oriented);
+    QCOMPARE(q.euler, 2);
+    double sum = 0.0;
+    for (const auto& t : mesh.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3d &a = mesh.points[t[k]], &b = mesh.points[t[(k + 1) % 3]];
+        const double ratio = (b - a).norm() / ball.lengthAt(0.5 * (a + b));
+        QVERIFY2(ratio > 0.4 && ratio < 2.2, qPrintable(QString::number(ratio)));
+        sum += ratio / static_cast<double>(3 * mesh.triangles.size());
+      }
+    QVERIFY2(std::fabs(sum - 1.0) < 0.1, qPrintable(QString::number(sum)));
+    QVERIFY2(worthFlipping(mesh) < 0.005, qPrintable(QString::number(worthFlipping(mesh))));
   }
 
   // Where vertices of finished triangles lie the surface is meshed: no front grows over them.
@@ -217,6 +267,29 @@ class TestAdvancingFront : public QObject {
     } else {
       QVERIFY2(least >= 0.59 * length, qPrintable(QString::number(least)));
     }
+  }
+
+  // From an uneven rim the front starts with poor triangles: their edges are flipped as it goes on.
+  void flipsEdgesWhereThatIsBetter() {
+    double worth = 0.0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const AnalyticSurface ball = unitBall(0.15);
+      AdvancingFront front(ball);
+      std::vector<std::uint32_t> loop;
+      double around = 0.0;
+      for (std::uint64_t i = 0; around < 2.0 * shapes::pi - 0.1; ++i) {
+        const double polar = 0.9 + 0.2 * randomUniform(seed, 2 * i);
+        loop.push_back(front.addVertex(ball.at(onBall(polar, around))));
+        around += 0.05 + 0.4 * randomUniform(seed, 2 * i + 1);
+      }
+      front.startAlong(loop);
+      front.run({});
+      const TriMesh mesh = meshOf(front);
+      QVERIFY(mesh.triangles.size() > 100);
+      worth += worthFlipping(mesh) * 1.5 * static_cast<double>(mesh.triangles.size());
+    }
+    // A triangle is looked at once, when it is new: a few are left.
+    QVERIFY2(worth < 20.0, qPrintable(QString::number(worth)));
   }
 
   void fillsWhatFrontsLeave() {

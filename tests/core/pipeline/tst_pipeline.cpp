@@ -90,6 +90,29 @@ class TestPipeline : public QObject {
     for (const StageReport& stage : pipeline.run(params).stages) QVERIFY(stage.reused);
   }
 
+  // b = xi v_avg / (sigma_max / sigma_min), eq. 3.20.
+  void thresholdsTakeTheRangeOfScales() {
+    Volume<float> v(cube(4), -0.5F);
+    v.voxels[3] = 0.2F;
+    v.voxels[9] = 0.4F;
+    VesselnessResult vessels;
+    vessels.multiScale = std::make_shared<const Volume<float>>(v);
+    vessels.scalesMm = {0.5, 1.1, 2.0};
+    LevelSetParams params;
+    params.bRule = ThresholdRule::Average;
+    params.xi = 3.0;
+    params.bMin = 0.01;
+    params.bMax = 5.0;
+    const Thresholds t = thresholdsFor(vessels, params);
+    QVERIFY(std::fabs(t.b - 3.0 * 0.3 / 4.0) < 1e-6 && std::fabs(t.a - 2.0 * t.b) < 1e-12);
+    QVERIFY(!t.clamped);
+    const Volume<float> p = speedVolume(v, t);
+    for (std::size_t i = 0; i < p.voxels.size(); ++i)
+      QCOMPARE(p.voxels[i], static_cast<float>(vesselSpeed(v.voxels[i], t)));
+    params.b = 0.07;
+    QCOMPARE(thresholdsFor(vessels, params).b, 0.07);
+  }
+
   // Two tubes: the segmentation keeps one, and so does every surface.
   void theLargestComponentIsOneSurface_data() {
     QTest::addColumn<QString>("method");

@@ -89,6 +89,25 @@ class TestSurfaceStep : public QObject {
     QVERIFY(!refusal(expected, set, limits));
   }
 
+  void refusalsSayHowMuchItWouldTake() {
+    ExpectedSurface expected;
+    expected.triangles = 1.0;
+    const double bytes = expected.bytes(), seconds = expected.seconds();
+    const double gigabyte = 1024.0 * 1024.0 * 1024.0;
+    const SurfaceParams usual;
+    expected.triangles = 40.0 * gigabyte / bytes;
+    const QString memory =
+        QString::fromStdString(*refusal(expected, usual, {3.0 * gigabyte, 1e12}));
+    QVERIFY2(memory.contains("40 GB") && memory.contains("has 3 GB"), qPrintable(memory));
+    for (const auto& [wanted, said] : {std::pair{30.0, "about 1 minutes"},
+                                       {600.0, "about 10 minutes"},
+                                       {9000.0, "about 2.5 h"}}) {
+      expected.triangles = wanted / seconds;
+      const QString time = QString::fromStdString(*refusal(expected, usual, {1e18, 20.0}));
+      QVERIFY2(time.contains(said), qPrintable(time));
+    }
+  }
+
   void warnsOfRoughWallsAndOfLongWork() {
     ExpectedSurface expected;
     expected.triangles = 1e6;

@@ -226,6 +226,19 @@ class TestRemesh : public QObject {
       QVERIFY(std::abs(z - (place.liesIn(4) ? 0.0 : last)) < 1e-9);
     }
     QVERIFY(onPlanes > 20);
+    // Vertices slide along an open rim until it is evenly divided.
+    double shortest = 1e9, longest = 0.0;
+    for (const auto& t : result.mesh.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+        const Place edge = result.place[a].shared(result.place[b]);
+        if (!edge.wall || edge.planes() != 1) continue;
+        const double length = (result.mesh.points[b] - result.mesh.points[a]).norm();
+        shortest = std::min(shortest, length);
+        longest = std::max(longest, length);
+      }
+    if (!capped)
+      QVERIFY2(longest < 1.05 * shortest, qPrintable(QString::number(longest / shortest)));
     for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
       if (result.patch[t] == 0) continue;
       QVERIFY(capped);
