@@ -123,6 +123,27 @@ class TestComparisonMethods : public QObject {
     QCOMPARE(parts(), std::size_t{2});
   }
 
+  // A seed beside a part keeps it, on any side; one two voxels away does not.
+  void seedsKeepThePartsBesideThem() {
+    Volume<float> image(cube(9), 0.0F);
+    image.at(4, 4, 4) = 200.0F;
+    ComparisonParams params;
+    params.thresholdSigmaVoxels = 0.0;
+    params.thresholdLower = 100.0;
+    const auto keeps = [&](double i, double j, double k) {
+      try {
+        const ComparisonResult found = segmentByComparison(
+            image, Method::Threshold, {{4.0 + i, 4.0 + j, 4.0 + k}}, 1.0, params, Polarity::Bright);
+        return found.phi.at(4, 4, 4) < 0.0F;
+      } catch (const NumericError&) {
+        return false;
+      }
+    };
+    for (int n = 0; n < 27; ++n) QVERIFY(keeps(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1));
+    for (const double far : {-2.0, 2.0})
+      QVERIFY(!keeps(far, 0.0, 0.0) && !keeps(0.0, far, 0.0) && !keeps(0.0, 0.0, far));
+  }
+
   void theThreadsDoNotMatter() {
     const Phantom phantom = noisyTube(30.0);
     for (const Method method :
