@@ -3,7 +3,9 @@
 #   key TAB file TAB line TAB new line
 # Key and change are random numbers that follow from `seed`, the file's name and the line.
 # Counts on the layout of .clang-format: binary operators stand between spaces, template brackets do
-# not. Strings and comments stay as they are, and so do exceptions, progress and the grains of threads.
+# not. Strings and comments stay as they are, and so do exceptions, progress and the grains of threads;
+# and what as a rule changes nothing but speed: < for <= between numbers that are not counted, twice or
+# half of a number that only keeps from dividing by 0, one more of many, masks of bits, and fetching.
 
 BEGIN {
   for (i = 1; i < 256; ++i) code[sprintf("%c", i)] = i
@@ -11,8 +13,10 @@ BEGIN {
   change(" == ", " != "); change(" && ", " || "); change("std::min(", "std::max(")
   change("std::sin(", "std::cos("); change("std::floor(", "std::ceil(")
   change("return true;", "return false;"); change(".front()", ".back()")
-  changeTo(" < ", " <= "); changeTo(" < ", " > "); changeTo(" <= ", " < "); changeTo(" <= ", " >= ")
-  changeTo(" > ", " >= "); changeTo(" > ", " < "); changeTo(" >= ", " > "); changeTo(" >= ", " <= ")
+  changeTo(" < ", " > "); changeTo(" <= ", " >= "); changeTo(" > ", " < "); changeTo(" >= ", " <= ")
+  equalFrom = count + 1
+  change(" < ", " <= "); change(" > ", " >= ")
+  equalTo = count + 1
   changeTo("if (!", "if ("); changeTo("continue;", "break;")
   changeTo("std::fabs(", "("); changeTo("std::abs(", "(")
 }
@@ -55,6 +59,7 @@ function swap(at, length_, by) { add(substr(line, 1, at - 1) by substr(line, at 
 
 function operators(  i, at, rest, skipped, old) {
   for (i = 1; i <= count; ++i) {
+    if (i >= equalFrom && i < equalTo && text !~ /for \(|size\(\)|[cC]ount/) continue
     rest = text " "; skipped = 0; old = from[i]
     while ((at = index(rest, old)) > 0) {
       # A space at the end of the line is not there to be replaced.
@@ -80,15 +85,20 @@ function numbers(  rest, skipped, token, before, after, value, tail) {
         tail = token ~ /F$/ ? "F" : ""
         if (token ~ /^0*\.0*F?$/) {
           swap(skipped + RSTART, RLENGTH, "1.0" tail)
-        } else {
+        } else if (token !~ /e-/) {
           swap(skipped + RSTART, RLENGTH, "(2.0" tail " * " token ")")
           swap(skipped + RSTART, RLENGTH, "(0.5" tail " * " token ")")
           swap(skipped + RSTART, RLENGTH, "0.0" tail)
         }
       } else {
         value = token; gsub(/[UL]/, "", value); tail = substr(token, length(value) + 1)
-        swap(skipped + RSTART, RLENGTH, (value + 1) tail)
-        if (value > 0) swap(skipped + RSTART, RLENGTH, (value - 1) tail)
+        if (value >= 10) {
+          swap(skipped + RSTART, RLENGTH, (2 * value) tail)
+          swap(skipped + RSTART, RLENGTH, int(value / 2) tail)
+        } else {
+          swap(skipped + RSTART, RLENGTH, (value + 1) tail)
+        }
+        if (value > 0 && value < 10) swap(skipped + RSTART, RLENGTH, (value - 1) tail)
       }
     }
     skipped += RSTART + RLENGTH - 1
@@ -135,7 +145,7 @@ FNR == 1 { thrown = 0; listed = 0 }
   }
   if (code_ ~ /^ *$|^ *#|^ *(using|namespace|template|class|struct|friend|static_assert|enum)[ <(]/) next
   if (code_ ~ /[Pp]rogress|parallelFor|reserve\(|operator|[Ww]arn/ ||
-      code_ ~ /[Gg]rain|constexpr .*[Bb]lock/) next
+      code_ ~ /[Gg]rain|constexpr .*[Bb]lock|0x|fetch\(/) next
   choices = 0
   operators()
   numbers()
