@@ -23,7 +23,7 @@ const char* const kEditAndWait = "--edit-and-wait";
 
 /// The child of aKilledWindowLosesNothing(): says when its edit is on the disk, and waits.
 int editAndWait(const QString& recovery) {
-  CaseModels models(makeInlineJobRunner, nullptr, recovery.toStdString());
+  CaseModels models(makeInlineJobRunner, recovery.toStdString());
   models.files.openSample();
   models.document.setField("levelset.xi", 34.0);
   std::puts("ready");
