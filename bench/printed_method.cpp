@@ -27,7 +27,7 @@ std::vector<double> printedScales(double low, double high) {
 }
 
 /// Eq. 3.20 with the clamping of the preset.
-Thresholds printedThresholds(const Volume<float>& v, double ratio, const LevelSetParams& params) {
+Thresholds printedThresholds(const Volume<float>& v, double ratio, const ThresholdParams& params) {
   double sum = 0.0;
   std::size_t positive = 0;
   for (const float value : v.voxels)
@@ -119,7 +119,7 @@ PrintedMethodResult printedMethod(const Volume<float>& image, const Parameters& 
   result.vesselnessSeconds = secondsSince(start);
 
   start = Clock::now();
-  result.thresholds = printedThresholds(result.vesselness, high / low, params.levelset);
+  result.thresholds = printedThresholds(result.vesselness, high / low, params.thresholds);
   const Volume<float> phi0 = marchedStart(single, params.seeds, result.seeds);
   result.front = evolveItk(result.vesselness, result.thresholds, phi0, params.levelset, solver);
   result.frontSeconds = secondsSince(start);

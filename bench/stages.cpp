@@ -17,6 +17,7 @@
 #include "core/lumen/lumen.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/vesselness_step.h"
 #include "core/preprocess/curvature_flow.h"
 
 namespace angiomesh::bench {
