@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/front/fill_loop.h"
 #include "core/mesh/triangle_shape.h"
 
 namespace angiomesh {
@@ -21,52 +22,6 @@ void AdvancingFront::expect(double triangles) {
   seen_.reserve(vertices);
   used_.reserve(vertices);
   all_.reserve(vertices);
-}
-
-std::uint32_t AdvancingFront::addVertex(const FrontPoint& point, double spacing) {
-  vertices_.push_back(point);
-  spacing_.push_back(spacing);
-  leaving_.push_back(none);
-  const auto id = static_cast<std::uint32_t>(vertices_.size() - 1);
-  all_.insert(id, point.point, spacing);
-  return id;
-}
-
-std::uint32_t AdvancingFront::newEdge(std::uint32_t from, std::uint32_t to) {
-  std::uint32_t id = 0;
-  if (freeEdges_.empty()) {
-    id = static_cast<std::uint32_t>(edges_.size());
-    edges_.emplace_back();
-  } else {
-    id = freeEdges_.back();
-    freeEdges_.pop_back();
-  }
-  Edge& e = edges_[id];
-  e.from = from;
-  e.to = to;
-  e.next = e.previous = none;
-  e.kind = Class::Free;
-  e.alive = true;
-  e.nextLeaving = leaving_[from];
-  if (leaving_[from] == none) grid_.insert(from, vertices_[from].point, spacing_[from]);
-  leaving_[from] = id;
-  return id;
-}
-
-void AdvancingFront::dropEdge(std::uint32_t id) {
-  Edge& e = edges_[id];
-  std::uint32_t* link = &leaving_[e.from];
-  while (*link != id) link = &edges_[*link].nextLeaving;
-  *link = e.nextLeaving;
-  if (leaving_[e.from] == none) grid_.remove(e.from, vertices_[e.from].point, spacing_[e.from]);
-  e.alive = false;
-  ++e.stamp;
-  freeEdges_.push_back(id);
-}
-
-void AdvancingFront::join(std::uint32_t before, std::uint32_t after) {
-  edges_[before].next = after;
-  edges_[after].previous = before;
 }
 
 void AdvancingFront::push(std::uint32_t id, Class kind, double shape) {
@@ -100,14 +55,6 @@ void AdvancingFront::refresh(std::uint32_t id) {
   const double length = (vertices_[e.to].point - vertices_[e.from].point).norm();
   const double wanted = 0.5 * (vertices_[e.from].length + vertices_[e.to].length);
   push(id, Class::Free, std::fabs(std::log2(std::max(length, 1e-300) / wanted)));
-}
-
-std::uint32_t AdvancingFront::addTriangle(const Triangle& t, FaceOrigin origin) {
-  const auto id = static_cast<std::uint32_t>(triangles_.size());
-  triangles_.push_back(t);
-  origins_.push_back(origin);
-  for (std::size_t k = 0; k < 3; ++k) used_.set(t[k], t[(k + 1) % 3], id);
-  return id;
 }
 
 void AdvancingFront::startAt(const Triangle& triangle) {
@@ -305,6 +252,29 @@ bool AdvancingFront::flip(std::uint32_t from, std::uint32_t to) {
   for (const std::uint32_t t : {left, right})
     for (std::size_t k = 0; k < 3; ++k) used_.set(triangles_[t][k], triangles_[t][(k + 1) % 3], t);
   return true;
+}
+
+std::size_t AdvancingFront::close() {
+  std::size_t failed = 0;
+  for (std::uint32_t id = 0; id < edges_.size(); ++id) {
+    if (!edges_[id].alive) continue;
+    std::vector<std::uint32_t> loop, members;
+    for (std::uint32_t h = id;;) {
+      loop.push_back(edges_[h].from);
+      members.push_back(h);
+      h = edges_[h].next;
+      if (h == id) break;
+    }
+    if (loop.size() > 2) {
+      const auto filling = fillLoop(loop, vertices_, [this](std::uint32_t a, std::uint32_t b) {
+        return used_.has(a, b) || used_.has(b, a);
+      });
+      if (filling.empty()) ++failed;
+      for (const Triangle& t : filling) addTriangle(t, FaceOrigin::Closing);
+    }
+    for (const std::uint32_t h : members) dropEdge(h);
+  }
+  return failed;
 }
 
 }  // namespace angiomesh

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/remesh/remesh_worker.h"
 
-#include <Eigen/Geometry>
-#include <bit>
+#include <algorithm>
 #include <cmath>
+#include <queue>
 
 #include "core/base/parallel.h"
 #include "core/remesh/remesh_shape.h"
@@ -12,283 +12,311 @@ namespace angiomesh {
 namespace {
 
 constexpr std::size_t blockSize = 512;
-constexpr std::size_t cached = 20000;  ///< so many vertices fit into the processor's cache
-
-struct Flat {
-  double x, y;
-};
-
-double cross(const Flat& a, const Flat& b) { return a.x * b.y - a.y * b.x; }
-
-// The energy of one triangle with a corner at the origin and the others at a and b: (shape)^2 with
-// shape = (sum of squared edges) / (4 sqrt(3) area) >= 1, convex in each corner, plus a term that
-// keeps the area near the wanted one.
-struct Energy {
-  double value = 0.0;
-  double gx = 0.0, gy = 0.0;
-  double xx = 0.0, xy = 0.0, yy = 0.0;
-};
-
-constexpr double evenShape = 6.928203230275509;  // 4 sqrt(3)
-constexpr double evenArea = 0.4330127018922193;  // sqrt(3) / 4
-constexpr double sizeWeight = 0.15;
-
-double energyAt(const Flat& a, const Flat& b, double wanted) {
-  const double area = 0.5 * cross(a, b);
-  if (!(area > 0.02 * wanted)) return 1e30;
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  const double f =
-      (a.x * a.x + a.y * a.y + b.x * b.x + b.y * b.y + dx * dx + dy * dy) / (evenShape * area);
-  return f * f + sizeWeight * (area / wanted + wanted / area);
-}
-
-void addEnergy(const Flat& a, const Flat& b, double wanted, Energy& e) {
-  const double area = 0.5 * cross(a, b);
-  const double ax = 0.5 * (a.y - b.y), ay = 0.5 * (b.x - a.x);  // of the area
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  const double s = a.x * a.x + a.y * a.y + b.x * b.x + b.y * b.y + dx * dx + dy * dy;
-  const double sx = -2.0 * (a.x + b.x), sy = -2.0 * (a.y + b.y);
-  const double inverse = 1.0 / area;
-  const double scale = inverse / evenShape;
-  const double f = s * scale;
-  const double fx = scale * (sx - s * inverse * ax), fy = scale * (sy - s * inverse * ay);
-  const double r = 2.0 * s * inverse * inverse;
-  const double fxx = scale * (4.0 - 2.0 * inverse * sx * ax + r * ax * ax);
-  const double fyy = scale * (4.0 - 2.0 * inverse * sy * ay + r * ay * ay);
-  const double fxy = scale * (-inverse * (sx * ay + sy * ax) + r * ax * ay);
-  const double slope = sizeWeight * (1.0 / wanted - wanted * inverse * inverse);
-  const double bend = sizeWeight * 2.0 * wanted * inverse * inverse * inverse;
-  e.value += f * f + sizeWeight * (area / wanted + wanted * inverse);
-  e.gx += 2.0 * f * fx + slope * ax;
-  e.gy += 2.0 * f * fy + slope * ay;
-  e.xx += 2.0 * (fx * fx + f * fxx) + bend * ax * ax;
-  e.xy += 2.0 * (fx * fy + f * fxy) + bend * ax * ay;
-  e.yy += 2.0 * (fy * fy + f * fyy) + bend * ay * ay;
-}
+constexpr double good = 0.97;  ///< nothing to be gained below this badness
 
 }  // namespace
 
-RemeshWorker::RemeshWorker(const PatchMesh& start, const RemeshGround& ground,
-                           const Progress& progress, const std::vector<char>& held)
-    : mesh_(start), ground_(ground), progress_(progress) {
-  for (std::uint32_t v = 0; v < held.size(); ++v)
-    if (held[v] != 0) {
-      mesh_.lock(v);
-      partly_ = true;
-    }
-  if (mesh_.vertexSlots() > cached) mesh_.reorder();
-  const double reach = 0.3 * ground_.voxelMm();
-  parallelFor(0, mesh_.vertexSlots(), blockSize, [&](std::size_t first, std::size_t last) {
-    progress_.check();
-    for (std::size_t i = first; i < last; ++i) {
-      const auto v = static_cast<std::uint32_t>(i);
-      if (mesh_.livesVertex(v)) place(v, mesh_.point(v), 4, reach);
-    }
-  });
+bool RemeshWorker::Merit::betterThan(const Merit& other) const {
+  constexpr double leastEdge = 0.6, greatestEdge = 1.6;  // in wanted lengths
+  constexpr double thirtyDegrees = 1.14;                 // badness
+  if (worst > other.worst + 1e-9) return false;
+  // No fold is worth a bad angle.
+  if (worstShape > thirtyDegrees && worstShape > other.worstShape + 1e-9) return false;
+  if (shortest < leastEdge && shortest < other.shortest - 1e-9) return false;
+  if (longest > greatestEdge && longest > other.longest + 1e-9) return false;
+  return sum < 0.98 * other.sum;
 }
 
-int RemeshWorker::freedom(std::uint32_t v) const {
-  return mesh_.locked(v) ? 0 : mesh_.place(v).freedom();
-}
-
-// Puts v where `point` lands; where that is farther than `farthest`, on the point itself.
-void RemeshWorker::place(std::uint32_t v, Vector3d point, int steps, double farthest) {
-  Vector3d normal = mesh_.normal(v);
-  const Vector3d wanted = point;
-  const bool landed = ground_.land(mesh_.place(v), point, normal, steps) &&
-                      (point - wanted).squaredNorm() < farthest * farthest;
-  if (mesh_.locked(v)) point = mesh_.point(v);
-  if (!landed) point = wanted;
-  mesh_.set(v, point, normal, ground_.sizeAt(point));
-}
-
-double RemeshWorker::shapeBadness(std::uint32_t t) const {
-  return remeshing::badness(mesh_.point(mesh_.origin(3 * t)), mesh_.point(mesh_.origin(3 * t + 1)),
-                            mesh_.point(mesh_.origin(3 * t + 2)));
-}
-
-// Bad as well where the triangle turns away from the wall: not as bad as an angle below 30 degrees,
-// but worse when it is turned over.
-double RemeshWorker::faceBadness(std::uint32_t t) const {
-  const std::array<std::uint32_t, 3> c{mesh_.origin(3 * t), mesh_.origin(3 * t + 1),
-                                       mesh_.origin(3 * t + 2)};
-  const std::array<Vector3d, 3> p{mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2])};
-  const double shape = remeshing::badness(p[0], p[1], p[2]);
-  const double cosine = agreement(mesh_.patch(t), c, p);
-  if (cosine > 0.35) return shape;
-  return std::max(shape, cosine > 0.0 ? 1.1 - 0.2 * cosine : 1.5 - cosine);
-}
-
-// The smallest cosine between a triangle's normal and the wall's at its corners (the plane's in a
-// cap).
-double RemeshWorker::agreement(std::uint32_t patch, const std::array<std::uint32_t, 3>& corners,
-                               const std::array<Vector3d, 3>& points) const {
-  const Vector3d n = (points[1] - points[0]).cross(points[2] - points[0]);
-  const double length = n.norm();
-  if (!(length > 0.0)) return -1.0;
-  if (patch > 0) return n.dot(ground_.planeNormal(static_cast<int>(patch) - 1)) / length;
-  double least = length;
-  for (const std::uint32_t v : corners)
-    if (mesh_.place(v).wall) least = std::min(least, n.dot(mesh_.normal(v)));
-  return least / length;
-}
-
-bool RemeshWorker::agrees(std::uint32_t patch, const std::array<std::uint32_t, 3>& corners,
-                          const std::array<Vector3d, 3>& points, double least) const {
-  return agreement(patch, corners, points) > least;
-}
-
-bool RemeshWorker::ringAgrees(std::uint32_t v, const Ring& ring, const Vector3d& point,
-                              double least) const {
-  for (std::uint32_t i = 0; i < ring.triangles(); ++i) {
-    const std::uint32_t a = ring.vertex[i], b = ring.vertex[ring.after(i)];
-    const std::uint32_t patch = mesh_.patch(ring.side[i] / 3);
-    if (!agrees(patch, {v, a, b}, {point, mesh_.point(a), mesh_.point(b)}, least)) return false;
+// The corners of t and the vertices across its sides; at higher levels rings around them.
+std::vector<std::uint32_t> RemeshWorker::around(std::uint32_t t, int level) const {
+  std::vector<std::uint32_t> found;
+  const auto add = [&](std::uint32_t v) {
+    if (std::find(found.begin(), found.end(), v) == found.end()) found.push_back(v);
+  };
+  for (std::uint32_t k = 0; k < 3; ++k) add(mesh_.origin(3 * t + k));
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t o = mesh_.twin(3 * t + k);
+    if (o != EditMesh::none) add(mesh_.apex(o));
   }
+  for (int ring = 0; ring < level; ++ring) {
+    const std::size_t size = ring == 0 ? 3 : found.size();
+    for (std::size_t i = 0; i < size; ++i) {
+      const Ring r = mesh_.ring(found[i]);
+      for (std::uint32_t k = 0; k < r.count; ++k) add(r.vertex[k]);
+    }
+  }
+  return found;
+}
+
+void RemeshWorker::facesOf(const std::vector<std::uint32_t>& vertices,
+                           std::vector<std::uint32_t>& faces) {
+  marks_.resize(mesh_.halfEdgeSlots() / 3, 0);
+  ++mark_;
+  faces.clear();
+  for (const std::uint32_t v : vertices) {
+    if (!mesh_.livesVertex(v)) continue;
+    const std::uint32_t start = mesh_.leaving(v);
+    std::uint32_t h = start;
+    do {
+      if (marks_[h / 3] != mark_) {
+        marks_[h / 3] = mark_;
+        faces.push_back(h / 3);
+      }
+      h = mesh_.twin(EditMesh::previous(h));
+    } while (h != EditMesh::none && h != start);
+  }
+}
+
+RemeshWorker::Merit RemeshWorker::merit(const std::vector<std::uint32_t>& vertices) {
+  facesOf(vertices, faces_);
+  Merit m;
+  for (const std::uint32_t t : faces_) {
+    const double bad = faceBadness(t);
+    m.worst = std::max(m.worst, bad);
+    if (bad > m.worstShape) m.worstShape = std::max(m.worstShape, shapeBadness(t));
+    if (bad > good) m.sum += (bad - good) * (bad - good);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const double s = stretch(3 * t + k);
+      m.shortest = std::min(m.shortest, s);
+      m.longest = std::max(m.longest, s);
+    }
+  }
+  return m;
+}
+
+double RemeshWorker::ringBadness(const Ring& ring, const Vector3d& point) {
+  effort_ += ring.triangles();
+  double worst = 0.0;
+  for (std::uint32_t i = 0; i < ring.triangles(); ++i)
+    worst = std::max(worst, remeshing::badness(point, mesh_.point(ring.vertex[i]),
+                                               mesh_.point(ring.vertex[ring.after(i)])));
+  return worst;
+}
+
+// Moves v to where the worst triangle around it is best: a pattern search along the surface.
+bool RemeshWorker::relocate(std::uint32_t v) {
+  const int free = freedom(v);
+  if (free == 0) return false;
+  const Ring ring = mesh_.ring(v);
+  const Vector3d start = mesh_.point(v), n = mesh_.normal(v);
+  const double g = mesh_.size(v);
+  Vector3d best = start;
+  double worst = ringBadness(ring, start);
+  if (worst < 0.6) return false;
+  const double before = worst;
+  Vector3d t1 = n.unitOrthogonal();
+  if (free == 1) {
+    t1 = ground_.along(mesh_.place(v), n, mesh_.point(ring.vertex[0]) - start);
+    if (!(t1.norm() > 1e-9)) return false;
+    t1.normalize();
+  }
+  const Vector3d t2 = n.cross(t1);
+  constexpr double c = 0.5, s = 0.8660254037844386;
+  const std::array<Vector3d, 6> ways{
+      t1, c * t1 + s * t2, -c * t1 + s * t2, Vector3d(-t1), -c * t1 - s * t2, c * t1 - s * t2};
+  for (double length = 0.16 * g; length > 0.004 * g;) {
+    bool moved = false;
+    for (std::size_t i = 0; i < 6; i += free == 1 ? 3 : 1) {
+      const Vector3d point = best + length * ways[i];
+      const double value = ringBadness(ring, point);
+      if (value < worst - 1e-4) {
+        worst = value;
+        best = point;
+        moved = true;
+        break;
+      }
+    }
+    if (!moved) length *= 0.5;
+  }
+  if (best == start) return false;
+  Vector3d normal = n;
+  if (!ground_.land(mesh_.place(v), best, normal, 2)) return false;
+  if (ringBadness(ring, best) > before - 1e-4) return false;
+  if (!ringAgrees(v, ring, best, 0.5) && ringAgrees(v, ring, start, 0.5)) return false;
+  mesh_.set(v, best, normal, ground_.sizeAt(best));
   return true;
 }
 
-// Vertices of one colour share no edge, so they can move at the same time.
-void RemeshWorker::colour() {
-  constexpr std::uint8_t unset = 255;
-  std::vector<std::uint8_t> of(mesh_.vertexSlots(), unset);
-  for (auto& list : colours_) list.clear();
-  for (std::uint32_t v = 0; v < mesh_.vertexSlots(); ++v) {
-    if (!mesh_.livesVertex(v) || freedom(v) == 0) continue;
-    std::uint64_t used = 0;
-    const Ring ring = mesh_.ring(v);
-    for (std::uint32_t i = 0; i < ring.count; ++i) {
-      const std::uint8_t c = of[ring.vertex[i]];
-      if (c != unset) used |= std::uint64_t{1} << c;
+// Flips and relocations among `vertices`.
+void RemeshWorker::settle(const std::vector<std::uint32_t>& vertices, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    bool changed = false;
+    facesOf(vertices, faces_);
+    for (const std::uint32_t t : faces_)
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const std::uint32_t o = mesh_.twin(h);
+        if (o == EditMesh::none || marks_[o / 3] != mark_ || !worthFlipping(h, FlipBy::Shape))
+          continue;
+        mesh_.flip(h);
+        changed = true;
+      }
+    for (const std::uint32_t v : vertices) {
+      if (!mesh_.livesVertex(v) || freedom(v) == 0) continue;
+      if (round == 0) relaxVertex(v);
+      changed = relocate(v) || changed;
     }
-    const auto c = static_cast<std::size_t>(std::countr_one(used));
-    of[v] = static_cast<std::uint8_t>(c);
-    if (colours_.size() <= c) colours_.resize(c + 1);
-    colours_[c].push_back(v);
+    if (!changed) break;
   }
 }
 
-// A Newton step in the tangent plane down the energy of the triangles around v.
-bool RemeshWorker::stepOf(std::uint32_t v, const Ring& ring, Vector3d& step) const {
-  const Vector3d& p = mesh_.point(v);
-  const Vector3d& n = mesh_.normal(v);
-  const Vector3d t1 = n.unitOrthogonal(), t2 = n.cross(t1);
-  std::array<Flat, EditMesh::ringLimit> flat;
-  std::array<double, EditMesh::ringLimit> wanted;
-  for (std::uint32_t i = 0; i < ring.count; ++i) {
-    const Vector3d d = mesh_.point(ring.vertex[i]) - p;
-    flat[i] = {d.dot(t1), d.dot(t2)};
-  }
-  Energy e;
-  bool folded = false;
-  double meanX = 0.0, meanY = 0.0;
-  for (std::uint32_t i = 0; i < ring.count; ++i) {
-    const std::uint32_t j = ring.after(i);
-    const double g =
-        (mesh_.size(v) + mesh_.size(ring.vertex[i]) + mesh_.size(ring.vertex[j])) / 3.0;
-    wanted[i] = evenArea * g * g;
-    meanX += flat[i].x / ring.count;
-    meanY += flat[i].y / ring.count;
-    if (cross(flat[i], flat[j]) > 0.1 * wanted[i]) {
-      addEnergy(flat[i], flat[j], wanted[i], e);
-    } else {
-      folded = true;
-    }
-  }
-  if (folded) {
-    step = 0.5 * (meanX * t1 + meanY * t2);
-    return true;
-  }
-  const double determinant = e.xx * e.yy - e.xy * e.xy;
-  if (!(determinant > 0.0)) return false;
-  double x = (e.xy * e.gy - e.yy * e.gx) / determinant;
-  double y = (e.xy * e.gx - e.xx * e.gy) / determinant;
-  for (int halving = 0; halving < 4; ++halving, x *= 0.5, y *= 0.5) {
-    double value = 0.0;
-    for (std::uint32_t i = 0; i < ring.count && value < e.value; ++i) {
-      const Flat &a = flat[i], &b = flat[ring.after(i)];
-      value += energyAt({a.x - x, a.y - y}, {b.x - x, b.y - y}, wanted[i]);
-    }
-    if (value < e.value) {
-      step = x * t1 + y * t2;
+bool RemeshWorker::apply(const Move& move, std::vector<std::uint32_t>& vertices) {
+  switch (move.kind) {
+    case Kind::Relocate:
+      return true;
+    case Kind::Flip:
+      if (!mesh_.canFlip(move.side)) return false;
+      mesh_.flip(move.side);
+      return true;
+    case Kind::Collapse:
+      return collapseEdge(move.side, 1.6);
+    case Kind::Split: {
+      const std::uint32_t m = splitEdge(move.side);
+      if (m == EditMesh::none) return false;
+      vertices.push_back(m);
       return true;
     }
   }
   return false;
 }
 
-// Along a rim or a border between patches: to where both neighbours are as far as they are wanted.
-Eigen::Vector3d RemeshWorker::featureStep(std::uint32_t v, const Ring& ring) const {
-  std::array<std::uint32_t, 2> ends{};
-  std::uint32_t found = 0;
-  for (std::uint32_t i = 0; i < ring.count; ++i) {
-    const std::uint32_t h = mesh_.edgeBetween(v, ring.vertex[i]);
-    if (!mesh_.isFeature(h)) continue;
-    if (found == 2) return Vector3d::Zero();
-    ends[found++] = ring.vertex[i];
+std::vector<RemeshWorker::Move> RemeshWorker::movesFor(std::uint32_t t, int level) const {
+  std::array<std::uint32_t, 3> sides{3 * t, 3 * t + 1, 3 * t + 2};
+  std::stable_sort(sides.begin(), sides.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return stretch(a) < stretch(b); });
+  std::vector<Move> moves{{Kind::Relocate, 0}};
+  moves.push_back({Kind::Flip, sides[2]});
+  moves.push_back({Kind::Flip, sides[1]});
+  moves.push_back({Kind::Collapse, sides[0]});
+  moves.push_back({Kind::Split, sides[2]});
+  if (level == 0) return moves;
+  moves.push_back({Kind::Flip, sides[0]});
+  moves.push_back({Kind::Collapse, sides[1]});
+  moves.push_back({Kind::Split, sides[1]});
+  moves.push_back({Kind::Collapse, sides[2]});
+  moves.push_back({Kind::Split, sides[0]});
+  // The sides of the triangles around.
+  std::vector<std::uint32_t> more;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const Ring ring = mesh_.ring(mesh_.origin(3 * t + k));
+    for (std::uint32_t i = 0; i < ring.count; ++i) {
+      if (ring.side[i] != EditMesh::none && ring.side[i] / 3 != t) more.push_back(ring.side[i]);
+      const std::uint32_t h = mesh_.edgeBetween(mesh_.origin(3 * t + k), ring.vertex[i]);
+      if (h / 3 != t && (mesh_.twin(h) == EditMesh::none || mesh_.twin(h) / 3 != t))
+        more.push_back(h);
+    }
   }
-  if (found != 2) return Vector3d::Zero();
-  const Vector3d a = mesh_.point(ends[0]) - mesh_.point(v);
-  const Vector3d b = mesh_.point(ends[1]) - mesh_.point(v);
-  const double la = a.norm(), lb = b.norm();
-  const double ga = mesh_.size(ends[0]) + mesh_.size(v), gb = mesh_.size(ends[1]) + mesh_.size(v);
-  const double excess = 0.5 * (la * gb - lb * ga) / (ga + gb);
-  if (!(la > 0.0 && lb > 0.0)) return Vector3d::Zero();
-  return excess > 0.0 ? Vector3d(excess / la * a) : Vector3d(-excess / lb * b);
+  for (const std::uint32_t h : more) {
+    const double s = stretch(h);
+    moves.push_back({Kind::Flip, h});
+    if (s < 1.0) moves.push_back({Kind::Collapse, h});
+    if (s > 1.0) moves.push_back({Kind::Split, h});
+  }
+  return moves;
 }
 
-// True when v moved noticeably.
-bool RemeshWorker::relaxVertex(std::uint32_t v) {
-  const Ring ring = mesh_.ring(v);
-  Vector3d step = Vector3d::Zero();
-  if (freedom(v) == 1) {
-    step = featureStep(v, ring);
-  } else if (ring.open || !stepOf(v, ring, step)) {
-    return false;
+// Tries one change after the other around t, each followed by flips and relocation, and keeps the
+// first that leaves nothing bad, else the best. True when something was kept.
+bool RemeshWorker::work(std::uint32_t t, int level, std::size_t quota) {
+  const std::size_t limit = effort_ + quota;
+  const std::vector<std::uint32_t> region = around(t, level);
+  const Merit before = merit(region);
+  const int rounds = level + 2;
+  Merit best = before;
+  Move bestMove{Kind::Relocate, EditMesh::none};
+  bool any = false;
+  const auto attempt = [&](const Move& move) {
+    touched_ = region;
+    mesh_.beginTrial();
+    if (!apply(move, touched_)) return false;
+    settle(touched_, rounds);
+    return true;
+  };
+  for (const Move& move : movesFor(t, level)) {
+    if (effort_ > limit) break;
+    const bool done = attempt(move);
+    if (!done) {
+      mesh_.takeBack();
+      continue;
+    }
+    const Merit after = merit(touched_);
+    if (after.betterThan(before) && !(after.sum > 0.0)) {
+      mesh_.keep();
+      return true;
+    }
+    if (after.betterThan(best)) {
+      best = after;
+      bestMove = move;
+      any = true;
+    }
+    mesh_.takeBack();
   }
-  step = ground_.along(mesh_.place(v), mesh_.normal(v), step);
-  const double length = step.norm(), g = mesh_.size(v);
-  if (length < 1e-4 * g) return false;
-  if (length > 0.5 * g) step *= 0.5 * g / length;
-  const Vector3d wanted = mesh_.point(v) + step;
-  Vector3d point = wanted, normal = mesh_.normal(v);
-  if (!ground_.land(mesh_.place(v), point, normal, 1)) return false;
-  if ((point - wanted).norm() > 0.3 * g) return false;
-  if (normal.dot(mesh_.normal(v)) < 0.3) return false;
-  if (!ringAgrees(v, ring, point, 0.4) && ringAgrees(v, ring, mesh_.point(v), 0.4)) return false;
-  mesh_.set(v, point, normal, ground_.sizeAt(point));
+  if (!any) return false;
+  attempt(bestMove);
+  mesh_.keep();
   return true;
 }
 
-// Sweeps over the vertices that still move by more than `settled` wanted lengths, or whose
-// neighbours do. Returns how many moved in the last sweep.
-std::size_t RemeshWorker::relax(int sweeps, double settled) {
-  colour();
-  std::size_t count = 0;
-  active_.resize(mesh_.vertexSlots(), 1);
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    moved_.assign(mesh_.vertexSlots(), 0);
-    for (const auto& list : colours_)
-      parallelFor(0, list.size(), blockSize, [&](std::size_t first, std::size_t last) {
-        progress_.check();
-        for (std::size_t i = first; i < last; ++i) {
-          const std::uint32_t v = list[i];
-          if (active_[v] == 0) continue;
-          const Vector3d before = mesh_.point(v);
-          if (relaxVertex(v) && (mesh_.point(v) - before).norm() > settled * mesh_.size(v))
-            moved_[v] = 1;
-        }
-      });
-    std::fill(active_.begin(), active_.end(), std::uint8_t{0});
-    count = 0;
-    for (std::uint32_t h = 0; h < mesh_.halfEdgeSlots(); ++h) {
-      if (mesh_.origin(h) == EditMesh::none) continue;
-      if (moved_[mesh_.origin(h)] != 0) active_[mesh_.target(h)] = active_[mesh_.origin(h)] = 1;
+std::vector<RemeshWorker::Job> RemeshWorker::badFaces() const {
+  constexpr std::size_t blockSize = 2048;
+  const std::size_t count = mesh_.halfEdgeSlots() / 3;
+  std::vector<std::vector<Job>> found((count + blockSize - 1) / blockSize);
+  parallelFor(0, count, blockSize, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      if (!mesh_.lives(t)) continue;
+      if (mesh_.locked(mesh_.origin(3 * t)) && mesh_.locked(mesh_.origin(3 * t + 1)) &&
+          mesh_.locked(mesh_.origin(3 * t + 2)))
+        continue;
+      const double bad = faceBadness(t);
+      if (bad > 1.0) found[first / blockSize].push_back({bad, t});
     }
-    for (const std::uint8_t m : moved_) count += m;
-    if (count == 0) break;
+  });
+  std::vector<Job> all;
+  for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+// Worst first; what did not give way is tried again with more of its surroundings.
+void RemeshWorker::repair() {
+  for (int level = 0; level < 3; ++level) {
+    const std::vector<Job> start = badFaces();
+    if (start.empty()) return;
+    std::priority_queue<Job> queue(std::less<Job>(), start);
+    // What cannot be made good, as on a wall of noise, must not take for ever; least of all folds,
+    // which mostly lie where the wall has a crease that no triangle can follow. Counted in
+    // triangles looked at.
+    const std::size_t faces = mesh_.halfEdgeSlots() / 3;
+    const bool hopeless = 20 * start.size() > faces + 1000;
+    if (hopeless && level > 0) return;
+    // Held triangles are none that could be made good; those beside them mostly neither.
+    std::size_t quota =
+        ((hopeless ? 20 : 100) * faces + std::min<std::size_t>(3000 * faces, 3000000)) /
+        (partly_ ? 8 : 1);
+    std::size_t foldQuota = quota / 8;
+    while (!queue.empty()) {
+      progress_.check();
+      const Job job = queue.top();
+      queue.pop();
+      if (!mesh_.lives(job.triangle)) continue;
+      const double bad = faceBadness(job.triangle);
+      if (bad <= 1.0) continue;
+      if (bad < job.badness - 1e-9) {
+        queue.push({bad, job.triangle});
+        continue;
+      }
+      std::size_t& left = shapeBadness(job.triangle) > 1.0 ? quota : foldQuota;
+      if (left == 0) continue;
+      const std::size_t before = effort_;
+      const bool better = work(job.triangle, level, left);
+      left -= std::min(left, effort_ - before);
+      if (!better) continue;
+      facesOf(touched_, faces_);
+      for (const std::uint32_t t : faces_) {
+        const double now = faceBadness(t);
+        if (now > 1.0) queue.push({now, t});
+      }
+    }
   }
-  return count;
 }
 
 void RemeshWorker::finish() {

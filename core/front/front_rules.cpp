@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/front/front_rules.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "core/front/advancing_front.h"
 #include "core/mesh/predicates.h"
 
 namespace angiomesh {
@@ -41,7 +42,61 @@ bool inSector(const Vector2d& q, const Vector2d& z, const Vector2d& y, const Vec
 
 }  // namespace
 
-AdvancingFront::Frame AdvancingFront::frameOf(const Edge& e) const {
+std::uint32_t FrontRules::addVertex(const FrontPoint& point, double spacing) {
+  vertices_.push_back(point);
+  spacing_.push_back(spacing);
+  leaving_.push_back(none);
+  const auto id = static_cast<std::uint32_t>(vertices_.size() - 1);
+  all_.insert(id, point.point, spacing);
+  return id;
+}
+
+std::uint32_t FrontRules::newEdge(std::uint32_t from, std::uint32_t to) {
+  std::uint32_t id = 0;
+  if (freeEdges_.empty()) {
+    id = static_cast<std::uint32_t>(edges_.size());
+    edges_.emplace_back();
+  } else {
+    id = freeEdges_.back();
+    freeEdges_.pop_back();
+  }
+  Edge& e = edges_[id];
+  e.from = from;
+  e.to = to;
+  e.next = e.previous = none;
+  e.kind = Class::Free;
+  e.alive = true;
+  e.nextLeaving = leaving_[from];
+  if (leaving_[from] == none) grid_.insert(from, vertices_[from].point, spacing_[from]);
+  leaving_[from] = id;
+  return id;
+}
+
+void FrontRules::dropEdge(std::uint32_t id) {
+  Edge& e = edges_[id];
+  std::uint32_t* link = &leaving_[e.from];
+  while (*link != id) link = &edges_[*link].nextLeaving;
+  *link = e.nextLeaving;
+  if (leaving_[e.from] == none) grid_.remove(e.from, vertices_[e.from].point, spacing_[e.from]);
+  e.alive = false;
+  ++e.stamp;
+  freeEdges_.push_back(id);
+}
+
+void FrontRules::join(std::uint32_t before, std::uint32_t after) {
+  edges_[before].next = after;
+  edges_[after].previous = before;
+}
+
+std::uint32_t FrontRules::addTriangle(const Triangle& t, FaceOrigin origin) {
+  const auto id = static_cast<std::uint32_t>(triangles_.size());
+  triangles_.push_back(t);
+  origins_.push_back(origin);
+  for (std::size_t k = 0; k < 3; ++k) used_.set(t[k], t[(k + 1) % 3], id);
+  return id;
+}
+
+FrontRules::Frame FrontRules::frameOf(const Edge& e) const {
   const FrontPoint& a = vertices_[e.from];
   const FrontPoint& b = vertices_[e.to];
   Frame f;
@@ -56,8 +111,8 @@ AdvancingFront::Frame AdvancingFront::frameOf(const Edge& e) const {
 
 // The front's vertices and edges on the frame's sheet of the surface. Other sheets are told by
 // their normals, and by their distance from the frame's plane.
-void AdvancingFront::collect(const Frame& frame, const Vector3d& centre, double radius,
-                             double spacing, bool relaxed) {
+void FrontRules::collect(const Frame& frame, const Vector3d& centre, double radius, double spacing,
+                         bool relaxed) {
   near_.clear();
   nearEdges_.clear();
   seen_.resize(vertices_.size(), 0);
@@ -86,7 +141,7 @@ void AdvancingFront::collect(const Frame& frame, const Vector3d& centre, double 
 }
 
 // The angle of the unmeshed sector between the front edges in -> v -> out, radians.
-double AdvancingFront::cornerAngle(std::uint32_t in, std::uint32_t out) const {
+double FrontRules::cornerAngle(std::uint32_t in, std::uint32_t out) const {
   const FrontPoint& v = vertices_[edges_[out].from];
   const Vector3d z = vertices_[edges_[out].to].point - v.point;
   const Vector3d y = vertices_[edges_[in].from].point - v.point;
@@ -97,7 +152,7 @@ double AdvancingFront::cornerAngle(std::uint32_t in, std::uint32_t out) const {
 
 // Both new edges as long as wanted at their ends; where a corner of the front leaves room for
 // two triangles, they share it evenly.
-ApexWish AdvancingFront::wishFor(const Frame& frame, std::uint32_t id) const {
+ApexWish FrontRules::wishFor(const Frame& frame, std::uint32_t id) const {
   const Edge& e = edges_[id];
   const FrontPoint& a = vertices_[e.from];
   const FrontPoint& b = vertices_[e.to];
@@ -127,7 +182,7 @@ ApexWish AdvancingFront::wishFor(const Frame& frame, std::uint32_t id) const {
   return wish;
 }
 
-bool AdvancingFront::clearAround(const Edge& e, const FrontPoint& apex) const {
+bool FrontRules::clearAround(const Edge& e, const FrontPoint& apex) const {
   const double g = std::min(apex.length, 1.3 * (apex.point - vertices_[e.from].point).norm());
   const double vertexLimit = kClearOfVertex * kClearOfVertex * g * g;
   const double edgeLimit = kClearOfEdge * kClearOfEdge * g * g;
@@ -151,7 +206,7 @@ bool AdvancingFront::clearAround(const Edge& e, const FrontPoint& apex) const {
 
 // Whether a vertex, of a front or finished, lies so near on the same sheet that the surface there
 // must be meshed already.
-bool AdvancingFront::meshedAt(const FrontPoint& place) const {
+bool FrontRules::meshedAt(const FrontPoint& place) const {
   const double radius = kClearOfMesh * place.length;
   const double shortest = place.length * std::max(0.7 * (1.0 - surface_.slope()), 0.05);
   bool meshed = false;
@@ -163,8 +218,8 @@ bool AdvancingFront::meshedAt(const FrontPoint& place) const {
 
 // Whether the sides from the base to the apex cross an edge of the front that shares no end with
 // them, or a vertex of the front lies in the triangle.
-bool AdvancingFront::crossesFront(const Frame& frame, std::uint32_t id, std::uint32_t apex,
-                                  const Vector2d& at) const {
+bool FrontRules::crossesFront(const Frame& frame, std::uint32_t id, std::uint32_t apex,
+                              const Vector2d& at) const {
   const Edge& e = edges_[id];
   const Vector2d a = frame.flat(vertices_[e.from].point), b = frame.flat(vertices_[e.to].point);
   for (const Near& near : near_) {
@@ -183,8 +238,8 @@ bool AdvancingFront::crossesFront(const Frame& frame, std::uint32_t id, std::uin
   return false;
 }
 
-bool AdvancingFront::legal(const Frame& frame, std::uint32_t id, std::uint32_t apex,
-                           const Vector2d& at, bool relaxed) const {
+bool FrontRules::legal(const Frame& frame, std::uint32_t id, std::uint32_t apex, const Vector2d& at,
+                       bool relaxed) const {
   const Edge& e = edges_[id];
   const Vector2d a = frame.flat(vertices_[e.from].point), b = frame.flat(vertices_[e.to].point);
   if (orient2d(a, b, at) <= 0) return false;
@@ -210,7 +265,7 @@ bool AdvancingFront::legal(const Frame& frame, std::uint32_t id, std::uint32_t a
 
 // The triangle may use the sides (to, apex) and (apex, from) when nothing lies there yet, and when
 // an edge between these vertices is the neighbouring one of the front.
-bool AdvancingFront::edgesUsable(std::uint32_t id, std::uint32_t apex) const {
+bool FrontRules::edgesUsable(std::uint32_t id, std::uint32_t apex) const {
   const Edge& e = edges_[id];
   if (used_.has(e.to, apex) || used_.has(apex, e.from)) return false;
   if (used_.has(apex, e.to) && edges_[e.next].to != apex) return false;
@@ -218,8 +273,8 @@ bool AdvancingFront::edgesUsable(std::uint32_t id, std::uint32_t apex) const {
 }
 
 // The front edge that leaves the apex where the triangle comes in between it and the edge before.
-std::uint32_t AdvancingFront::openCorner(const Frame& frame, std::uint32_t id, std::uint32_t apex,
-                                         const Vector2d& at) const {
+std::uint32_t FrontRules::openCorner(const Frame& frame, std::uint32_t id, std::uint32_t apex,
+                                     const Vector2d& at) const {
   const Edge& e = edges_[id];
   const Vector2d a = frame.flat(vertices_[e.from].point), b = frame.flat(vertices_[e.to].point);
   for (std::uint32_t h = leaving_[apex]; h != none; h = edges_[h].nextLeaving) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/remesh/remesh_edges.h"
+
 #include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/remesh/remesh_shape.h"
-#include "core/remesh/remesh_worker.h"
 
 namespace angiomesh {
 namespace {
@@ -16,12 +17,12 @@ int square(int x) { return x * x; }
 }  // namespace
 
 // The length of an edge in wanted lengths.
-double RemeshWorker::stretch(std::uint32_t h) const {
+double RemeshEdges::stretch(std::uint32_t h) const {
   const std::uint32_t u = mesh_.origin(h), v = mesh_.target(h);
   return 2.0 * (mesh_.point(v) - mesh_.point(u)).norm() / (mesh_.size(u) + mesh_.size(v));
 }
 
-bool RemeshWorker::flipAgrees(std::uint32_t h) const {
+bool RemeshEdges::flipAgrees(std::uint32_t h) const {
   const std::uint32_t u = mesh_.origin(h), v = mesh_.target(h), a = mesh_.apex(h),
                       b = mesh_.apex(mesh_.twin(h));
   const Vector3d &pu = mesh_.point(u), &pv = mesh_.point(v), &pa = mesh_.point(a),
@@ -32,7 +33,7 @@ bool RemeshWorker::flipAgrees(std::uint32_t h) const {
 
 // By valence: towards 6 (4 on a rim) where that leaves triangles that relaxation can even out. By
 // shape: where the worse of the two triangles gets better.
-bool RemeshWorker::worthFlipping(std::uint32_t h, FlipBy by) const {
+bool RemeshEdges::worthFlipping(std::uint32_t h, FlipBy by) const {
   const std::uint32_t o = mesh_.twin(h);
   if (o == EditMesh::none || mesh_.isFeature(h)) return false;
   const std::uint32_t u = mesh_.origin(h), v = mesh_.target(h), a = mesh_.apex(h),
@@ -58,7 +59,7 @@ bool RemeshWorker::worthFlipping(std::uint32_t h, FlipBy by) const {
 }
 
 // Where `all` is false, only edges of active vertices are looked at.
-std::size_t RemeshWorker::flipEdges(FlipBy by, bool all) {
+std::size_t RemeshEdges::flipEdges(FlipBy by, bool all) {
   std::size_t count = 0;
   active_.resize(mesh_.vertexSlots(), 1);
   for (std::uint32_t h = 0; h < mesh_.halfEdgeSlots(); ++h) {
@@ -76,21 +77,21 @@ std::size_t RemeshWorker::flipEdges(FlipBy by, bool all) {
 }
 
 // Has the next sweep look at v and its neighbours.
-void RemeshWorker::activate(std::uint32_t v) {
+void RemeshEdges::activate(std::uint32_t v) {
   active_.resize(mesh_.vertexSlots(), 1);
   const Ring ring = mesh_.ring(v);
   active_[v] = 1;
   for (std::uint32_t i = 0; i < ring.count; ++i) active_[ring.vertex[i]] = 1;
 }
 
-Place RemeshWorker::splitPlace(std::uint32_t h) const {
+Place RemeshEdges::splitPlace(std::uint32_t h) const {
   if (mesh_.isFeature(h)) return mesh_.place(mesh_.origin(h)).shared(mesh_.place(mesh_.target(h)));
   const std::uint16_t patch = mesh_.patch(h / 3);
   return patch == 0 ? Place::onWall() : Place::inPlane(patch - 1);
 }
 
 // Returns the new vertex, none where it cannot land.
-std::uint32_t RemeshWorker::splitEdge(std::uint32_t h) {
+std::uint32_t RemeshEdges::splitEdge(std::uint32_t h) {
   const std::uint32_t u = mesh_.origin(h), v = mesh_.target(h), o = mesh_.twin(h);
   if (mesh_.locked(u) || mesh_.locked(v) || mesh_.locked(mesh_.apex(h))) return EditMesh::none;
   if (mesh_.valence(mesh_.apex(h)) + 2 >= EditMesh::ringLimit) return EditMesh::none;
@@ -112,7 +113,7 @@ std::uint32_t RemeshWorker::splitEdge(std::uint32_t h) {
 }
 
 // Whether the origin of h can go into its target, and where the two would meet.
-bool RemeshWorker::collapseFits(std::uint32_t h, double longest, Vector3d& point) const {
+bool RemeshEdges::collapseFits(std::uint32_t h, double longest, Vector3d& point) const {
   const std::uint32_t u = mesh_.origin(h), v = mesh_.target(h);
   const Place from = mesh_.place(u), to = mesh_.place(v);
   if (!to.within(from) || mesh_.locked(u) || mesh_.locked(v) || freedom(u) == 0) return false;
@@ -142,7 +143,7 @@ bool RemeshWorker::collapseFits(std::uint32_t h, double longest, Vector3d& point
   return mesh_.canCollapse(h);
 }
 
-bool RemeshWorker::collapseEdge(std::uint32_t h, double longest) {
+bool RemeshEdges::collapseEdge(std::uint32_t h, double longest) {
   Vector3d point;
   if (!collapseFits(h, longest, point)) {
     h = mesh_.twin(h);
@@ -157,7 +158,7 @@ bool RemeshWorker::collapseEdge(std::uint32_t h, double longest) {
 
 // Only edges that are the longest of both their triangles: splitting the long sides of slivers
 // would make more of them.
-std::size_t RemeshWorker::splitLong() {
+std::size_t RemeshEdges::splitLong() {
   std::size_t count = 0;
   const std::uint32_t slots = mesh_.halfEdgeSlots();
   const auto longestOf = [&](std::uint32_t h, double s) {
@@ -174,7 +175,7 @@ std::size_t RemeshWorker::splitLong() {
   return count;
 }
 
-std::size_t RemeshWorker::collapseShort() {
+std::size_t RemeshEdges::collapseShort() {
   std::size_t count = 0;
   for (std::uint32_t h = 0; h < mesh_.halfEdgeSlots(); ++h) {
     if (h % 65536 == 0) progress_.check();
@@ -184,7 +185,7 @@ std::size_t RemeshWorker::collapseShort() {
   return count;
 }
 
-void RemeshWorker::resize() {
+void RemeshEdges::resize() {
   constexpr int rounds = 16;
   std::size_t ordered = mesh_.vertexSlots();
   active_.assign(mesh_.vertexSlots(), 1);
@@ -203,7 +204,7 @@ void RemeshWorker::resize() {
   }
 }
 
-void RemeshWorker::even() {
+void RemeshEdges::even() {
   active_.assign(mesh_.vertexSlots(), 1);
   flipEdges(FlipBy::Valence, true);
   for (int round = 0; round < 4; ++round) {
