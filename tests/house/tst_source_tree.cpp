@@ -129,7 +129,7 @@ std::string roomOf(const std::string& path) { return path.substr(0, path.rfind('
 /// Of the classes whose member functions a file defines, outside its unnamed namespaces.
 std::set<std::string> classesDefinedIn(const SourceFile& file) {
   static const std::regex member(
-      R"(^(?:[A-Za-z][\w:<>,&*\[\] ]*?\b)?([A-Z]\w*(?:::[A-Z]\w*)*)::~?\w+\()");
+      R"(^(?:[A-Za-z][\w:<>,&*\[\] ]*?[ &*])?([A-Z]\w*(?:::[A-Z]\w*)*)::~?\w+\()");
   std::set<std::string> classes;
   bool unnamed = false;
   for (const std::string& line : file.lines) {
