@@ -11,7 +11,7 @@
 namespace angiomesh {
 
 /// The words SPACE=LPS, UNIT=mm and KEY=... of a mesh file's header or comments; SPACE is the one
-/// that 3D Slicer writes and reads..
+/// that 3D Slicer writes and reads.
 struct MeshHeader {
   std::optional<Frame> frame;
   std::optional<LengthUnit> unit;

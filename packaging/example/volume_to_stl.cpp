@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <iostream>
+#include <angiomesh/parameters.h>
+#include <angiomesh/pipeline.h>
+#include <angiomesh/quality.h>
+#include <angiomesh/readers.h>
+#include <angiomesh/writers.h>
 
-#include "core/base/error.h"
-#include "core/parameters/field.h"
-#include "core/pipeline/pipeline.h"
-#include "io/mesh/mesh_io.h"
-#include "io/scan/image_io.h"
+#include <iostream>
 
 // volume-to-stl IMAGE STL: the vessels of an angiogram as a surface, LPS mm.
 int main(int argc, char** argv) {

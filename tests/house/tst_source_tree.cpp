@@ -30,8 +30,8 @@ struct Include {
   bool quoted;
 };
 
-const std::vector<std::string> kFolders{"app",   "core", "gui",   "io",        "render", "tests",
-                                        "bench", "fuzz", "cmake", "packaging", ".ci"};
+const std::vector<std::string> kFolders{"app",   "include", "core", "gui",   "io",        "render",
+                                        "tests", "bench",   "fuzz", "cmake", "packaging", ".ci"};
 
 std::vector<SourceFile> readTree() {
   std::vector<SourceFile> files;
