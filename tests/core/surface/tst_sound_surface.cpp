@@ -190,6 +190,38 @@ class TestSoundSurface : public QObject {
     QVERIFY(turned[0].measured && turned[0].degrees > 120.0);
   }
 
+  // A field and a mesh turned about a point have the same faces turned away as before.
+  void turnedFacesHaveNoPreferredSide() {
+    Volume<float> phi = shapes::noise({9, 9, 9}, 17);
+    for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+      const Index3 p = phi.geometry.indexOf(i);
+      phi.voxels[i] *= 0.3F;
+      phi.voxels[i] += static_cast<float>(
+          analytic::ball(Vector3d(p[0], p[1], p[2]), analytic::centreOf(phi.geometry), 2.4));
+    }
+    Volume<float> turned = phi;
+    std::reverse(turned.voxels.begin(), turned.voxels.end());
+    const Vector3d centre = analytic::centreOf(phi.geometry);
+    const auto patchOf = [](const TriMesh& mesh) {
+      PatchMesh patch;
+      patch.mesh = mesh;
+      patch.patch.assign(mesh.triangles.size(), 0);
+      patch.place.assign(mesh.points.size(), Place::onWall());
+      patch.origin.assign(mesh.triangles.size(), FaceOrigin::Front);
+      return patch;
+    };
+    TriMesh mesh = shapes::icosphere(3);
+    for (Vector3d& p : mesh.points) p = centre + 2.7 * p;
+    TriMesh other = mesh;
+    for (Vector3d& p : other.points) p = 2.0 * centre - p;
+    for (auto& t : other.triangles) std::swap(t[1], t[2]);
+    const auto one = turnedFaces(patchOf(mesh), {phi, SplineKind::InterpolatingBspline}, {});
+    const auto two = turnedFaces(patchOf(other), {turned, SplineKind::InterpolatingBspline}, {});
+    QVERIFY(one.size() > 50);
+    QCOMPARE(one.size(), two.size());
+    for (std::size_t i = 0; i < one.size(); ++i) QCOMPARE(one[i].triangle, two[i].triangle);
+  }
+
   // A part too thin for the edges that are asked for is made of shorter ones.
   void thinPartsGetShorterEdges() {
     const Volume<float> phi = analytic::sampled(analytic::cube(28), [](const Vector3d& p) {
