@@ -68,6 +68,20 @@ class AnalyticSurface : public FrontSurface {
   double length_, growth_;
 };
 
+// A ball that after some triangles every third try finds no corner on.
+class StubbornBall : public AnalyticSurface {
+ public:
+  explicit StubbornBall(double length)
+      : AnalyticSurface([](const Vector3d& p) { return p.norm() - 1.0; }, length) {}
+  [[nodiscard]] bool turn(const FrontPoint& a, const FrontPoint& b, const ApexWish& wish,
+                          FrontPoint& apex) const override {
+    return (++tries_ < 60 || tries_ % 3 != 0) && AnalyticSurface::turn(a, b, wish, apex);
+  }
+
+ private:
+  mutable int tries_ = 0;
+};
+
 AnalyticSurface unitBall(double length) {
   return {[](const Vector3d& p) { return p.norm() - 1.0; }, length};
 }
@@ -232,6 +246,17 @@ class TestAdvancingFront : public QObject {
       }
     QVERIFY2(std::fabs(sum - 1.0) < 0.1, qPrintable(QString::number(sum)));
     QVERIFY2(worthFlipping(mesh) < 0.005, qPrintable(QString::number(worthFlipping(mesh))));
+  }
+
+  // Where no new corner can be had edges connect to what is there: nothing is left to be filled.
+  void connectsWhereNothingNewIsToBeHad() {
+    const StubbornBall ball(0.1);
+    AdvancingFront front(ball);
+    startAtSouthPole(front, ball, 0.1);
+    front.run({});
+    QCOMPARE(front.close(), std::size_t{0});
+    QCOMPARE(measureQuality(meshOf(front)).euler, 2);
+    QCOMPARE(countOf(front, FaceOrigin::Closing), std::size_t{0});
   }
 
   // Where vertices of finished triangles lie the surface is meshed: no front grows over them.
