@@ -88,7 +88,7 @@ finish() {
 trap finish EXIT
 trap 'interrupted=yes; [ -z "${group:-}" ] || kill -- "-$group" 2>/dev/null' INT TERM
 
-# In the background, so that the traps above act at once.
+# In the background, so that the traps above act at once; in one group, so that all of it ends.
 in_group() {
   set -m
   "$@" &
@@ -136,7 +136,7 @@ tests=$(sed -n 's|^angiomesh_test(\([a-z_/]*\) .*|\1|p' tests/core/CMakeLists.tx
 # What each test takes of the processor, which is the same on a busy machine; they must pass.
 time_test() {
   local name=${1##*/} TIMEFORMAT='%3U %3S' took
-  took=$({ time timeout 600 "$build/tests/$name" -nocrashhandler >"$work/$name.log" 2>&1; } 2>&1 &&
+  took=$({ time timeout --foreground 600 "$build/tests/$name" -nocrashhandler >"$work/$name.log" 2>&1; } 2>&1 &&
     rm "$work/$name.log") || {
     tail -n 20 "$work/$name.log" >&2
     printf '%s fails without a fault\n' "$1" >&2
@@ -206,7 +206,7 @@ awk -v seed="$seed" -f tests/mutants.awk "${seen[@]}" | sort -n -k1,1 >"$work/ca
 [ -s "$work/candidates" ] || fail "nothing to change in ${seen[*]}" 2
 
 compile_fault() {
-  (cd "$build" && CCACHE_DISABLE=1 timeout 300 bash -c "$1") >"$2/log" 2>&1
+  (cd "$build" && ulimit -t 300 && CCACHE_DISABLE=1 bash -c "$1") >"$2/log" 2>&1
 }
 
 # plant N: the fault of line N of the candidates. Its verdict: none, killed BY, or survived.
@@ -236,7 +236,7 @@ plant() {
       {
         (
           ulimit -t "$limit"
-          exec timeout -k 1 $((20 * limit)) env LD_PRELOAD="$dir/fault.so" TMPDIR="$dir" \
+          exec timeout --foreground -k 1 $((20 * limit)) env LD_PRELOAD="$dir/fault.so" TMPDIR="$dir" \
             "$build/tests/${test##*/}" -nocrashhandler
         ) >"$dir/log" 2>&1 </dev/null
         code=$?
