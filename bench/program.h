@@ -2,20 +2,16 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <vector>
 
+#include "core/base/statistics.h"
+
 namespace angiomesh::bench {
 
 /// Of at least one value; of an even number of them, the mean of the middle two.
-inline double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
+inline double median(std::vector<double> values) { return percentile(values, 0.5); }
 
 /// The exit code of a program: what `run()` returns, or 1 with its fault on stderr.
 template <class Run>

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/statistics.h"
+
 namespace angiomesh {
 
 namespace {
@@ -255,14 +257,8 @@ std::array<double, 2> displayRange(const Volume<float>& image, double low, doubl
   for (std::size_t p = 0; p < image.voxels.size(); p += stride)
     if (std::isfinite(image.voxels[p])) values.push_back(image.voxels[p]);
   if (values.empty()) return {0.0, 1.0};
-  const auto ranked = [&](double fraction) {
-    const auto rank =
-        static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return static_cast<double>(values[static_cast<std::size_t>(rank)]);
-  };
-  const double from = ranked(low);
-  const double to = ranked(high);
+  const auto from = static_cast<double>(lowerPercentile(values, low));
+  const auto to = static_cast<double>(lowerPercentile(values, high));
   return {from, to > from ? to : from + 1.0};
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/exact_math.h"
+#include "core/base/statistics.h"
 
 namespace angiomesh {
 namespace {
@@ -29,19 +30,13 @@ std::vector<Vector3d> evenDirections(int count) {
   return directions;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Lengths of the rays of a section as they count for its area. A round or oval section seen from
 /// its centre looks the same in opposite directions.
 std::vector<double> expectedLengths(const std::vector<LumenProbe::Ray>& rays) {
   std::vector<double> lengths;
   for (const LumenProbe::Ray& ray : rays) lengths.push_back(ray.lengthMm);
-  const double middle = median(lengths);
   std::vector<double> expected = lengths;
+  const double middle = upperMedian(expected);
   const std::size_t half = rays.size() / 2;
   for (std::size_t n = 0; n < rays.size(); ++n) {
     const std::size_t opposite = (n + half) % rays.size();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/statistics.h"
+
 namespace angiomesh {
 
 Eigen::Matrix3d Geometry::physicalToIndexMatrix() const {
@@ -40,17 +42,8 @@ std::array<float, 2> valueRange(const Volume<float>& image) {
 std::vector<double> percentiles(const Volume<float>& image, const std::vector<double>& fractions) {
   BigVector<float> values = image.voxels;
   std::vector<double> result;
-  const auto last = static_cast<double>(values.size() - 1);
-  for (const double fraction : fractions) {
-    const double rank = std::clamp(fraction, 0.0, 1.0) * last;
-    const auto low = static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(values.begin(), values.begin() + low, values.end());
-    const double below = values[static_cast<std::size_t>(low)];
-    const double above = low + 1 < static_cast<std::ptrdiff_t>(values.size())
-                             ? *std::min_element(values.begin() + low + 1, values.end())
-                             : below;
-    result.push_back(below + (rank - static_cast<double>(low)) * (above - below));
-  }
+  for (const double fraction : fractions)
+    result.push_back(percentile(values, std::clamp(fraction, 0.0, 1.0)));
   return result;
 }
 

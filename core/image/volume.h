@@ -76,8 +76,8 @@ struct Volume {
 /// Smallest and largest value of a non-empty volume.
 std::array<float, 2> valueRange(const Volume<float>& image);
 
-/// Values at the given fractions (0..1) of the sorted voxels, by linear interpolation between
-/// ranks.
+/// Of the voxels the percentile() at each of the given fractions (0..1): linear between ranks.
+/// Works on a copy.
 std::vector<double> percentiles(const Volume<float>& image, const std::vector<double>& fractions);
 
 /// Trilinear interpolation at a continuous index, clamped to the border.

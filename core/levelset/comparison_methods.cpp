@@ -16,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
+#include "core/base/statistics.h"
 #include "core/levelset/seeds.h"
 
 namespace angiomesh {
@@ -99,10 +100,8 @@ void checkNotTrivial(const Volume<float>& phi) {
 void toEdgePotential(Image& magnitude, const Volume<float>& image, const ComparisonParams& params) {
   const std::size_t count = image.voxels.size();
   float* m = magnitude.GetBufferPointer();
-  std::vector<float> sorted(m, m + count);
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double noise = static_cast<double>(*middle);
+  std::vector<float> magnitudes(m, m + count);
+  const auto noise = static_cast<double>(upperMedian(magnitudes));
   const std::vector<double> p = percentiles(image, {0.001, 0.5, 0.999});
   // Of bright or dark vessels alike: what stands out furthest from the median.
   const double contrast = std::max(p[2] - p[1], p[1] - p[0]);

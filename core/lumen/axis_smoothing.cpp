@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/base/statistics.h"
 #include "core/vesselness/hessian_slices.h"
 #include "core/vesselness/vesselness.h"
 
@@ -285,10 +286,8 @@ double noiseLevel(const Volume<float>& image, const std::vector<std::uint32_t>& 
     differences.push_back(std::fabs(*v - mean));
   }
   if (differences.empty() || 10 * differences.size() < looked) return 0.0;
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
   // 0.6745 is the median of |x| for a standard normal x; the mean of six adds a sixth of variance.
-  return static_cast<double>(*middle) / (0.6744897501960817 * 1.0801234497346435);
+  return static_cast<double>(upperMedian(differences)) / (0.6744897501960817 * 1.0801234497346435);
 }
 
 }  // namespace angiomesh

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
+#include "core/base/statistics.h"
 #include "core/field/spline_field.h"
 #include "core/preprocess/curvature_flow.h"
 
@@ -148,10 +149,9 @@ Volume<float> clampIntensities(const Volume<float>& image, std::optional<double>
       throw InputError("no voxel is left between the bounds of the intensity",
                        "preprocess.clamp.lower, preprocess.clamp.upper",
                        "choose them around the brightness of the vessels and their surroundings");
-    const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
-    std::nth_element(between.begin(), middle, between.end());
+    const float middle = upperMedian(between);
     for (std::size_t i = 0; i < out.voxels.size(); ++i)
-      if (above.voxels[i] != 0) out.voxels[i] = *middle;
+      if (above.voxels[i] != 0) out.voxels[i] = middle;
   }
   for (float& value : out.voxels) value = std::max(value, low);
   return out;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/parallel.h"
+#include "core/base/statistics.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/self_intersection.h"
 #include "core/mesh/triangle_intersection.h"
@@ -19,22 +20,6 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 constexpr std::size_t listedPairs = 1000;
-
-// Value of the sample, sorted, at a fraction of its ranks, linear between ranks.
-double atFraction(std::vector<double>& values, double fraction) {
-  if (values.empty()) return 0.0;
-  const double rank = fraction * static_cast<double>(values.size() - 1);
-  const auto low = values.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), low, values.end());
-  const double next = low + 1 == values.end() ? *low : *std::min_element(low + 1, values.end());
-  return *low + (rank - std::floor(rank)) * (next - *low);
-}
-
-double meanOf(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
-}
 
 // Corner k of triangle t is 3 t + k. A fan is a set of corners at one vertex whose triangles hang
 // together by edges; a manifold vertex has one.
@@ -226,11 +211,11 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
   q.minAngleMean = meanOf(smallest);
   q.radiusRatioMean = meanOf(ratios);
   q.minAngleMin = *std::min_element(smallest.begin(), smallest.end());
-  q.minAngleP01 = atFraction(smallest, 0.01);
+  q.minAngleP01 = percentile(smallest, 0.01);
   q.maxAngleMax = *std::max_element(largest.begin(), largest.end());
-  q.maxAngleP99 = atFraction(largest, 0.99);
+  q.maxAngleP99 = percentile(largest, 0.99);
   q.radiusRatioMin = *std::min_element(ratios.begin(), ratios.end());
-  q.radiusRatioP01 = atFraction(ratios, 0.01);
+  q.radiusRatioP01 = percentile(ratios, 0.01);
   const auto count = static_cast<double>(shapes.size());
   q.below20Percent = 100.0 * static_cast<double>(below20) / count;
   q.below30Percent = 100.0 * static_cast<double>(below30) / count;
@@ -275,11 +260,11 @@ Deviations deviation(const std::vector<char>& counts, PointAt pointAt, bool with
   };
   if (!moved.empty()) {
     const double mean = meanOf(moved);
-    result.distance = {mean, atFraction(moved, 0.99), largest(moved)};
+    result.distance = {mean, percentile(moved, 0.99), largest(moved)};
   }
   if (!curved.empty()) {
     const double mean = meanOf(curved);
-    result.curved = {mean, atFraction(curved, 0.99), largest(curved)};
+    result.curved = {mean, percentile(curved, 0.99), largest(curved)};
   }
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/statistics.h"
 
 namespace angiomesh {
 namespace {
@@ -79,15 +80,6 @@ double sumOf(const std::vector<double>& values) {
   return sum;
 }
 
-/// Linear interpolation between ranks.
-double percentile95(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const double rank = 0.95 * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(rank);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (rank - static_cast<double>(low)) * (values[high] - values[low]);
-}
-
 /// Coordinates that rounding in a file's header moved off the voxel centre are put back, so that
 /// aligned grids reproduce the sign of phi exactly.
 double snapped(double index) {
@@ -134,9 +126,9 @@ OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<st
   const PointSet resultSurface = surfaceVoxels(result);
   const PointSet truthSurface = surfaceVoxels(truth);
   progress.report(0.3);
-  const std::vector<double> there = nearestDistances(resultSurface, truthSurface, progress);
+  std::vector<double> there = nearestDistances(resultSurface, truthSurface, progress);
   progress.report(0.65);
-  const std::vector<double> back = nearestDistances(truthSurface, resultSurface, progress);
+  std::vector<double> back = nearestDistances(truthSurface, resultSurface, progress);
   if (there.empty() || back.empty()) {
     const bool same = ratios.falsePositive + ratios.falseNegative == 0.0;
     measures.assdMm = same ? 0.0 : std::numeric_limits<double>::quiet_NaN();
@@ -144,7 +136,7 @@ OverlapMeasures compareMasks(const Volume<std::uint8_t>& result, const Volume<st
   } else {
     measures.assdMm =
         (sumOf(there) + sumOf(back)) / static_cast<double>(there.size() + back.size());
-    measures.hd95Mm = std::max(percentile95(there), percentile95(back));
+    measures.hd95Mm = std::max(percentile(there, 0.95), percentile(back, 0.95));
   }
   progress.report(1.0);
   return measures;

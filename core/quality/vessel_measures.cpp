@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/statistics.h"
 #include "core/phantom/wall_truth.h"
 
 namespace angiomesh {
@@ -44,14 +45,6 @@ void addCrossings(const SplineField& phi, int k, std::vector<Vector3d>& crossing
       if (j + 1 < n[1]) test(here[at], here[at + columns], i, j, 1);
       if (k + 1 < n[2]) test(here[at], above[at], i, j, 2);
     }
-}
-
-double percentile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const double rank = share * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(rank);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (rank - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
 /// The middle part of a straight line and what is around it.
@@ -163,12 +156,8 @@ WallDistance wallDistance(const std::vector<WallSample>& samples) {
   if (samples.empty()) return {kNone, kNone};
   std::vector<double> distances;
   distances.reserve(samples.size());
-  double sum = 0.0;
-  for (const WallSample& s : samples) {
-    distances.push_back(std::fabs(s.signedDistanceMm));
-    sum += distances.back();
-  }
-  return {sum / static_cast<double>(samples.size()), percentile(std::move(distances), 0.95)};
+  for (const WallSample& s : samples) distances.push_back(std::fabs(s.signedDistanceMm));
+  return {meanOf(distances), percentile(distances, 0.95)};
 }
 
 double wallBias(const std::vector<WallSample>& samples, double fromMm, double toMm,

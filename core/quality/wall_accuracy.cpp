@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/base/statistics.h"
 #include "core/mesh/triangle_shape.h"
 #include "core/quality/local_wall.h"
 #include "core/quality/wall_triangles.h"
@@ -27,21 +28,6 @@ struct Place {
   double distance = 0.0, angle = 0.0, curvatureError = -1.0, radius = 0.0;
 };
 
-double fractile(std::vector<double> values, double share) {
-  if (values.empty()) return WallAgreement::kNone;
-  std::sort(values.begin(), values.end());
-  const double rank = share * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(rank);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (rank - static_cast<double>(low)) * (values[high] - values[low]);
-}
-
-double meanOf(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  return values.empty() ? WallAgreement::kNone : sum / static_cast<double>(values.size());
-}
-
 /// Of the places whose radius is in [from, to), mm.
 WallAgreement summarise(const std::vector<Place>& vertices, const std::vector<Place>& triangles,
                         double from, double to) {
@@ -58,14 +44,18 @@ WallAgreement summarise(const std::vector<Place>& vertices, const std::vector<Pl
   WallAgreement out;
   out.vertices = distances.size();
   out.triangles = angles.size();
-  out.meanMm = meanOf(distances);
-  double square = 0.0;
-  for (const double d : distances) square += (d - out.meanMm) * (d - out.meanMm);
-  if (!distances.empty()) out.spreadMm = std::sqrt(square / static_cast<double>(distances.size()));
-  out.distance95Mm = fractile(sizes, 0.95);
-  out.normalMeanDeg = meanOf(angles);
-  out.normal95Deg = fractile(angles, 0.95);
-  out.curvatureErrorMedian = fractile(errors, 0.5);
+  if (!distances.empty()) {
+    out.meanMm = meanOf(distances);
+    double square = 0.0;
+    for (const double d : distances) square += (d - out.meanMm) * (d - out.meanMm);
+    out.spreadMm = std::sqrt(square / static_cast<double>(distances.size()));
+    out.distance95Mm = percentile(sizes, 0.95);
+  }
+  if (!angles.empty()) {
+    out.normalMeanDeg = meanOf(angles);
+    out.normal95Deg = percentile(angles, 0.95);
+  }
+  if (!errors.empty()) out.curvatureErrorMedian = percentile(errors, 0.5);
   return out;
 }
 

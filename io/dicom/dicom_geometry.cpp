@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "core/base/statistics.h"
 #include "io/dicom/dicom_series.h"
 #include "io/dicom/slice_orientation.h"
 
@@ -29,12 +30,6 @@ std::string mm(double value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.4g mm", value);
   return text;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Looks through one stack and gathers what it finds.
@@ -133,7 +128,8 @@ class Doctor {
   void examineDistances() {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < heights_.size(); ++i) gaps.push_back(heights_[i] - heights_[i - 1]);
-    const double usual = median(gaps);
+    std::vector<double> sample = gaps;
+    const double usual = upperMedian(sample);
     const double spacing = heights_.back() / static_cast<double>(gaps.size());
     if (spacing > 0.0) grid_.geometry.spacing[2] = spacing;
     std::size_t doubled = 0;

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/statistics.h"
 #include "io/dicom/dicom_series.h"
 #include "io/dicom/slice_orientation.h"
 
@@ -208,11 +209,7 @@ std::vector<int> placesOf(const Frames& frames) {
     if (gap > kSamePlaceMm) gaps.push_back(gap);
   }
   double tolerance = kSamePlaceMm;
-  if (!gaps.empty()) {
-    std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2),
-                     gaps.end());
-    tolerance = std::max(tolerance, 0.01 * gaps[gaps.size() / 2]);
-  }
+  if (!gaps.empty()) tolerance = std::max(tolerance, 0.01 * upperMedian(gaps));
   std::vector<int> places(frames.size(), 0);
   for (std::size_t i = 1; i < frames.size(); ++i) {
     const double gap = (frames[i].position - frames[i - 1].position).dot(normal);

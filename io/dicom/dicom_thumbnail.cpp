@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/statistics.h"
 #include "io/dicom/dicom.h"
 #include "io/dicom/dicom_series.h"
 
@@ -11,14 +12,8 @@ namespace {
 
 std::array<double, 2> rangeOf(const DicomFrame& frame, std::vector<float> values) {
   if (!frame.windows.empty()) return frame.windows.front().range();
-  const auto rank = [&](double fraction) {
-    const auto at = values.begin() +
-                    static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return static_cast<double>(*at);
-  };
-  const double low = rank(0.01);
-  return {low, rank(0.998)};
+  const auto low = static_cast<double>(lowerPercentile(values, 0.01));
+  return {low, static_cast<double>(lowerPercentile(values, 0.998))};
 }
 
 /// Mean of the pixels that fall into each pixel of the picture.
