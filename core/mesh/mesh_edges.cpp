@@ -2,8 +2,8 @@
 #include "core/mesh/mesh_edges.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
+#include <cstddef>
 
 namespace angiomesh {
 namespace {
@@ -98,24 +98,6 @@ std::vector<std::vector<std::uint32_t>> closedLoops(std::map<std::uint32_t, std:
     if (v == start && loop.size() >= 3) loops.push_back(std::move(loop));
   }
   return loops;
-}
-
-DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
-  std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::uint32_t DisjointSets::find(std::uint32_t item) {
-  while (parent_[item] != item) {
-    parent_[item] = parent_[parent_[item]];
-    item = parent_[item];
-  }
-  return item;
-}
-
-void DisjointSets::join(std::uint32_t a, std::uint32_t b) {
-  a = find(a);
-  b = find(b);
-  if (a != b) parent_[std::max(a, b)] = std::min(a, b);
 }
 
 MeshComponents meshComponents(const TriMesh& mesh) {

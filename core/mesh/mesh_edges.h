@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace angiomesh {
@@ -37,17 +38,6 @@ std::vector<RimEdge> rimEdges(const TriMesh& mesh);
 /// The closed loops of edges of which at most one leaves each vertex: from -> to. Chains that do
 /// not close, and loops of fewer than three edges, are left out.
 std::vector<std::vector<std::uint32_t>> closedLoops(std::map<std::uint32_t, std::uint32_t> next);
-
-/// Disjoint sets over 0..n-1 with the smallest member as representative.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count);
-  std::uint32_t find(std::uint32_t item);
-  void join(std::uint32_t a, std::uint32_t b);
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// The label of each triangle's edge-connected component, 0..count-1 by first triangle.
 struct MeshComponents {

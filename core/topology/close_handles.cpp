@@ -6,11 +6,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <queue>
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/topology/voxel_topology.h"
 
 namespace angiomesh {
@@ -50,8 +50,7 @@ class Pass {
       deep.voxels[i] = phi_.voxels[i] < -level_ ? 1 : 0;
     Components parts = connectedComponents(deep);
     labels_ = std::move(parts.labels);
-    root_.resize(parts.sizes.size() + 1);
-    std::iota(root_.begin(), root_.end(), 0);
+    joined_ = DisjointSets(parts.sizes.size() + 1);
     begin([&](float value) { return value < -level_; },
           [&](float value) { return value >= -level_ && value < 0.0F; });
     work(
@@ -149,29 +148,19 @@ class Pass {
   void remove(std::size_t at) { settle(at, false); }
 
   void add(std::size_t at) {
-    std::int32_t own = 0;
+    std::uint32_t own = 0;
     forNeighbours(at, [&](int, std::size_t next) {
       if ((state_.voxels[next] & kObject) == 0) return;
-      const std::int32_t other = rootOf(labels_.voxels[next]);
-      if (own != 0 && other != own)
-        root_[static_cast<std::size_t>(std::max(own, other))] = std::min(own, other);
+      const std::uint32_t other = rootAt(next);
+      if (own != 0) joined_.join(own, other);
       own = own == 0 ? other : std::min(own, other);
     });
-    if (own == 0) {
-      own = static_cast<std::int32_t>(root_.size());
-      root_.push_back(own);
-    }
-    labels_.voxels[at] = own;
+    labels_.voxels[at] = static_cast<std::int32_t>(own == 0 ? joined_.add() : own);
     settle(at, true);
   }
 
-  [[nodiscard]] std::int32_t rootOf(std::int32_t label) {
-    while (root_[static_cast<std::size_t>(label)] != label) {
-      std::int32_t& up = root_[static_cast<std::size_t>(label)];
-      up = root_[static_cast<std::size_t>(up)];
-      label = up;
-    }
-    return label;
+  [[nodiscard]] std::uint32_t rootAt(std::size_t voxel) {
+    return joined_.find(static_cast<std::uint32_t>(labels_.voxels[voxel]));
   }
 
   /// The undecided voxels that are connected to one, if they are no more than `most`.
@@ -265,11 +254,11 @@ class Pass {
 
   /// The parts that a voxel touches: how many there are, and how many that are not joined yet.
   [[nodiscard]] std::pair<int, int> partsAt(std::size_t at, const VoxelTopology& topology) {
-    std::array<std::int32_t, 8> roots{};
+    std::array<std::uint32_t, 8> roots{};
     forNeighbours(at, [&](int b, std::size_t next) {
       for (int part = 0; part < topology.object; ++part)
         if ((topology.objectParts[static_cast<std::size_t>(part)] >> b & 1) != 0)
-          roots[static_cast<std::size_t>(part)] = rootOf(labels_.voxels[next]);
+          roots[static_cast<std::size_t>(part)] = rootAt(next);
     });
     int different = 0;
     for (std::size_t a = 0; a < static_cast<std::size_t>(topology.object); ++a)
@@ -354,7 +343,7 @@ class Pass {
   std::vector<HandleChange>& changes_;
   Volume<std::uint8_t> state_;
   Volume<std::int32_t> labels_;  ///< of the parts, where they are needed
-  std::vector<std::int32_t> root_;
+  DisjointSets joined_{0};       ///< of the labels
   std::vector<std::size_t> cuts_, fills_;
   Queue queue_, waiting_;
 };

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/topology/voxel_topology.h"
 
 namespace angiomesh {
@@ -239,33 +240,20 @@ class Growth {
   /// between them it fills a hole. Parts that do not are cavities.
   int holesFilled(std::uint32_t n, const VoxelTopology& topology) const {
     if (topology.background < 2) return 0;
-    constexpr int outside = 6;
-    std::array<int, 7> root{0, 1, 2, 3, 4, 5, 6};
-    const auto rootOf = [&](int part) {
-      while (root[static_cast<std::size_t>(part)] != part)
-        part = root[static_cast<std::size_t>(part)];
-      return part;
-    };
-    const auto join = [&](int a, int b) {
-      a = rootOf(a);
-      b = rootOf(b);
-      root[static_cast<std::size_t>(std::min(a, b))] = std::max(a, b);
-    };
+    const auto parts = static_cast<std::uint32_t>(topology.background);
+    const std::uint32_t outside = parts;
+    DisjointSets sets(parts + 1);
     const auto joined = [&] {
-      int apart = 0;
-      for (int part = 0; part < topology.background; ++part) {
-        bool first = true;
-        for (int other = 0; other < part; ++other) first = first && rootOf(other) != rootOf(part);
-        apart += first ? 1 : 0;
-      }
-      return topology.background - apart;
+      int fewer = 0;
+      for (std::uint32_t part = 0; part < parts; ++part) fewer += sets.find(part) != part ? 1 : 0;
+      return fewer;
     };
-    std::unordered_map<std::size_t, int> seen;
-    std::vector<std::pair<std::size_t, int>> open;
+    std::unordered_map<std::size_t, std::uint32_t> seen;
+    std::vector<std::pair<std::size_t, std::uint32_t>> open;
     const std::size_t centre = voxels_[n];
-    const auto visit = [&](const Index3& p, int part) {
+    const auto visit = [&](const Index3& p, std::uint32_t part) {
       if (!g_.contains(p[0], p[1], p[2])) {
-        join(part, outside);
+        sets.join(part, outside);
         return;
       }
       const std::size_t at = g_.offset(p[0], p[1], p[2]);
@@ -277,15 +265,15 @@ class Growth {
       if (fresh)
         open.emplace_back(at, part);
       else
-        join(part, known->second);
+        sets.join(part, known->second);
     };
     static constexpr std::array<Index3, 6> faces{
         {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
     const Index3 p = g_.indexOf(centre);
     for (const Index3& d : faces) {
       const int bit = kMiddleBit + d[0] + 3 * d[1] + 9 * d[2];
-      for (int part = 0; part < topology.background; ++part)
-        if ((topology.backgroundParts[static_cast<std::size_t>(part)] >> bit & 1) != 0)
+      for (std::uint32_t part = 0; part < parts; ++part)
+        if ((topology.backgroundParts[part] >> bit & 1) != 0)
           visit({p[0] + d[0], p[1] + d[1], p[2] + d[2]}, part);
     }
     for (std::size_t next = 0; next < open.size() && next < kCavityVoxels; ++next) {
