@@ -6,6 +6,7 @@
 
 #include "app/study/study_panel.h"
 #include "core/base/error.h"
+#include "core/image/neighbours.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/pipeline/segments.h"
@@ -120,9 +121,7 @@ void measureWall(Measures& m, const Volume<float>& phi, const PhantomParams& par
       wallSamples(field, phantomDistance(params), phantom.centreLines, progress);
   if (region != nullptr)
     std::erase_if(samples, [&](const WallSample& s) {
-      const Vector3d index = g.toIndex(s.point);
-      Index3 near;
-      for (int a = 0; a < 3; ++a) near[a] = static_cast<int>(std::lround(index[a]));
+      const Index3 near = nearestVoxel(g, s.point);
       return !g.contains(near[0], near[1], near[2]) || region->at(near[0], near[1], near[2]) == 0;
     });
   const WallDistance distance = wallDistance(samples);

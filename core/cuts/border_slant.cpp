@@ -11,6 +11,7 @@
 #include "core/base/few_warnings.h"
 #include "core/centreline/vessel_at.h"
 #include "core/cuts/clip_reference.h"
+#include "core/image/neighbours.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/section.h"
 
@@ -113,9 +114,8 @@ class Finder {
     std::unordered_set<std::size_t> seen(found.begin(), found.end());
     int looked = 0;
     for (std::size_t n = 0; n < found.size() && !found_ && looked < kMostSections; ++n) {
-      const Index3 p = phi_.geometry.indexOf(found[n]);
       bool ridge = true;
-      forNeighbours(p, [&](std::size_t next) {
+      forFaceNeighbours(phi_.geometry, found[n], [&](std::size_t next) {
         ridge = ridge && phi_.voxels[next] >= phi_.voxels[found[n]];
         if (phi_.voxels[next] < 0.0F && reaches(next) && seen.insert(next).second)
           found.push_back(next);
@@ -124,16 +124,6 @@ class Finder {
       ++looked;
       takeAcross(found[n]);
     }
-  }
-
-  template <class Visit>
-  void forNeighbours(const Index3& p, Visit visit) const {
-    for (std::size_t a = 0; a < 3; ++a)
-      for (const int step : {-1, 1}) {
-        Index3 q = p;
-        q[a] += step;
-        if (phi_.geometry.contains(q[0], q[1], q[2])) visit(phi_.geometry.offset(q[0], q[1], q[2]));
-      }
   }
 
   [[nodiscard]] Vector3d placeOf(std::size_t voxel) const {

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/field/spline_field.h"
+#include "core/image/neighbours.h"
 
 namespace angiomesh {
 namespace {
@@ -93,8 +94,6 @@ class ClosestPoints {
   }
   [[nodiscard]] KeptFoot kept(const Foot& foot, const Eigen::Vector3d& x) const;
   template <class F>
-  void forBox(const Index3& p, F visit) const;
-  template <class F>
   void crossingsOfSlice(const Volume<float>& phi, int k, F found) const;
   bool bestOfNeighbours(std::size_t voxel, double within, Foot& foot) const;
   [[nodiscard]] bool toZero(Foot& foot) const;
@@ -122,15 +121,6 @@ KeptFoot ClosestPoints::kept(const Foot& foot, const Eigen::Vector3d& x) const {
   }
   k.bend = static_cast<std::int16_t>(std::lround(foot.bend * kBendScale));
   return k;
-}
-
-/// Calls visit(voxel, i, j, k) for a voxel and its neighbours.
-template <class F>
-void ClosestPoints::forBox(const Index3& p, F visit) const {
-  for (int k = std::max(p[2] - 1, 0); k <= std::min(p[2] + 1, geometry_.size[2] - 1); ++k)
-    for (int j = std::max(p[1] - 1, 0); j <= std::min(p[1] + 1, geometry_.size[1] - 1); ++j)
-      for (int i = std::max(p[0] - 1, 0); i <= std::min(p[0] + 1, geometry_.size[0] - 1); ++i)
-        visit(geometry_.offset(i, j, k), i, j, k);
 }
 
 /// Calls found(voxel, foot) for the voxels of a slice with a neighbour of the other sign, with the
@@ -197,16 +187,17 @@ bool ClosestPoints::bestOfNeighbours(std::size_t voxel, double within, Foot& foo
   auto least = static_cast<float>(within * within);
   std::int32_t best = kNone;
   Eigen::Vector3f to;
-  forBox(p, [&](std::size_t next, int i, int j, int k) {
+  forAround(geometry_, voxel, [&](std::size_t number, std::size_t next) {
     const std::int32_t slot = slot_.voxels[next];
     if (slot == kNone || slot == kFresh) return;
-    const Eigen::Vector3f away = offset(static_cast<std::size_t>(slot)) +
-                                 step.cwiseProduct(Eigen::Vector3f(static_cast<float>(i - p[0]),
-                                                                   static_cast<float>(j - p[1]),
-                                                                   static_cast<float>(k - p[2])));
-    const float d = away.squaredNorm();
-    if (d < least) {
-      least = d;
+    const Index3& d = kSteps27[number];
+    const Eigen::Vector3f away =
+        offset(static_cast<std::size_t>(slot)) +
+        step.cwiseProduct(Eigen::Vector3f(static_cast<float>(d[0]), static_cast<float>(d[1]),
+                                          static_cast<float>(d[2])));
+    const float square = away.squaredNorm();
+    if (square < least) {
+      least = square;
       best = slot;
       to = away;
     }
@@ -225,7 +216,7 @@ bool ClosestPoints::bestOfNeighbours(std::size_t voxel, double within, Foot& foo
 bool ClosestPoints::grow(const Progress& progress) {
   std::vector<std::uint32_t> fresh;
   for (std::size_t n = frontier_; n < voxels_.size(); ++n)
-    forBox(geometry_.indexOf(voxels_[n]), [&](std::size_t next, int, int, int) {
+    forNeighbours(geometry_, voxels_[n], [&](std::size_t, std::size_t next) {
       if (slot_.voxels[next] != kNone) return;
       slot_.voxels[next] = kFresh;
       fresh.push_back(static_cast<std::uint32_t>(next));

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/statistics.h"
+#include "core/image/neighbours.h"
 
 namespace angiomesh {
 
@@ -92,8 +93,7 @@ double shareOfBorder(const Volume<std::uint8_t>& mask) {
 }
 
 Components connectedComponents(const Volume<std::uint8_t>& mask, bool fullyConnected) {
-  const Geometry& g = mask.geometry;
-  Components result{Volume<std::int32_t>(g), {}};
+  Components result{Volume<std::int32_t>(mask.geometry), {}};
   BigVector<std::int32_t>& labels = result.labels.voxels;
   std::vector<std::size_t> stack;
   std::vector<std::size_t> sizes;
@@ -107,17 +107,13 @@ Components connectedComponents(const Volume<std::uint8_t>& mask, bool fullyConne
       const std::size_t at = stack.back();
       stack.pop_back();
       ++count;
-      const Index3 p = g.indexOf(at);
-      for (int dk = -1; dk <= 1; ++dk)
-        for (int dj = -1; dj <= 1; ++dj)
-          for (int di = -1; di <= 1; ++di) {
-            if (!fullyConnected && std::abs(di) + std::abs(dj) + std::abs(dk) != 1) continue;
-            if (!g.contains(p[0] + di, p[1] + dj, p[2] + dk)) continue;
-            const std::size_t next = g.offset(p[0] + di, p[1] + dj, p[2] + dk);
-            if (mask.voxels[next] == 0 || labels[next] != 0) continue;
-            labels[next] = label;
-            stack.push_back(next);
-          }
+      forNeighbours(mask.geometry, at, [&](std::size_t n, std::size_t next) {
+        const Index3& d = kSteps27[n];
+        if (!fullyConnected && std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]) != 1) return;
+        if (mask.voxels[next] == 0 || labels[next] != 0) return;
+        labels[next] = label;
+        stack.push_back(next);
+      });
     }
     sizes.push_back(count);
   }

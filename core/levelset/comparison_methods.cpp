@@ -17,6 +17,7 @@
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
 #include "core/base/statistics.h"
+#include "core/image/neighbours.h"
 #include "core/levelset/seeds.h"
 
 namespace angiomesh {
@@ -207,11 +208,9 @@ void keepSeeded(Volume<std::uint8_t>& mask, const std::vector<Index3>& seedVoxel
   std::vector<char> seeded(parts.sizes.size() + 1, 0);
   const Geometry& g = mask.geometry;
   for (const Index3& p : seedVoxels)
-    for (int k = -1; k <= 1; ++k)
-      for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i)
-          if (g.contains(p[0] + i, p[1] + j, p[2] + k))
-            seeded[static_cast<std::size_t>(parts.labels.at(p[0] + i, p[1] + j, p[2] + k))] = 1;
+    forAround(g, g.offset(p[0], p[1], p[2]), [&](std::size_t, std::size_t voxel) {
+      seeded[static_cast<std::size_t>(parts.labels.voxels[voxel])] = 1;
+    });
   for (std::size_t i = 0; i < mask.voxels.size(); ++i)
     if (seeded[static_cast<std::size_t>(parts.labels.voxels[i])] == 0) mask.voxels[i] = 0;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "core/base/parallel.h"
+#include "core/image/neighbours.h"
 #include "core/levelset/front_speed.h"
 
 namespace angiomesh {
@@ -49,20 +50,6 @@ struct LevelSetEvolution::State {
   }
 
   std::vector<std::uint32_t>& layer(int s) { return layers[static_cast<std::size_t>(s + 2)]; }
-
-  template <class F>
-  void forNeighbours(std::uint32_t voxel, F visit) const {
-    const Geometry& g = phi.geometry;
-    const Index3 p = g.indexOf(voxel);
-    const auto row = static_cast<std::uint32_t>(g.size[0]);
-    const auto slice = static_cast<std::uint32_t>(g.offset(0, 0, 1));
-    if (p[0] > 0) visit(voxel - 1);
-    if (p[0] + 1 < g.size[0]) visit(voxel + 1);
-    if (p[1] > 0) visit(voxel - row);
-    if (p[1] + 1 < g.size[1]) visit(voxel + row);
-    if (p[2] > 0) visit(voxel - slice);
-    if (p[2] + 1 < g.size[2]) visit(voxel + slice);
-  }
 
   std::vector<std::pair<std::uint32_t, float>> findActive();
   void build();
@@ -136,14 +123,14 @@ void LevelSetEvolution::State::remember() {
 void LevelSetEvolution::State::buildLayer(int s) {
   const int side = s < 0 ? -1 : 1;
   for (const std::uint32_t voxel : layer(s - side))
-    forNeighbours(voxel, [&](std::uint32_t next) {
+    forFaceNeighbours(phi.geometry, voxel, [&](std::uint32_t next) {
       if (status.voxels[next] != kFarStatus * side) return;
       status.voxels[next] = static_cast<std::int8_t>(s);
       layer(s).push_back(next);
     });
   for (const std::uint32_t voxel : layer(s)) {
     float nearest = side * kFar;
-    forNeighbours(voxel, [&](std::uint32_t next) {
+    forFaceNeighbours(phi.geometry, voxel, [&](std::uint32_t next) {
       if (status.voxels[next] != s - side) return;
       nearest =
           side < 0 ? std::max(nearest, phi.voxels[next]) : std::min(nearest, phi.voxels[next]);
@@ -183,7 +170,7 @@ void LevelSetEvolution::State::moveActive(double timeStep) {
     for (std::size_t n = first; n < last; ++n) {
       const float value = phi.voxels[active[n]];
       if (std::fabs(value) <= 0.5F) continue;
-      forNeighbours(active[n], [&](std::uint32_t next) {
+      forFaceNeighbours(phi.geometry, active[n], [&](std::uint32_t next) {
         if (status.voxels[next] != 0) return;
         const float other = phi.voxels[next];
         if (value > 0.5F ? other < -0.5F : other > 0.5F) held[n] = 1;
@@ -208,7 +195,7 @@ void LevelSetEvolution::State::updateLayer(int s,
       const std::uint32_t voxel = list[n];
       float nearest = kFar;  // of side * phi
       bool found = false;
-      forNeighbours(voxel, [&](std::uint32_t next) {
+      forFaceNeighbours(phi.geometry, voxel, [&](std::uint32_t next) {
         if (status.voxels[next] != inner) return;
         found = true;
         nearest = std::min(nearest, static_cast<float>(side) * phi.voxels[next]);
@@ -257,7 +244,7 @@ void LevelSetEvolution::State::enter(std::array<std::vector<std::uint32_t>, 5>& 
       layer(2 * side).push_back(voxel);
     }
     for (const std::uint32_t voxel : entering[static_cast<std::size_t>(side + 2)])
-      forNeighbours(voxel, [&](std::uint32_t next) {
+      forFaceNeighbours(phi.geometry, voxel, [&](std::uint32_t next) {
         if (status.voxels[next] != kFarStatus * side) return;
         status.voxels[next] = static_cast<std::int8_t>(2 * side);
         phi.voxels[next] = phi.voxels[voxel] + static_cast<float>(side);

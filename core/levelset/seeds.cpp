@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/image/neighbours.h"
 
 namespace angiomesh {
 namespace {
@@ -52,15 +53,9 @@ class FastMarching {
       heap_.pop();
       if (accepted_.voxels[voxel] != 0) continue;
       accepted_.voxels[voxel] = 1;
-      const Index3 p = geometry_.indexOf(voxel);
-      for (int a = 0; a < 3; ++a)
-        for (int side = -1; side <= 1; side += 2) {
-          Index3 q = p;
-          q[a] += side;
-          if (q[a] < 0 || q[a] >= geometry_.size[a]) continue;
-          const std::size_t next = geometry_.offset(q[0], q[1], q[2]);
-          if (accepted_.voxels[next] == 0) start(next, solve(q));
-        }
+      forFaceNeighbours(geometry_, voxel, [&](std::size_t next) {
+        if (accepted_.voxels[next] == 0) start(next, solve(geometry_.indexOf(next)));
+      });
     }
     return distance_;
   }

@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/field/wall_field.h"
+#include "core/image/neighbours.h"
 #include "core/lumen/local_levels.h"
 #include "core/lumen/local_quadric.h"
 #include "core/lumen/wall_cells.h"
@@ -308,16 +309,10 @@ class WallFitter {
   }
 
   [[nodiscard]] VoxelBits around(std::uint32_t voxel) const {
-    const Geometry& g = phi_.geometry;
-    const Index3 p = g.indexOf(voxel);
     VoxelBits object = 0;
-    unsigned bit = 0;
-    for (int k = -1; k <= 1; ++k)
-      for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i, ++bit)
-          if (g.contains(p[0] + i, p[1] + j, p[2] + k) &&
-              phi_.at(p[0] + i, p[1] + j, p[2] + k) < 0.0F)
-            object |= 1U << bit;
+    forNeighbours(phi_.geometry, voxel, [&](std::size_t n, std::size_t next) {
+      if (phi_.voxels[next] < 0.0F) object |= VoxelBits{1} << n;
+    });
     return object;
   }
 

@@ -2,13 +2,13 @@
 #include "core/openings/cut_away.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
 
 #include "core/base/error.h"
 #include "core/distance/redistance.h"
+#include "core/image/neighbours.h"
 
 namespace angiomesh {
 namespace {
@@ -21,20 +21,6 @@ constexpr int kThinVesselCells = 3;
 constexpr double kBesideVoxels = 1.0;
 /// Rims closer than this would leave no room for triangles between them.
 constexpr double kLeastGapVoxels = 1.5;
-
-/// The 26 neighbours.
-const std::array<Index3, 26>& neighbours() {
-  static const std::array<Index3, 26> all = [] {
-    std::array<Index3, 26> steps{};
-    std::size_t n = 0;
-    for (int k = -1; k <= 1; ++k)
-      for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i)
-          if (i != 0 || j != 0 || k != 0) steps[n++] = {i, j, k};
-    return steps;
-  }();
-  return all;
-}
 
 Vector3d centreOf(const Geometry& g, const Index3& p) {
   return g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
@@ -164,13 +150,12 @@ class Cutter {
       const std::size_t from = offset(p);
       const Vector3d here = centreOf(grid_, p);
       if (!inside(from) || section.height(here) > 0.0) return;
-      for (const Index3& step : neighbours()) {
-        const Index3 q{p[0] + step[0], p[1] + step[1], p[2] + step[2]};
-        if (!grid_.contains(q[0], q[1], q[2]) || !inside(offset(q))) continue;
-        const Vector3d there = centreOf(grid_, q);
-        if (section.height(there) <= 0.0) continue;
+      forNeighbours(grid_, from, [&](std::size_t number, std::size_t to) {
+        if (!inside(to)) return;
+        const Vector3d there = centreOf(grid_, grid_.indexOf(to));
+        if (section.height(there) <= 0.0) return;
         const Vector3d at = crossing(section, here, there);
-        const Way way{from, offset(q), joined(p, step)};
+        const Way way{from, to, joined(p, kSteps27[number])};
         if (section.covers(at)) {
           part(n, way);
           near.insert(way.near);
@@ -178,7 +163,7 @@ class Cutter {
         } else if (way.joined && section.covers(at, kBesideVoxels * grid_.voxelMm())) {
           beside.push_back(way);
         }
-      }
+      });
     });
     for (const Way& way : beside)
       if (touches(way.near, near) || touches(way.far, far)) part(n, way);
@@ -195,10 +180,11 @@ class Cutter {
   [[nodiscard]] bool touches(std::size_t voxel, const std::unordered_set<std::size_t>& ends) const {
     if (ends.count(voxel) != 0) return true;
     const Index3 p = grid_.indexOf(voxel);
-    return std::any_of(neighbours().begin(), neighbours().end(), [&](const Index3& step) {
-      const Index3 q{p[0] + step[0], p[1] + step[1], p[2] + step[2]};
-      return grid_.contains(q[0], q[1], q[2]) && ends.count(offset(q)) != 0 && joined(p, step);
+    bool found = false;
+    forNeighbours(grid_, voxel, [&](std::size_t number, std::size_t next) {
+      found = found || (ends.count(next) != 0 && joined(p, kSteps27[number]));
     });
+    return found;
   }
 
   [[nodiscard]] std::uint64_t keyOf(std::size_t a, std::size_t b) const {
@@ -217,14 +203,11 @@ class Cutter {
       if (i % 4096 == 0) progress_.check();
       const Index3 p = grid_.indexOf(found[i]);
       const bool linked = (away_.voxels.voxels[found[i]] & kLinked) != 0;
-      for (const Index3& step : neighbours()) {
-        const Index3 q{p[0] + step[0], p[1] + step[1], p[2] + step[2]};
-        if (!grid_.contains(q[0], q[1], q[2])) continue;
-        const std::size_t next = offset(q);
-        if (!inside(next) || visited_[next] != 0) continue;
-        if (linked && parted_.count(keyOf(found[i], next)) != 0) continue;
-        if (joined(p, step)) take(next);
-      }
+      forNeighbours(grid_, found[i], [&, from = found[i]](std::size_t number, std::size_t next) {
+        if (!inside(next) || visited_[next] != 0) return;
+        if (linked && parted_.count(keyOf(from, next)) != 0) return;
+        if (joined(p, kSteps27[number])) take(next);
+      });
     }
     checkFlood(n);
     for (const std::size_t voxel : found) {

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/statistics.h"
+#include "core/image/neighbours.h"
 #include "core/phantom/wall_truth.h"
 
 namespace angiomesh {
@@ -236,12 +237,9 @@ ComponentMeasures measureComponents(const Volume<std::uint8_t>& result,
   const std::vector<int> roots = rootsOf(centreLines);
   std::vector<std::set<int>> vessels(parts.sizes.size());
   walk(centreLines, 0.5 * g.voxelMm(), [&](std::size_t n, const Vector3d& point, double, double) {
-    const Vector3d index = g.toIndex(point);
-    const int i = static_cast<int>(std::lround(index[0]));
-    const int j = static_cast<int>(std::lround(index[1]));
-    const int k = static_cast<int>(std::lround(index[2]));
-    if (!g.contains(i, j, k)) return;
-    const std::int32_t label = parts.labels.at(i, j, k);
+    const Index3 p = nearestVoxel(g, point);
+    if (!g.contains(p[0], p[1], p[2])) return;
+    const std::int32_t label = parts.labels.at(p[0], p[1], p[2]);
     if (label > 0) vessels[static_cast<std::size_t>(label - 1)].insert(roots[n]);
   });
   std::set<std::array<int, 2>> pairs;

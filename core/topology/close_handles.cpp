@@ -67,7 +67,6 @@ class Pass {
   using Entry = std::pair<float, std::size_t>;
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
 
-  static Index3 stepOf(int bit) { return {bit % 3 - 1, bit / 3 % 3 - 1, bit / 9 - 1}; }
   [[nodiscard]] Eigen::Vector3d pointOf(std::size_t at) const {
     const Index3 p = g_.indexOf(at);
     return g_.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
@@ -79,19 +78,9 @@ class Pass {
     return std::fabs(phi_.voxels[at]) <= bound;
   }
 
-  template <class F>
-  void forNeighbours(std::size_t at, F visit) const {
-    const Index3 p = g_.indexOf(at);
-    for (int b = 0; b < 27; ++b) {
-      const Index3 d = stepOf(b);
-      if (b == kMiddleBit || !g_.contains(p[0] + d[0], p[1] + d[1], p[2] + d[2])) continue;
-      visit(b, g_.offset(p[0] + d[0], p[1] + d[1], p[2] + d[2]));
-    }
-  }
-
   [[nodiscard]] VoxelBits bitsAt(std::size_t at) const {
     VoxelBits bits = 0;
-    forNeighbours(at, [&](int b, std::size_t next) {
+    forNeighbours(g_, at, [&](std::size_t b, std::size_t next) {
       if ((state_.voxels[next] & kObject) != 0) bits |= VoxelBits{1} << b;
     });
     return bits;
@@ -138,7 +127,7 @@ class Pass {
   void settle(std::size_t at, bool object) {
     std::uint8_t& state = state_.voxels[at];
     state = static_cast<std::uint8_t>((state & ~(kOpen | kObject)) | (object ? kObject : 0));
-    forNeighbours(at, [&](int, std::size_t next) {
+    forNeighbours(g_, at, [&](std::size_t, std::size_t next) {
       std::uint8_t& other = state_.voxels[next];
       if ((other & kOpen) == 0 || (other & kQueued) != 0) return;
       other |= kQueued;
@@ -149,7 +138,7 @@ class Pass {
 
   void add(std::size_t at) {
     std::uint32_t own = 0;
-    forNeighbours(at, [&](int, std::size_t next) {
+    forNeighbours(g_, at, [&](std::size_t, std::size_t next) {
       if ((state_.voxels[next] & kObject) == 0) return;
       const std::uint32_t other = rootAt(next);
       if (own != 0) joined_.join(own, other);
@@ -167,7 +156,7 @@ class Pass {
   [[nodiscard]] std::vector<std::size_t> sectionAt(std::size_t start, std::size_t most) const {
     std::vector<std::size_t> section{start};
     for (std::size_t n = 0; n < section.size() && section.size() <= most; ++n)
-      forNeighbours(section[n], [&](int, std::size_t next) {
+      forNeighbours(g_, section[n], [&](std::size_t, std::size_t next) {
         if ((state_.voxels[next] & kOpen) != 0 &&
             std::find(section.begin(), section.end(), next) == section.end())
           section.push_back(next);
@@ -196,7 +185,7 @@ class Pass {
         if (labels_.voxels[at] != 0) continue;
         std::int32_t own = 0;
         bool joins = false;
-        forNeighbours(at, [&](int, std::size_t next) {
+        forNeighbours(g_, at, [&](std::size_t, std::size_t next) {
           const std::int32_t other = labels_.voxels[next];
           joins = joins || (other != 0 && own != 0 && other != own);
           if (other != 0) own = other;
@@ -225,7 +214,7 @@ class Pass {
       std::vector<std::size_t> one{voxels.front()};
       voxels.erase(voxels.begin());
       for (std::size_t n = 0; n < one.size(); ++n)
-        forNeighbours(one[n], [&](int, std::size_t next) {
+        forNeighbours(g_, one[n], [&](std::size_t, std::size_t next) {
           const auto found = std::lower_bound(voxels.begin(), voxels.end(), next);
           if (found == voxels.end() || *found != next) return;
           one.push_back(next);
@@ -239,7 +228,7 @@ class Pass {
   /// What is left of a hole on either side: voxels that the vessel surrounds, as far as phi allows.
   void fillPits(std::vector<std::size_t>& filled) {
     for (std::size_t n = 0; n < filled.size() && filled.size() < 20 * limits_.holeVoxels; ++n)
-      forNeighbours(filled[n], [&](int, std::size_t next) {
+      forNeighbours(g_, filled[n], [&](std::size_t, std::size_t next) {
         const float value = phi_.voxels[next];
         if ((state_.voxels[next] & kObject) != 0 || value < 0.0F || value >= level_ ||
             !mayChange(next))
@@ -255,7 +244,7 @@ class Pass {
   /// The parts that a voxel touches: how many there are, and how many that are not joined yet.
   [[nodiscard]] std::pair<int, int> partsAt(std::size_t at, const VoxelTopology& topology) {
     std::array<std::uint32_t, 8> roots{};
-    forNeighbours(at, [&](int b, std::size_t next) {
+    forNeighbours(g_, at, [&](std::size_t b, std::size_t next) {
       for (int part = 0; part < topology.object; ++part)
         if ((topology.objectParts[static_cast<std::size_t>(part)] >> b & 1) != 0)
           roots[static_cast<std::size_t>(part)] = rootAt(next);
@@ -296,7 +285,7 @@ class Pass {
       std::unordered_map<std::size_t, int> steps;
       std::vector<std::size_t> open;
       std::vector<std::size_t> goals;
-      forNeighbours(at, [&](int b, std::size_t next) {
+      forNeighbours(g_, at, [&](std::size_t b, std::size_t next) {
         if ((state_.voxels[next] & kObject) == 0) return;
         if ((start >> b & 1) == 0) return goals.push_back(next);
         steps[next] = 1;
@@ -306,7 +295,7 @@ class Pass {
         const int so = steps[open[n]];
         if (so + 1 > limits_.loopVoxels) break;
         bool reached = false;
-        forNeighbours(open[n], [&](int, std::size_t next) {
+        forNeighbours(g_, open[n], [&](std::size_t, std::size_t next) {
           if ((state_.voxels[next] & kObject) == 0 || !steps.emplace(next, so + 1).second) return;
           open.push_back(next);
           reached = reached || std::find(goals.begin(), goals.end(), next) != goals.end();

@@ -48,13 +48,9 @@ class Growth {
       label = static_cast<std::int32_t>(n + 1);
     }
     state_.assign(voxels_.size(), 0);
-    for (int b = 0; b < 27; ++b) {
-      const Index3 d = stepOf(b);
-      offset_[static_cast<std::size_t>(b)] =
-          d[0] + static_cast<std::int64_t>(g_.size[0]) *
-                     (d[1] + static_cast<std::int64_t>(g_.size[1]) * d[2]);
-      lengthMm_[static_cast<std::size_t>(b)] =
-          g_.spacing.cwiseProduct(Eigen::Vector3d(d[0], d[1], d[2])).norm();
+    for (std::size_t b = 0; b < lengthMm_.size(); ++b) {
+      const Index3& d = kSteps27[b];
+      lengthMm_[b] = g_.spacing.cwiseProduct(Eigen::Vector3d(d[0], d[1], d[2])).norm();
     }
   }
 
@@ -86,7 +82,6 @@ class Growth {
   using Entry = std::pair<float, std::uint32_t>;
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
 
-  static Index3 stepOf(int bit) { return {bit % 3 - 1, bit / 3 % 3 - 1, bit / 9 - 1}; }
   [[nodiscard]] float value(std::uint32_t n) const { return phi_.voxels[voxels_[n]]; }
   [[nodiscard]] Eigen::Vector3d pointOf(std::uint32_t n) const {
     const Index3 p = g_.indexOf(voxels_[n]);
@@ -95,24 +90,16 @@ class Growth {
 
   /// Calls visit(bit, number) for the neighbours of a voxel in the components.
   template <class F>
-  void forNeighbours(std::uint32_t n, F visit) const {
-    const Index3 p = g_.indexOf(voxels_[n]);
-    const bool inner = p[0] > 0 && p[1] > 0 && p[2] > 0 && p[0] + 1 < g_.size[0] &&
-                       p[1] + 1 < g_.size[1] && p[2] + 1 < g_.size[2];
-    for (int b = 0; b < 27; ++b) {
-      if (b == kMiddleBit) continue;
-      const Index3 d = stepOf(b);
-      if (!inner && !g_.contains(p[0] + d[0], p[1] + d[1], p[2] + d[2])) continue;
-      const auto at = static_cast<std::size_t>(static_cast<std::int64_t>(voxels_[n]) +
-                                               offset_[static_cast<std::size_t>(b)]);
+  void forKnown(std::uint32_t n, F visit) const {
+    forNeighbours(g_, voxels_[n], [&](std::size_t b, std::size_t at) {
       const std::int32_t number = number_.voxels[at];
       if (number != 0) visit(b, static_cast<std::uint32_t>(number - 1));
-    }
+    });
   }
 
   [[nodiscard]] VoxelBits bitsAt(std::uint32_t n, std::uint8_t state) const {
     VoxelBits bits = 0;
-    forNeighbours(n, [&](int b, std::uint32_t next) {
+    forKnown(n, [&](std::size_t b, std::uint32_t next) {
       if ((state_[next] & state) != 0) bits |= VoxelBits{1} << b;
     });
     return bits;
@@ -120,7 +107,7 @@ class Growth {
 
   void add(std::uint32_t n) {
     state_[n] |= kGrown;
-    forNeighbours(n, [&](int, std::uint32_t next) {
+    forKnown(n, [&](std::size_t, std::uint32_t next) {
       if ((state_[next] & (kGrown | kQueued)) != 0) return;
       state_[next] |= kQueued;
       queue_.emplace(value(next), next);
@@ -160,7 +147,7 @@ class Growth {
   [[nodiscard]] std::vector<std::uint32_t> sectionAt(std::uint32_t start) const {
     std::vector<std::uint32_t> section{start};
     for (std::size_t at = 0; at < section.size() && section.size() < kMostOfASection; ++at)
-      forNeighbours(section[at], [&](int, std::uint32_t next) {
+      forKnown(section[at], [&](std::size_t, std::uint32_t next) {
         if ((state_[next] & kGrown) == 0 &&
             std::find(section.begin(), section.end(), next) == section.end())
           section.push_back(next);
@@ -182,9 +169,9 @@ class Growth {
     std::unordered_map<std::uint32_t, double> goals;
     using Place = std::pair<double, std::uint32_t>;
     std::priority_queue<Place, std::vector<Place>, std::greater<>> front;
-    forNeighbours(n, [&](int b, std::uint32_t next) {
+    forKnown(n, [&](std::size_t b, std::uint32_t next) {
       if ((state_[next] & kGrown) == 0) return;
-      const double mm = lengthMm_[static_cast<std::size_t>(b)];
+      const double mm = lengthMm_[b];
       if ((topology.objectParts[0] >> b & 1) == 0) {
         goals[next] = mm;
         return;
@@ -213,9 +200,9 @@ class Growth {
       }
       const double before = mm;
       const std::uint32_t from = at;
-      forNeighbours(at, [&](int b, std::uint32_t next) {
+      forKnown(at, [&](std::size_t b, std::uint32_t next) {
         if ((state_[next] & kGrown) == 0) return;
-        const double length = before + lengthMm_[static_cast<std::size_t>(b)];
+        const double length = before + lengthMm_[b];
         Reached& r = reached[next];
         if (!(length < r.mm - 1e-12)) return;
         r = {length, from, false};
@@ -271,7 +258,7 @@ class Growth {
         {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
     const Index3 p = g_.indexOf(centre);
     for (const Index3& d : faces) {
-      const int bit = kMiddleBit + d[0] + 3 * d[1] + 9 * d[2];
+      const int bit = static_cast<int>(kMiddle27) + d[0] + 3 * d[1] + 9 * d[2];
       for (std::uint32_t part = 0; part < parts; ++part)
         if ((topology.backgroundParts[part] >> bit & 1) != 0)
           visit({p[0] + d[0], p[1] + d[1], p[2] + d[2]}, part);
@@ -293,7 +280,6 @@ class Growth {
   std::vector<std::int32_t> component_;
   std::vector<std::uint8_t> state_;
   std::vector<std::uint32_t> seeds_;
-  std::array<std::int64_t, 27> offset_{};
   std::array<double, 27> lengthMm_{};
   Queue queue_, waiting_;
   std::size_t stepsLeft_ = kSteps;

@@ -6,7 +6,7 @@
 namespace angiomesh {
 namespace {
 
-constexpr VoxelBits kMiddle = VoxelBits{1} << kMiddleBit;
+constexpr VoxelBits kMiddle = VoxelBits{1} << kMiddle27;
 
 struct Neighbours {
   std::array<VoxelBits, 27> all{};     ///< 26-neighbours within the cube, without the middle
@@ -17,25 +17,23 @@ struct Neighbours {
 
 constexpr Neighbours makeNeighbours() {
   Neighbours n;
-  const auto steps = [](int a, int b, int axis) {
-    const int scale = axis == 0 ? 1 : axis == 1 ? 3 : 9;
-    const int d = a / scale % 3 - b / scale % 3;
+  const auto steps = [](std::size_t a, std::size_t b, std::size_t axis) {
+    const int d = kSteps27[a][axis] - kSteps27[b][axis];
     return d < 0 ? -d : d;
   };
-  for (int a = 0; a < 27; ++a) {
-    const int off = steps(a, kMiddleBit, 0) + steps(a, kMiddleBit, 1) + steps(a, kMiddleBit, 2);
+  for (std::size_t a = 0; a < 27; ++a) {
+    const int off = steps(a, kMiddle27, 0) + steps(a, kMiddle27, 1) + steps(a, kMiddle27, 2);
     if (off == 1) n.faces |= VoxelBits{1} << a;
     if (off == 1 || off == 2) n.near |= VoxelBits{1} << a;
   }
-  for (int a = 0; a < 27; ++a)
-    for (int b = 0; b < 27; ++b) {
+  for (std::size_t a = 0; a < 27; ++a)
+    for (std::size_t b = 0; b < 27; ++b) {
       const int x = steps(a, b, 0);
       const int y = steps(a, b, 1);
       const int z = steps(a, b, 2);
-      if (a == b || b == kMiddleBit || x > 1 || y > 1 || z > 1) continue;
-      n.all[static_cast<std::size_t>(a)] |= VoxelBits{1} << b;
-      if (x + y + z == 1 && (n.near >> b & 1) != 0)
-        n.facing[static_cast<std::size_t>(a)] |= VoxelBits{1} << b;
+      if (a == b || b == kMiddle27 || x > 1 || y > 1 || z > 1) continue;
+      n.all[a] |= VoxelBits{1} << b;
+      if (x + y + z == 1 && (n.near >> b & 1) != 0) n.facing[a] |= VoxelBits{1} << b;
     }
   return n;
 }

@@ -4,12 +4,13 @@
 #include <array>
 #include <cstdint>
 
+#include "core/image/neighbours.h"
+
 namespace angiomesh {
 
-/// The voxels of a 3 x 3 x 3 neighbourhood that belong to an object, bit i + 3 j + 9 k for the one
-/// at (i - 1, j - 1, k - 1) from the middle.
+/// The voxels of a 3 x 3 x 3 neighbourhood that belong to an object, bit n for number n of
+/// kSteps27.
 using VoxelBits = std::uint32_t;
-constexpr int kMiddleBit = 13;
 
 /// The topological numbers of the middle voxel for a 26-connected object and its 6-connected
 /// background (Bertrand and Malandain, Pattern Recognition Letters 15, 1994), whether it belongs to

@@ -67,7 +67,7 @@ class TestHandles : public QObject {
 
   void topologicalNumbers() {
     const auto bit = [](int i, int j, int k) {
-      return VoxelBits{1} << (kMiddleBit + i + 3 * j + 9 * k);
+      return VoxelBits{1} << (static_cast<int>(kMiddle27) + i + 3 * j + 9 * k);
     };
     QCOMPARE(voxelTopology(0).object, 0);
     QCOMPARE(voxelTopology(0).background, 1);
