@@ -4,13 +4,9 @@
 #include <itkImage.h>
 #include <itkImportImageContainer.h>
 
-#include <algorithm>
-
-#include "core/image/volume.h"
+#include "core/image/itk_volume.h"
 
 namespace angiomesh::bench {
-
-using ItkImage = itk::Image<float, 3>;
 
 /// The volume as an image of ITK's that reads the same memory; lengths in working voxels, axes
 /// those of the grid. The volume must outlive the image and is not written to.
@@ -28,13 +24,6 @@ inline ItkImage::Pointer asItk(const Volume<float>& volume) {
   pixels->SetImportPointer(const_cast<float*>(volume.voxels.data()), volume.voxels.size(), false);
   image->SetPixelContainer(pixels);
   return image;
-}
-
-/// A copy on the grid `geometry`, which has the image's size.
-inline Volume<float> fromItk(const ItkImage& image, const Geometry& geometry) {
-  Volume<float> volume(geometry);
-  std::copy_n(image.GetBufferPointer(), volume.voxels.size(), volume.voxels.begin());
-  return volume;
 }
 
 }  // namespace angiomesh::bench

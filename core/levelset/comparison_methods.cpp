@@ -17,58 +17,15 @@
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
 #include "core/base/statistics.h"
+#include "core/image/itk_volume.h"
 #include "core/image/neighbours.h"
 #include "core/levelset/seeds.h"
 
 namespace angiomesh {
 namespace {
 
-using Image = itk::Image<float, 3>;
+using Image = ItkImage;
 using Mask = itk::Image<std::uint8_t, 3>;
-
-/// With spacing in working voxels, so that ITK's widths and speeds are, too.
-Image::Pointer toItk(const Volume<float>& image) {
-  const Geometry& g = image.geometry;
-  const auto out = Image::New();
-  Image::SizeType size;
-  Image::SpacingType spacing;
-  for (unsigned int a = 0; a < 3; ++a) {
-    size[a] = static_cast<itk::SizeValueType>(g.size[a]);
-    spacing[a] = g.spacing[static_cast<Eigen::Index>(a)] / g.voxelMm();
-  }
-  out->SetRegions(size);
-  out->SetSpacing(spacing);
-  out->Allocate();
-  std::copy(image.voxels.begin(), image.voxels.end(), out->GetBufferPointer());
-  return out;
-}
-
-template <class I>
-void copyBack(const I& image, Volume<float>& out) {
-  const auto* from = image.GetBufferPointer();
-  std::transform(from, from + out.voxels.size(), out.voxels.begin(),
-                 [](auto value) { return static_cast<float>(value); });
-}
-
-/// Runs a filter to its end, passing on a wish to cancel: an exception may not cross ITK's events,
-/// so the filter is asked to stop, and Cancelled follows once it has.
-void update(itk::ProcessObject& filter, const Progress& progress) {
-  const auto watch = itk::CStyleCommand::New();
-  watch->SetClientData(const_cast<Progress*>(&progress));
-  watch->SetCallback([](itk::Object* caller, const itk::EventObject&, void* data) {
-    if (static_cast<const Progress*>(data)->cancelled())
-      dynamic_cast<itk::ProcessObject*>(caller)->AbortGenerateDataOn();
-  });
-  filter.AddObserver(itk::ProgressEvent(), watch);
-  filter.AddObserver(itk::IterationEvent(), watch);
-  try {
-    filter.Update();
-  } catch (const itk::ProcessAborted&) {
-    progress.check();
-    throw;
-  }
-  progress.check();
-}
 
 /// Voxels nearest to the seeds; those outside the volume are none.
 std::vector<Index3> seedVoxels(const Geometry& g, const std::vector<Eigen::Vector3d>& seedsLps) {
@@ -136,7 +93,7 @@ ComparisonResult activeContour(const Volume<float>& image,
     const auto gradient = itk::GradientMagnitudeRecursiveGaussianImageFilter<Image, Image>::New();
     gradient->SetInput(toItk(image));
     gradient->SetSigma(params.gacSigmaVoxels);
-    update(*gradient, progress);
+    runFilter(*gradient, progress);
     potential = gradient->GetOutput();
     potential->DisconnectPipeline();
   }
@@ -167,7 +124,7 @@ ComparisonResult activeContour(const Volume<float>& image,
     }
   });
   filter->AddObserver(itk::IterationEvent(), watch);
-  update(*filter, progress);
+  runFilter(*filter, progress);
 
   ComparisonResult result;
   result.iterations = static_cast<int>(filter->GetElapsedIterations());
@@ -175,8 +132,7 @@ ComparisonResult activeContour(const Volume<float>& image,
     result.stopReason = StopReason::Stopped;
   else if (result.iterations >= params.gacIterations)
     result.stopReason = StopReason::Limit;
-  result.phi = Volume<float>(image.geometry);
-  copyBack(*filter->GetOutput(), result.phi);
+  result.phi = fromItk(*filter->GetOutput(), image.geometry);
   return result;
 }
 
@@ -190,15 +146,15 @@ ComparisonResult confidenceConnected(const Volume<float>& image,
   filter->SetInitialNeighborhoodRadius(static_cast<unsigned int>(params.confidenceRadiusVoxels));
   filter->SetReplaceValue(1);
   for (const Index3& p : seedVoxels) filter->AddSeed({{p[0], p[1], p[2]}});
-  update(*filter, progress);
+  runFilter(*filter, progress);
   ComparisonResult result;
   const double deviation = std::sqrt(filter->GetVariance());
   result.lower = filter->GetMean() - params.confidenceMultiplier * deviation;
   result.upper = filter->GetMean() + params.confidenceMultiplier * deviation;
   result.iterations = params.confidenceIterations;
   result.phi = Volume<float>(image.geometry);
-  copyBack(*filter->GetOutput(), result.phi);
-  for (float& value : result.phi.voxels) value = value > 0.0F ? -0.5F : 0.5F;
+  const std::uint8_t* found = filter->GetOutput()->GetBufferPointer();
+  for (float& value : result.phi.voxels) value = *found++ != 0 ? -0.5F : 0.5F;
   return result;
 }
 
@@ -223,7 +179,7 @@ ComparisonResult threshold(const Volume<float>& image, const std::vector<Index3>
     const auto gauss = itk::DiscreteGaussianImageFilter<Image, Image>::New();
     gauss->SetInput(smooth);
     gauss->SetVariance(params.thresholdSigmaVoxels * params.thresholdSigmaVoxels);
-    update(*gauss, progress);
+    runFilter(*gauss, progress);
     smooth = gauss->GetOutput();
     smooth->DisconnectPipeline();
   }
@@ -235,7 +191,7 @@ ComparisonResult threshold(const Volume<float>& image, const std::vector<Index3>
   if (!side) {
     const auto otsu = itk::OtsuThresholdImageFilter<Image, Mask>::New();
     otsu->SetInput(smooth);
-    update(*otsu, progress);
+    runFilter(*otsu, progress);
     side = static_cast<double>(otsu->GetThreshold());
   }
   if (result.lower && result.upper && *result.upper < *result.lower)
