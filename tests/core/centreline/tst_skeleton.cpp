@@ -8,6 +8,7 @@
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
@@ -133,7 +134,7 @@ class TestSkeleton : public QObject {
     QCOMPARE(s.branches.size(), std::size_t{1});
     QCOMPARE(kindsOf(s), (std::vector{NodeKind::Tip, NodeKind::Tip}));
     const SkeletonBranch& branch = s.branches.front();
-    QVERIFY2(std::fabs(branch.lengthMm - 40.0) < 0.5, qPrintable(QString::number(branch.lengthMm)));
+    QVERIFY(isNear(branch.lengthMm, 40.0, 0.5));
     QVERIFY(std::fabs(branch.meanRadiusMm / radius - 1.0) < 0.03);
     QVERIFY(branch.minRadiusMm <= branch.meanRadiusMm && branch.meanRadiusMm <= branch.maxRadiusMm);
     verifyLine(
@@ -203,8 +204,7 @@ class TestSkeleton : public QObject {
       const bool isParent = branch.meanRadiusMm > 3.7;
       QVERIFY(std::fabs(branch.meanRadiusMm / (isParent ? 4.0 : daughter) - 1.0) < 0.01);
       const double length = isParent ? 47.5 : 47.5 / std::cos(35.0 / 180.0 * M_PI);
-      QVERIFY2(std::fabs(branch.lengthMm - length) < 0.7,
-               qPrintable(QString::number(branch.lengthMm)));
+      QVERIFY(isNear(branch.lengthMm, length, 0.7));
     }
     const Comparison c = compared(s, makePhantom(params).centreLines);
     QVERIFY2(c.most < 0.3 && c.recall == 1.0, qPrintable(textOf(c)));
@@ -221,9 +221,7 @@ class TestSkeleton : public QObject {
       }));
       QCOMPARE(s.branches.size(), std::size_t{3});
       for (const SkeletonNode& node : s.nodes)
-        if (node.kind == NodeKind::Junction)
-          QVERIFY2((node.pointLps - centre).norm() < 1.0,
-                   qPrintable(QString::number((node.pointLps - centre).norm())));
+        if (node.kind == NodeKind::Junction) QVERIFY(isBelow((node.pointLps - centre).norm(), 1.0));
       for (const SkeletonBranch& branch : s.branches)
         QVERIFY(std::fabs(branch.meanRadiusMm - (branch.lengthMm > 25.0 ? 4.0 : 2.0)) < 0.05);
     }
@@ -301,7 +299,7 @@ class TestSkeleton : public QObject {
     const Skeleton s = skeletonOf(phi);
     double length = 0.0;
     for (const SkeletonBranch& branch : s.branches) length += branch.lengthMm;
-    QVERIFY2(length < 2.0, qPrintable(QString::number(length)));
+    QVERIFY(isBelow(length, 2.0));
     QVERIFY(skeletonOf(Volume<float>(cube(8), 1.0F)).branches.empty());
   }
 

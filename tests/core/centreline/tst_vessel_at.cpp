@@ -7,6 +7,7 @@
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -240,9 +241,8 @@ class TestVesselAt : public QObject {
       const auto v = vesselAt(phi, to + past * u);
       QVERIFY(v);
       const double off = (v->centreLps - to - std::min(past, 0.0) * u).norm();
-      QVERIFY2(off < 2.1, qPrintable(QString::number(off)));
-      QVERIFY2(degreesBetween(v->axisLps, u) < 5.0,
-               qPrintable(QString::number(degreesBetween(v->axisLps, u))));
+      QVERIFY(isBelow(off, 2.1));
+      QVERIFY(isBelow(degreesBetween(v->axisLps, u), 5.0));
       QVERIFY(v->radiusMm > 3.2 && v->radiusMm < 4.2);
     }
   }

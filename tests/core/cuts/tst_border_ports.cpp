@@ -10,6 +10,7 @@
 #include "core/field/wall_field.h"
 #include "core/parameters/field.h"
 #include "core/pipeline/surface_step.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -97,10 +98,8 @@ class TestBorderPorts : public QObject {
     measureSlants(field, phi, ports);
     QVERIFY(ports[0].slant.has_value());
     const BorderSlant& slant = *ports[0].slant;
-    QVERIFY2(std::fabs(slant.angleDeg - degrees) < 2.0,
-             qPrintable(QString::number(slant.angleDeg)));
-    QVERIFY2(std::fabs(slant.areaRatio / ratio - 1.0) < 0.05,
-             qPrintable(QString::number(slant.areaRatio)));
+    QVERIFY(isNear(slant.angleDeg, degrees, 2.0));
+    QVERIFY(isNear(slant.areaRatio / ratio, 1.0, 0.05));
     QCOMPARE(slant.flagged(), degrees > 30.0);
     QCOMPARE(slantWarnings(ports).size(), std::size_t{degrees > 30.0 ? 1U : 0U});
     if (degrees < 30.0) return;

@@ -11,6 +11,7 @@
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -149,8 +150,7 @@ class TestCuts : public QObject {
     if (open) return;
     // A right cylinder and a wedge of it that averages out.
     const double volume = shapes::pi * 2.1 * 2.1 * 7.5;
-    QVERIFY2(std::abs(volumeOf(mesh) / volume - 1.0) < 0.05,
-             qPrintable(QString::number(volumeOf(mesh) / volume)));
+    QVERIFY(isNear(volumeOf(mesh) / volume, 1.0, 0.05));
   }
 
   // Whatever smooths: caps stay flat where they are, and keep-wall gives each its section's area.
@@ -192,7 +192,7 @@ class TestCuts : public QObject {
       if (open) continue;
       const double area = after[n].areaMm2 / section.areaMm2;
       const double most = method == static_cast<int>(SmoothMethod::KeepWall) ? 5e-3 : 0.15;
-      QVERIFY2(std::abs(area - 1.0) < most, qPrintable(QString::number(area)));
+      QVERIFY(isNear(area, 1.0, most));
       QVERIFY((after[n].centreLps - section.centreLps).norm() < 0.05);
     }
     // Taubin's filter may change the radius of a rim of few edges by more than is taken for a port.

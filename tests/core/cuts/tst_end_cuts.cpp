@@ -8,6 +8,7 @@
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
@@ -58,8 +59,7 @@ class TestEndCuts : public QObject {
       const double side = (cut.pointLps - centreOf(g)).dot(u) > 0.0 ? 1.0 : -1.0;
       QVERIFY(degreesBetween(cut.outwardNormalLps, side * u) < 1.0);
       const Vector3d wanted = centreOf(g) + side * 14.0 * u;
-      QVERIFY2((cut.pointLps - wanted).norm() < 1.1,
-               qPrintable(QString::number((cut.pointLps - wanted).norm())));
+      QVERIFY(isBelow((cut.pointLps - wanted).norm(), 1.1));
       QVERIFY((cut.pointLps - wanted - (cut.pointLps - wanted).dot(u) * u).norm() < 0.1);
       QVERIFY(std::fabs(cut.radiusMm - 3.0) < 0.05);
       QCOMPARE(cut.branch, 0);
@@ -129,7 +129,7 @@ class TestEndCuts : public QObject {
         nearest = off;
         degrees = degreesBetween(cut.outwardNormalLps, l.to - l.from);
       }
-      QVERIFY2(nearest < 0.6, qPrintable(QString::number(nearest)));
+      QVERIFY(isBelow(nearest, 0.6));
       if (std::min(degrees, 180.0 - degrees) > 6.0) ++askew;
     }
     QVERIFY2(askew <= 1, qPrintable(QString::number(askew)));

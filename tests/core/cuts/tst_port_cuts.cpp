@@ -9,6 +9,7 @@
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/surface_step.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -153,7 +154,7 @@ class TestPortCuts : public QObject {
         const CutAway away = made(phi, {cutText(cut)});
         const Section& section = away.sections[0];
         const double towards = section.plane.normalLps.dot(axis) * (share > 0.5 ? 1.0 : -1.0);
-        QVERIFY2(towards > std::cos(0.03), qPrintable(QString::number(towards)));
+        QVERIFY(isAbove(towards, std::cos(0.03)));
         QVERIFY(std::abs(section.areaMm2 / (shapes::pi * 3.4 * 3.4) - 1.0) < 0.01);
         QVERIFY(std::abs((section.centreLps - at).dot(axis)) < 0.6);
       }
@@ -182,7 +183,7 @@ class TestPortCuts : public QObject {
     for (const Section& section : away.sections) {
       const double along = (section.centreLps - kFrom).dot(axis);
       const double fromTip = std::min(along, (kTo - kFrom).norm() - along);
-      QVERIFY2(std::abs(fromTip - 2.0 * 3.4) < 1.5, qPrintable(QString::number(fromTip)));
+      QVERIFY(isNear(fromTip, 2.0 * 3.4, 1.5));
       QVERIFY(section.plane.normalLps.dot(axis) * (along > 20.0 ? 1.0 : -1.0) > 0.99);
     }
     // A given cut stands in for its end; names do not clash.

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/quality/zero_set_measure.h"
+#include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
@@ -71,8 +72,7 @@ class TestMaskDistance : public QObject {
     const double volume = zeroSetVolume(made.phi);
     QVERIFY(sameSide(made.phi, phantom.truth));
     QVERIFY(made.largestShiftVoxels < 0.5);
-    QVERIFY2(std::fabs(volume / made.maskVolumeMm3 - 1.0) < 0.01,
-             qPrintable(QString::number(volume / made.maskVolumeMm3)));
+    QVERIFY(isNear(volume / made.maskVolumeMm3, 1.0, 0.01));
   }
 
   void stairsAreSmoothed() {
@@ -92,7 +92,7 @@ class TestMaskDistance : public QObject {
           sum += d * d;
           count += 1.0;
         }
-    QVERIFY2(std::sqrt(sum / count) < 0.12, qPrintable(QString::number(std::sqrt(sum / count))));
+    QVERIFY(isBelow(std::sqrt(sum / count), 0.12));
   }
 
   void thinLinesStay() {

@@ -7,6 +7,7 @@
 #include "core/base/random.h"
 #include "core/preprocess/preprocess.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -62,7 +63,7 @@ class TestPreprocess : public QObject {
           worst, std::fabs(out.voxels[i] -
                            field(out.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]}))));
     }
-    QVERIFY2(worst < 1e-3, qPrintable(QString::number(worst)));
+    QVERIFY(isBelow(worst, 1e-3));
   }
 
   void sigmoidKeepsRangeAndOrder() {

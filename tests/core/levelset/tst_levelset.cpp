@@ -8,6 +8,7 @@
 #include "core/levelset/front_speed.h"
 #include "core/levelset/seeds.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -164,7 +165,7 @@ class TestLevelSet : public QObject {
       // voxel.
       if ((phi.voxels[i] < 0.0F) != (exact < 0.0)) worst = std::max(worst, std::fabs(exact));
     }
-    QVERIFY2(worst < 0.5, qPrintable(QString::number(worst)));
+    QVERIFY(isBelow(worst, 0.5));
   }
 
   void chunksEqualOneGoAndThreadsDoNotMatter() {

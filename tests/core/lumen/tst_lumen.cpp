@@ -12,6 +12,7 @@
 #include "core/lumen/local_levels.h"
 #include "core/lumen/lumen.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -95,7 +96,7 @@ class TestLumen : public QObject {
         continue;
       least = std::min(least, std::abs(axes[c].cast<double>().dot(kAxis)));
     }
-    QVERIFY2(least > 0.9, qPrintable(QString::number(least)));
+    QVERIFY(isAbove(least, 0.9));
   }
 
   // A linear profile along the axis has no second derivative along it: it stays, and noise goes.
@@ -151,7 +152,7 @@ class TestLumen : public QObject {
       const Volume<float> phi = refineLumen(image, roughly(distance, found), params,
                                             dark ? Polarity::Dark : Polarity::Bright);
       const double wrong = disagreement(phi, distance);
-      QVERIFY2(wrong < 0.16 / radius, qPrintable(QString::number(wrong)));
+      QVERIFY(isBelow(wrong, 0.16 / radius));
     }
   }
 

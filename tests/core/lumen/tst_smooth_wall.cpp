@@ -14,6 +14,7 @@
 #include "core/lumen/local_quadric.h"
 #include "core/lumen/smooth_wall.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -199,8 +200,7 @@ class TestSmoothWall : public QObject {
   void findsThePointSpread() {
     for (const double spread : {0.45, 0.8}) {
       const Made made = make([](const Vector3d& p) { return tubeDistance(p, 4.3); }, spread, 4.0);
-      QVERIFY2(std::fabs(made.wall.spreadVoxels / spread - 1.0) < 0.04,
-               qPrintable(QString::number(made.wall.spreadVoxels)));
+      QVERIFY(isNear(made.wall.spreadVoxels / spread, 1.0, 0.04));
     }
   }
 
@@ -284,9 +284,9 @@ class TestSmoothWall : public QObject {
       const Volume<float> phi = smoothDistance(mask);
       const WallError before = errorOf(phi, tube);
       const WallError after = errorOf(redistance(smoothWall(phi, nullptr, {}).phi), tube);
-      QVERIFY2(std::fabs(after.mean) < 0.03, QByteArray::number(after.mean));
-      QVERIFY2(after.spread < 0.7 * before.spread, QByteArray::number(after.spread));
-      QVERIFY2(after.angle < 0.4 * before.angle, QByteArray::number(after.angle));
+      QVERIFY(isNear(after.mean, 0.0, 0.03));
+      QVERIFY(isBelow(after.spread, 0.7 * before.spread));
+      QVERIFY(isBelow(after.angle, 0.4 * before.angle));
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/inside_point.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -17,7 +18,7 @@ class TestInsidePoint : public QObject {
     const InsidePoint inside = pointInside(shapes::moved(shapes::torus(90, 30, 10.0, 2.0), centre));
     const Eigen::Vector3d p = inside.pointLps - centre;
     const double fromCircle = std::hypot(p.head<2>().norm() - 10.0, p.z());
-    QVERIFY2(fromCircle < 0.4, qPrintable(QString::number(fromCircle)));
+    QVERIFY(isBelow(fromCircle, 0.4));
     QVERIFY(std::fabs(inside.depthMm - (2.0 - fromCircle)) < 0.05);
   }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/openings/section.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -44,8 +45,7 @@ class TestSection : public QObject {
     const Section section = sectionOf(field, {start, 2.0 * normal});
     const double area = shapes::pi * radius * radius / std::cos(angle);
     QCOMPARE(section.loops.size(), std::size_t{1});
-    QVERIFY2(std::abs(section.areaMm2 / area - 1.0) < 1e-3,
-             qPrintable(QString::number(section.areaMm2 / area - 1.0)));
+    QVERIFY(isNear(section.areaMm2 / area, 1.0, 1e-3));
     QVERIFY((section.centreLps - centre).norm() < 0.02);
     QVERIFY(std::abs(section.radiusMm - radius / std::cos(angle)) < 0.02);
     QVERIFY(std::abs(section.plane.normalLps.norm() - 1.0) < 1e-12);

@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/phantom/phantom.h"
 #include "core/phantom/truth_json.h"
+#include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
@@ -310,7 +311,7 @@ class TestPhantom : public QObject {
       const double share =
           truthVolume(phantom.truth) / (static_cast<double>(phantom.truth.voxels.size()) *
                                         phantom.truth.geometry.voxelVolumeMm3());
-      QVERIFY2(std::fabs(share / 0.0077 - 1.0) < 0.02, QByteArray::number(share));
+      QVERIFY(isNear(share / 0.0077, 1.0, 0.02));
       const auto& lines = phantom.centreLines;
       QVERIFY(!lines.empty());
       std::vector<double> cubes(lines.size(), 0.0);

@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/phantom/phantom.h"
 #include "core/phantom/truth_json.h"
+#include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
@@ -113,7 +114,7 @@ class TestPhantomLooks : public QObject {
       QVERIFY(atEnd > 0.499 && atEnd < 1.0);
       if (children[i] == 0) {
         ++tips;
-        QVERIFY2(atEnd < 0.53, QByteArray::number(atEnd));
+        QVERIFY(isBelow(atEnd, 0.53));
       }
       const Vector3d step = (s.to - s.from).normalized();
       const double length = (s.to - s.from).norm();
@@ -121,7 +122,7 @@ class TestPhantomLooks : public QObject {
       for (double t = 1.0; t + 1.0 < length; t += 1.0) {
         const double change =
             std::fabs(brightness(s.from + t * step) - brightness(s.from + (t + 1.0) * step));
-        QVERIFY2(change < 3.0 * slope + 0.03, QByteArray::number(change));  // at whole voxels
+        QVERIFY(isBelow(change, 3.0 * slope + 0.03));  // at whole voxels
       }
     }
     QVERIFY(tips > 3);

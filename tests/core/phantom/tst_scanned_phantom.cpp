@@ -10,6 +10,7 @@
 #include "core/phantom/phantom.h"
 #include "core/phantom/rasterise.h"
 #include "core/phantom/truth_json.h"
+#include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
@@ -77,7 +78,7 @@ class TestScannedPhantom : public QObject {
         const double found = volumeOf(partialVolumes(ballOf(centre, radius), gridOf(16)));
         // As a shift of the wall, voxels.
         const double shift = (found - expected) / (4.0 * M_PI * radius * radius);
-        QVERIFY2(std::fabs(shift) < 5e-4, QByteArray::number(shift));
+        QVERIFY(isNear(shift, 0.0, 5e-4));
       }
   }
 
@@ -106,7 +107,7 @@ class TestScannedPhantom : public QObject {
             }
             inside /= fine * fine * fine;
             const double share = volumes.share(g.offset(i, j, k));
-            QVERIFY2(std::fabs(share - inside) < 2e-3, QByteArray::number(share - inside));
+            QVERIFY(isNear(share, inside, 2e-3));
           }
     }
   }
@@ -126,8 +127,7 @@ class TestScannedPhantom : public QObject {
           const double back = (0.25 + 1.0 / 12.0 + sigma * sigma) / (2.0 * 26.0);
           const double expected = 255.0 * blurredStep(wall - back, sigma);
           const double found = phantom.image.at(i, 31, 32);
-          QVERIFY2(std::fabs(found - expected) < 0.002 * 255.0,
-                   QByteArray::number(found - expected));
+          QVERIFY(isNear(found, expected, 0.002 * 255.0));
         }
       }
   }

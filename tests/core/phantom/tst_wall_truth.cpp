@@ -7,6 +7,7 @@
 #include "core/phantom/curve_tube.h"
 #include "core/phantom/shape.h"
 #include "core/phantom/wall_truth.h"
+#include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
@@ -76,7 +77,7 @@ class TestWallTruth : public QObject {
       const WallCurvature curvature = truth.curvatureAt(truth.footOf(on));
       const double around = std::cos(angle) / (major + 5.0 * std::cos(angle));
       QVERIFY(std::fabs(curvature.largest - 0.2) < 1e-4);
-      QVERIFY2(std::fabs(curvature.least - around) < 1e-4, QByteArray::number(curvature.least));
+      QVERIFY(isNear(curvature.least, around, 1e-4));
     }
   }
 

@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/quality/roughness.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -62,7 +63,7 @@ class TestRoughness : public QObject {
         const auto r = measureRoughness(scaled(shapes::icosphere(level), radius));
         QVERIFY(r.has_value());
         QVERIFY2(r->spreadMm < 1e-5 * radius, QByteArray::number(r->spreadMm / radius));
-        QVERIFY2(r->angleDeg < 1e-2, QByteArray::number(r->angleDeg));
+        QVERIFY(isBelow(r->angleDeg, 1e-2));
         QVERIFY(r->spread95Mm < 1e-4 * radius);
       }
   }
@@ -76,7 +77,7 @@ class TestRoughness : public QObject {
         for (const auto& r : {even, quads}) {
           QVERIFY(r.has_value());
           QVERIFY2(r->spreadMm < 2e-5 * radius, QByteArray::number(r->spreadMm / radius));
-          QVERIFY2(r->angleDeg < 5e-3, QByteArray::number(r->angleDeg));
+          QVERIFY(isBelow(r->angleDeg, 5e-3));
         }
       }
   }
@@ -84,8 +85,8 @@ class TestRoughness : public QObject {
   /// A vessel that bends at five times its radius is far smoother than noise of 0.01 radius.
   void aBentVesselIsNearlySmooth() {
     const auto bent = measureRoughness(shapes::torus(180, 30, 5.0, 1.0));
-    QVERIFY2(bent->spreadMm < 1e-3, QByteArray::number(bent->spreadMm));
-    QVERIFY2(bent->angleDeg < 0.05, QByteArray::number(bent->angleDeg));
+    QVERIFY(isBelow(bent->spreadMm, 1e-3));
+    QVERIFY(isBelow(bent->angleDeg, 0.05));
   }
 
   void noiseOfTheVerticesIsFoundAgain() {
@@ -95,8 +96,7 @@ class TestRoughness : public QObject {
       double angleBefore = 0.0;
       for (const double sigma : {0.002, 0.005, 0.02}) {
         const auto r = measureRoughness(roughened(smooth, sigma, tube));
-        QVERIFY2(std::fabs(r->spreadMm / sigma - 1.0) < 0.06,
-                 QByteArray::number(r->spreadMm / sigma));
+        QVERIFY(isNear(r->spreadMm / sigma, 1.0, 0.06));
         QVERIFY(r->spreadMm > before && r->angleDeg > 1.5 * angleBefore);
         before = r->spreadMm;
         angleBefore = r->angleDeg;
@@ -117,8 +117,8 @@ class TestRoughness : public QObject {
     }
     const auto rough = measureRoughness(mesh);
     QVERIFY(smooth->spreadMm < 1e-4);
-    QVERIFY2(rough->spreadMm > 0.4 * height * 0.5, QByteArray::number(rough->spreadMm));
-    QVERIFY2(rough->spreadMm < height, QByteArray::number(rough->spreadMm));
+    QVERIFY(isAbove(rough->spreadMm, 0.4 * height * 0.5));
+    QVERIFY(isBelow(rough->spreadMm, height));
   }
 
   void capsDoNotCount() {

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/quality/vessel_measures.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -43,8 +44,7 @@ class TestVesselMeasures : public QObject {
       const auto samples = wallSamples(splineOf(phi), phantomDistance(params), phantom.centreLines);
       QVERIFY(samples.size() > 1000);
       const WallDistance distance = wallDistance(samples);
-      QVERIFY2(std::fabs(distance.meanMm - std::fabs(grown)) < 0.01,
-               QByteArray::number(distance.meanMm));
+      QVERIFY(isNear(distance.meanMm, std::fabs(grown), 0.01));
       QVERIFY(std::fabs(distance.percentile95Mm - std::fabs(grown)) < 0.02);
       QVERIFY(std::fabs(wallBias(samples, 4.0, 6.0, 2.0) - grown) < 0.01);
       QVERIFY(std::isnan(wallBias(samples, 6.0, 9.0, 2.0)));
@@ -96,8 +96,7 @@ class TestVesselMeasures : public QObject {
     const double length = (line.to - line.from).norm() / 0.5;
     const double imaged =
         tubeRadiusOfShares(shares, line.from, line.to, 0.5 * (radius + 4.0)) / 0.5;
-    QVERIFY2(std::fabs(imaged - std::sqrt(sum / (M_PI * length))) < (tilt > 0.0 ? 0.1 : 0.01),
-             QByteArray::number(imaged));
+    QVERIFY(isNear(imaged, std::sqrt(sum / (M_PI * length)), (tilt > 0.0 ? 0.1 : 0.01)));
   }
 
   void recallIsTheShareOfTheLengthInside() {

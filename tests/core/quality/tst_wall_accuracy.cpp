@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/quality/wall_accuracy.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/core/phantom_case.h"
 
@@ -44,13 +45,12 @@ class TestWallAccuracy : public QObject {
     for (const double offset : {-0.1, 0.0, 0.07}) {
       const WallAccuracy a = wallAccuracy(tubeMesh(0.5 * kRadius + offset), truth);
       QVERIFY(a.all.vertices > 1000 && a.all.triangles > 2000 && a.leftOut > 0);
-      QVERIFY2(std::fabs(a.all.meanMm - offset) < 1e-7, QByteArray::number(a.all.meanMm));
+      QVERIFY(isNear(a.all.meanMm, offset, 1e-7));
       QVERIFY(a.all.spreadMm < 1e-7);
       QVERIFY(std::fabs(a.all.distance95Mm - std::fabs(offset)) < 1e-7);
       // The mean curvature of a tube of radius r + d is r / (r + d) that of the true one.
       const double error = std::fabs(0.5 * kRadius / (0.5 * kRadius + offset) - 1.0);
-      QVERIFY2(std::fabs(a.all.curvatureErrorMedian - error) < 0.012,
-               QByteArray::number(a.all.curvatureErrorMedian));
+      QVERIFY(isNear(a.all.curvatureErrorMedian, error, 0.012));
       QCOMPARE(a.byRadius[3].vertices, a.all.vertices);
       QCOMPARE(a.byRadius[1].vertices, std::size_t{0});
       QVERIFY(std::isnan(a.byRadius[1].meanMm));
@@ -65,8 +65,7 @@ class TestWallAccuracy : public QObject {
     for (const int around : {60, 30}) {
       const WallAccuracy a = wallAccuracy(tubeMesh(0.5 * kRadius, around), truth);
       const double expected = 360.0 / around / (4.0 * std::sqrt(3.0));
-      QVERIFY2(std::fabs(a.all.normalMeanDeg / expected - 1.0) < 0.01,
-               QByteArray::number(a.all.normalMeanDeg));
+      QVERIFY(isNear(a.all.normalMeanDeg / expected, 1.0, 0.01));
       QVERIFY(std::fabs(a.all.normal95Deg / expected - 1.0) < 0.01);
     }
   }
@@ -84,9 +83,8 @@ class TestWallAccuracy : public QObject {
     const WallAccuracy a = wallAccuracy(mesh, truth);
     QVERIFY(a.all.triangles > 300);
     // The angle is the tilt times |sin| around the tube: its mean is 2 / pi of that.
-    QVERIFY2(std::fabs(a.all.normalMeanDeg - tilt * 2.0 / shapes::pi) < 0.1,
-             QByteArray::number(a.all.normalMeanDeg));
-    QVERIFY2(std::fabs(a.all.normal95Deg - tilt) < 0.5, QByteArray::number(a.all.normal95Deg));
+    QVERIFY(isNear(a.all.normalMeanDeg, tilt * 2.0 / shapes::pi, 0.1));
+    QVERIFY(isNear(a.all.normal95Deg, tilt, 0.5));
     QVERIFY(std::fabs(a.all.meanMm) < 0.005);
   }
 
@@ -96,8 +94,7 @@ class TestWallAccuracy : public QObject {
     const WallAccuracy a =
         wallAccuracy(shapes::moved(tubeMesh(0.5 * kRadius), {shift, 0, 0}), truth);
     // The distance is nearly shift cos(angle).
-    QVERIFY2(std::fabs(a.all.spreadMm - shift / std::sqrt(2.0)) < 0.001,
-             QByteArray::number(a.all.spreadMm));
+    QVERIFY(isNear(a.all.spreadMm, shift / std::sqrt(2.0), 0.001));
     QVERIFY(std::fabs(a.all.meanMm) < 0.002);
     QVERIFY(std::fabs(a.all.distance95Mm - shift) < 0.002);
   }
@@ -128,9 +125,9 @@ class TestWallAccuracy : public QObject {
     ball.triangles = beyond;
     const WallAccuracy a = wallAccuracy(ball, WallTruth(params));
     QVERIFY(a.all.vertices > 300);
-    QVERIFY2(std::fabs(a.all.meanMm - 0.1) < 1e-6, QByteArray::number(a.all.meanMm));
+    QVERIFY(isNear(a.all.meanMm, 0.1, 1e-6));
     QVERIFY(a.all.normalMeanDeg < 0.5);
-    QVERIFY2(a.all.curvatureErrorMedian < 0.03, QByteArray::number(a.all.curvatureErrorMedian));
+    QVERIFY(isBelow(a.all.curvatureErrorMedian, 0.03));
   }
 
   void aThroatIsAsWideAsItIs() {
@@ -150,7 +147,7 @@ class TestWallAccuracy : public QObject {
       for (Vector3d& p : mesh.points) p = throat.centre + turn * (p - Vector3d(0.0, 0.0, middle));
       const auto found = leastDiameter(mesh, throat, 1.0);
       QVERIFY(found.has_value());
-      QVERIFY2(std::fabs(*found / (2.0 * radius) - 1.0) < 0.002, QByteArray::number(*found));
+      QVERIFY(isNear(*found / (2.0 * radius), 1.0, 0.002));
       const auto measured = wallAccuracy(mesh, truth).stenosis;
       QVERIFY(measured && std::fabs(measured->trueMm - 3.0) < 1e-12);
       QCOMPARE(measured->foundMm, *found);

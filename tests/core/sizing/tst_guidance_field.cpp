@@ -10,6 +10,7 @@
 #include "core/sizing/guidance_field.h"
 #include "core/sizing/guidance_samples.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -172,8 +173,7 @@ class TestGuidanceField : public QObject {
     for (const SplineField* field : {&tilted, &small}) {
       const GuidanceField guidance(*field, curvatureOnly());
       const double area = measureZeroSet(*field).areaMm2;
-      QVERIFY2(std::fabs(guidance.estimatedAreaMm2() / area - 1.0) < 0.03,
-               qPrintable(QString::number(guidance.estimatedAreaMm2() / area)));
+      QVERIFY(isNear(guidance.estimatedAreaMm2() / area, 1.0, 0.03));
       for (const auto& s : guidance.samples()) QVERIFY(s.reachMm < 1.0);
     }
   }
