@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
+#include "core/field/spline_field.h"
 #include "core/image/volume.h"
 
 namespace angiomesh::analytic {
@@ -36,6 +38,17 @@ Volume<float> sampled(const Geometry& g, F f) {
   return volume;
 }
 
+/// sampled(), clamped at five working voxels as the pipeline's phi is.
+template <class F>
+Volume<float> clamped(const Geometry& g, F f) {
+  const double most = 5.0 * g.voxelMm();
+  return sampled(g, [&](const Eigen::Vector3d& x) { return std::clamp(f(x), -most, most); });
+}
+
+inline SplineField fieldOf(const Volume<float>& phi) {
+  return SplineField(phi, SplineKind::InterpolatingBspline);
+}
+
 /// The centre of the grid in LPS mm.
 inline Eigen::Vector3d centreOf(const Geometry& g) {
   return g.toPhysical({0.5 * (g.size[0] - 1), 0.5 * (g.size[1] - 1), 0.5 * (g.size[2] - 1)});
@@ -52,11 +65,23 @@ inline double tube(const Eigen::Vector3d& x, const Eigen::Vector3d& centre,
   return (d - d.dot(axis) * axis).norm() - radius;
 }
 
+/// What is within `radius` of a segment.
+inline double capsule(const Eigen::Vector3d& x, const Eigen::Vector3d& from,
+                      const Eigen::Vector3d& to, double radius) {
+  const Eigen::Vector3d d = to - from;
+  const double t = std::clamp((x - from).dot(d) / d.squaredNorm(), 0.0, 1.0);
+  return (x - from - t * d).norm() - radius;
+}
+
 /// Torus around the z axis through `centre`.
 inline double torus(const Eigen::Vector3d& x, const Eigen::Vector3d& centre, double ring,
                     double radius) {
   const Eigen::Vector3d d = x - centre;
   return std::hypot(std::hypot(d[0], d[1]) - ring, d[2]) - radius;
+}
+
+inline double degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
 }
 
 }  // namespace angiomesh::analytic

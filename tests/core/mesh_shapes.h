@@ -47,6 +47,18 @@ inline TriMesh tetrahedron() {
           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 }
 
+/// Two tetrahedra with one corner in common, opposite to one another.
+inline TriMesh touchingTetrahedra() {
+  TriMesh mesh = tetrahedron();
+  mesh.points.insert(mesh.points.end(), {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
+  for (const auto& t : tetrahedron().triangles) {
+    std::array<std::uint32_t, 3> other{};
+    for (std::size_t k = 0; k < 3; ++k) other[k] = t[2 - k] == 0 ? 0 : t[2 - k] + 3;
+    mesh.triangles.push_back(other);
+  }
+  return mesh;
+}
+
 /// Edge 1, volume 1, each side cut along a diagonal.
 inline TriMesh cube() {
   TriMesh mesh;

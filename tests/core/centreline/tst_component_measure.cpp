@@ -18,20 +18,9 @@ std::vector<ComponentMeasure> measured(const Volume<float>& phi) {
   return measureComponents(phi, parts.labels, parts.sizes.size());
 }
 
-/// Clamped as the pipeline's phi is.
 template <class F>
 ComponentMeasure measuredOf(const Geometry& g, F f) {
-  const double most = 5.0 * g.voxelMm();
-  return measured(
-             sampled(g, [&](const Eigen::Vector3d& x) { return std::clamp(f(x), -most, most); }))
-      .front();
-}
-
-double capsule(const Eigen::Vector3d& x, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-               double radius) {
-  const Eigen::Vector3d d = to - from;
-  const double t = std::clamp((x - from).dot(d) / d.squaredNorm(), 0.0, 1.0);
-  return (x - from - t * d).norm() - radius;
+  return measured(clamped(g, f)).front();
 }
 
 void compare(const ComponentMeasure& m, double length, double radius) {

@@ -17,22 +17,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Clamped as the pipeline's phi is.
-template <class F>
-Volume<float> phiOf(const Geometry& g, F f) {
-  const double most = 5.0 * g.voxelMm();
-  return sampled(g, [&](const Vector3d& x) { return std::clamp(f(x), -most, most); });
-}
-
-double toSegment(const Vector3d& x, const Vector3d& from, const Vector3d& to) {
-  const Vector3d d = to - from;
-  const double t = std::clamp((x - from).dot(d) / d.squaredNorm(), 0.0, 1.0);
-  return (x - from - t * d).norm();
-}
-
 double toLines(const Vector3d& x, const std::vector<CentreLineSegment>& lines) {
   double least = 1e9;
-  for (const CentreLineSegment& s : lines) least = std::min(least, toSegment(x, s.from, s.to));
+  for (const CentreLineSegment& s : lines) least = std::min(least, capsule(x, s.from, s.to, 0.0));
   return least;
 }
 
@@ -130,7 +117,7 @@ class TestSkeleton : public QObject {
     const Vector3d from = centre - 20.0 * axis.normalized();
     const Vector3d to = centre + 20.0 * axis.normalized();
     const Skeleton s =
-        skeletonOf(phiOf(g, [&](const Vector3d& x) { return toSegment(x, from, to) - radius; }));
+        skeletonOf(clamped(g, [&](const Vector3d& x) { return capsule(x, from, to, radius); }));
     QCOMPARE(s.branches.size(), std::size_t{1});
     QCOMPARE(kindsOf(s), (std::vector{NodeKind::Tip, NodeKind::Tip}));
     const SkeletonBranch& branch = s.branches.front();
@@ -138,7 +125,7 @@ class TestSkeleton : public QObject {
     QVERIFY(std::fabs(branch.meanRadiusMm / radius - 1.0) < 0.03);
     QVERIFY(branch.minRadiusMm <= branch.meanRadiusMm && branch.meanRadiusMm <= branch.maxRadiusMm);
     verifyLine(
-        s, [&](const Vector3d& x) { return toSegment(x, from, to); }, radius, 0.3, 0.1);
+        s, [&](const Vector3d& x) { return capsule(x, from, to, 0.0); }, radius, 0.3, 0.1);
   }
 
   void tubesThroughTheVolume() {
@@ -148,7 +135,7 @@ class TestSkeleton : public QObject {
       for (const double radius : {1.0, 1.5, 3.0, 8.0}) {
         const Vector3d u = axis.normalized();
         const Skeleton s =
-            skeletonOf(phiOf(g, [&](const Vector3d& x) { return tube(x, centre, u, radius); }));
+            skeletonOf(clamped(g, [&](const Vector3d& x) { return tube(x, centre, u, radius); }));
         QCOMPARE(s.branches.size(), std::size_t{1});
         QCOMPARE(kindsOf(s), (std::vector{NodeKind::Border, NodeKind::Border}));
         QVERIFY(std::fabs(s.branches.front().lengthMm - 63.0 / u.cwiseAbs().maxCoeff()) < 0.3);
@@ -165,11 +152,11 @@ class TestSkeleton : public QObject {
       const Vector3d from = centreOf(g) - 10.0 * u;
       const Vector3d to = centreOf(g) + 10.0 * u;
       const Skeleton s =
-          skeletonOf(phiOf(g, [&](const Vector3d& x) { return toSegment(x, from, to) - 1.5; }));
+          skeletonOf(clamped(g, [&](const Vector3d& x) { return capsule(x, from, to, 1.5); }));
       QCOMPARE(s.branches.size(), std::size_t{1});
       QVERIFY(std::fabs(s.branches.front().lengthMm - 20.0) < 0.3);
       verifyLine(
-          s, [&](const Vector3d& x) { return toSegment(x, from, to); }, 1.5, 0.1, 0.03);
+          s, [&](const Vector3d& x) { return capsule(x, from, to, 0.0); }, 1.5, 0.1, 0.03);
     }
   }
 
@@ -177,7 +164,7 @@ class TestSkeleton : public QObject {
     for (const double radius : {1.5, 4.0}) {
       const Geometry g = cube(60);
       const Skeleton s = skeletonOf(
-          phiOf(g, [&](const Vector3d& x) { return torus(x, centreOf(g), 20.0, radius); }));
+          clamped(g, [&](const Vector3d& x) { return torus(x, centreOf(g), 20.0, radius); }));
       QCOMPARE(s.branches.size(), std::size_t{1});
       QCOMPARE(kindsOf(s), std::vector{NodeKind::Ring});
       const SkeletonBranch& ring = s.branches.front();
@@ -216,8 +203,8 @@ class TestSkeleton : public QObject {
     const Vector3d centre = centreOf(g);
     for (const double slope : {0.0, 0.7}) {
       const Vector3d end = centre + 22.0 * Vector3d(1, 0, slope).normalized();
-      const Skeleton s = skeletonOf(phiOf(g, [&](const Vector3d& x) {
-        return std::min(tube(x, centre, Vector3d::UnitZ(), 4.0), toSegment(x, centre, end) - 2.0);
+      const Skeleton s = skeletonOf(clamped(g, [&](const Vector3d& x) {
+        return std::min(tube(x, centre, Vector3d::UnitZ(), 4.0), capsule(x, centre, end, 2.0));
       }));
       QCOMPARE(s.branches.size(), std::size_t{3});
       for (const SkeletonNode& node : s.nodes)
@@ -282,7 +269,7 @@ class TestSkeleton : public QObject {
   void roughWallsMakeNoBranches() {
     const Geometry g = cube(64);
     const Vector3d u = Vector3d(1, 2, 3.3).normalized();
-    const Skeleton s = skeletonOf(phiOf(g, [&](const Vector3d& x) {
+    const Skeleton s = skeletonOf(clamped(g, [&](const Vector3d& x) {
       return tube(x, centreOf(g), u, 5.0) +
              std::sin(1.9 * x[0]) * std::sin(2.1 * x[1]) * std::sin(1.7 * x[2]);
     }));
@@ -292,7 +279,7 @@ class TestSkeleton : public QObject {
   }
 
   void nothingOfBallsAndSpecks() {
-    Volume<float> phi = phiOf(cube(40), [](const Vector3d& x) {
+    Volume<float> phi = clamped(cube(40), [](const Vector3d& x) {
       return ball(x, {19.2, 20.1, 19.7}, 9.0);
     });
     phi.at(2, 2, 2) = -0.5F;

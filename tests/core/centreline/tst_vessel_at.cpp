@@ -15,12 +15,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Clamped as the pipeline's phi is.
 template <class F>
 SplineField fieldOf(const Geometry& g, F f) {
-  const double most = 5.0 * g.voxelMm();
-  return SplineField(sampled(g, [&](const Vector3d& x) { return std::clamp(f(x), -most, most); }),
-                     SplineKind::InterpolatingBspline);
+  return analytic::fieldOf(clamped(g, f));
 }
 
 struct Random {
@@ -28,8 +25,9 @@ struct Random {
   double uniform() { return randomUniform(7, count++); }
 };
 
-double degreesBetween(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), std::fabs(a.dot(b))) * 180.0 / M_PI;
+double degreesBetweenLines(const Vector3d& a, const Vector3d& b) {
+  const double degrees = degreesBetween(a, b);
+  return std::min(degrees, 180.0 - degrees);
 }
 
 /// The greatest errors of vesselAt() over many points.
@@ -43,7 +41,7 @@ struct Worst {
       ++missing;
       return;
     }
-    degrees = std::max(degrees, degreesBetween(v->axisLps, axis));
+    degrees = std::max(degrees, degreesBetweenLines(v->axisLps, axis));
     centreVoxels = std::max(centreVoxels, (v->centreLps - centreLps).norm() / voxelMm);
     radius = std::max(radius, std::fabs(v->radiusMm / radiusMm - 1.0));
   }
@@ -67,7 +65,7 @@ Vector3d acrossOf(const Vector3d& u, Random& random) {
 
 /// Distance-like, then redistanced and clamped as by the pipeline.
 SplineField phantomPhi(const PhantomParams& params) {
-  return SplineField(redistance(phantomField(params)), SplineKind::InterpolatingBspline);
+  return analytic::fieldOf(redistance(phantomField(params)));
 }
 
 }  // namespace
@@ -223,7 +221,7 @@ class TestVesselAt : public QObject {
     // In the joint: within a radius of it, along the parent.
     const auto joint = vesselAt(phi, Vector3d::Constant(39.5));
     QVERIFY(joint);
-    QVERIFY(degreesBetween(joint->axisLps, Vector3d::UnitZ()) < 15.0);
+    QVERIFY(degreesBetweenLines(joint->axisLps, Vector3d::UnitZ()) < 15.0);
     QVERIFY((joint->centreLps - Vector3d::Constant(39.5)).norm() < 2.5);
     QVERIFY(joint->radiusMm > 4.5 && joint->radiusMm < 8.0);
   }
@@ -242,7 +240,7 @@ class TestVesselAt : public QObject {
       QVERIFY(v);
       const double off = (v->centreLps - to - std::min(past, 0.0) * u).norm();
       QVERIFY(isBelow(off, 2.1));
-      QVERIFY(isBelow(degreesBetween(v->axisLps, u), 5.0));
+      QVERIFY(isBelow(degreesBetweenLines(v->axisLps, u), 5.0));
       QVERIFY(v->radiusMm > 3.2 && v->radiusMm < 4.2);
     }
   }

@@ -11,6 +11,7 @@
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
+using analytic::ball;
 
 namespace {
 
@@ -36,10 +37,6 @@ Manifoldness manifoldness(const TriMesh& mesh) {
   for (const auto& p : mesh.points) places.insert({p.x(), p.y(), p.z()});
   m.distinct = places.size() == mesh.points.size();
   return m;
-}
-
-double ball(const Eigen::Vector3d& p, const Eigen::Vector3d& centre, double radius) {
-  return (p - centre).norm() - radius;
 }
 
 }  // namespace

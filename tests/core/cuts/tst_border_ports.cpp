@@ -34,10 +34,10 @@ Volume<float> leaning(double degrees) {
   const Vector3d axis(std::sin(angle), 0.0, std::cos(angle));
   const Vector3d foot(18.0, 23.4, 0.0);
   const Geometry g = grid();
-  return shapes::sampled(g, [=](const Vector3d& x) {
+  return analytic::clamped(g, [=](const Vector3d& x) {
     const Vector3d d = g.toIndex(x) - foot;
     const double along = std::min(d.dot(axis), 24.0);
-    return std::clamp((d - along * axis).norm() - kRadius, -5.0, 5.0);
+    return (d - along * axis).norm() - kRadius;
   });
 }
 
@@ -45,11 +45,11 @@ Volume<float> leaning(double degrees) {
 /// and which ends inside.
 Volume<float> grazing() {
   const Geometry g = grid();
-  return shapes::sampled(g, [=](const Vector3d& x) {
+  return analytic::clamped(g, [=](const Vector3d& x) {
     const Vector3d p = g.toIndex(x) - Vector3d(8.0, 23.5, 27.0);
     const double around = std::clamp(std::atan2(p.x(), -p.z()), 0.0, 1.4);
     const Vector3d axis = 28.0 * Vector3d(std::sin(around), 0.0, -std::cos(around));
-    return std::clamp((p - axis).norm() - kRadius, -5.0, 5.0);
+    return (p - axis).norm() - kRadius;
   });
 }
 
@@ -57,7 +57,7 @@ Volume<float> grazing() {
 /// over most of the turn; it ends inside.
 Volume<float> wideOpening() {
   const Geometry g = grid();
-  return shapes::sampled(g, [=](const Vector3d& x) {
+  return analytic::clamped(g, [=](const Vector3d& x) {
     const Vector3d p = g.toIndex(x) - Vector3d(22.0, 20.0, -0.8);
     const double around = std::clamp(std::atan2(p.y(), p.x()), -0.9, 2.2);
     const Vector3d turn(9.0 * std::cos(around), 9.0 * std::sin(around), 0.0);
@@ -65,7 +65,7 @@ Volume<float> wideOpening() {
     const Vector3d up = Vector3d(-0.3, -0.2, 0.93).normalized();
     const double along = std::clamp((p - end).dot(up), 0.0, 32.0);
     const double bend = (p - turn).norm(), rise = (p - end - along * up).norm();
-    return std::clamp(std::min(bend, rise) - kRadius, -5.0, 5.0);
+    return std::min(bend, rise) - kRadius;
   });
 }
 
@@ -194,9 +194,9 @@ class TestBorderPorts : public QObject {
   void aCutKeepsOffThePointsOfTheRim() {
     const Geometry g = grid();
     const Vector3d axis = Vector3d(1.0, 0.0, 1.0).normalized();
-    const Volume<float> phi = shapes::sampled(g, [&](const Vector3d& x) {
+    const Volume<float> phi = analytic::clamped(g, [&](const Vector3d& x) {
       const Vector3d d = g.toIndex(x) - Vector3d(4.0, 23.4, 0.0);
-      return std::clamp((d - std::min(d.dot(axis), 24.0) * axis).norm() - 3.0, -5.0, 5.0);
+      return (d - std::min(d.dot(axis), 24.0) * axis).norm() - 3.0;
     });
     const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
     CutAway away;
@@ -210,9 +210,9 @@ class TestBorderPorts : public QObject {
   void anOpeningMayLieInTwoPlanes() {
     const Geometry g = grid();
     const Vector3d axis = Vector3d(1.0, 0.0, 1.0).normalized();
-    const Volume<float> phi = shapes::sampled(g, [&](const Vector3d& x) {
+    const Volume<float> phi = analytic::clamped(g, [&](const Vector3d& x) {
       const Vector3d d = g.toIndex(x) - Vector3d(-1.0, 23.4, 0.0);
-      return std::clamp((d - std::min(d.dot(axis), 30.0) * axis).norm() - kRadius, -5.0, 5.0);
+      return (d - std::min(d.dot(axis), 30.0) * axis).norm() - kRadius;
     });
     const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
     std::vector<Port> ports = openPorts(phi);

@@ -24,20 +24,8 @@ struct Case {
 
 template <class F>
 Case caseOf(const Geometry& g, F f) {
-  const double most = 5.0 * g.voxelMm();
-  const Volume<float> phi =
-      sampled(g, [&](const Vector3d& x) { return std::clamp(f(x), -most, most); });
-  return {SplineField(phi, SplineKind::InterpolatingBspline), skeletonOf(phi)};
-}
-
-double capsule(const Vector3d& x, const Vector3d& from, const Vector3d& to, double radius) {
-  const Vector3d d = to - from;
-  const double t = std::clamp((x - from).dot(d) / d.squaredNorm(), 0.0, 1.0);
-  return (x - from - t * d).norm() - radius;
-}
-
-double degreesBetween(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
+  const Volume<float> phi = clamped(g, f);
+  return {fieldOf(phi), skeletonOf(phi)};
 }
 
 }  // namespace

@@ -11,19 +11,15 @@
 #include "core/pipeline/surface_step.h"
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/refusal.h"
 
 using namespace angiomesh;
+using analytic::capsule;
 using Eigen::Vector3d;
 
 namespace {
 
 const Vector3d kFrom{10.2, 20.3, 19.4}, kTo{52.1, 21.2, 20.8};
-
-double capsule(const Vector3d& p, const Vector3d& from, const Vector3d& to, double radius) {
-  const Vector3d axis = (to - from).normalized();
-  const double t = std::clamp((p - from).dot(axis), 0.0, (to - from).norm());
-  return (p - from - t * axis).norm() - radius;
-}
 
 Geometry grid() {
   Geometry g;
@@ -55,16 +51,6 @@ CutAway made(const Volume<float>& phi, const PortParams& params,
 CutAway made(const Volume<float>& phi, const std::vector<std::string>& cuts) {
   std::vector<std::string> remarks;
   return made(phi, {cuts, 0.0}, remarks);
-}
-
-template <class F>
-std::string messageOf(F function) {
-  try {
-    function();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 bool anyHas(const std::vector<std::string>& texts, const char* what) {

@@ -10,16 +10,10 @@
 #include "tests/core/bars.h"
 
 using namespace angiomesh;
+using analytic::clamped;
 using Eigen::Vector3d;
 
 namespace {
-
-/// Clamped at 5 mm, as redistance() does.
-template <class Distance>
-Volume<float> clamped(const Geometry& g, Distance distance) {
-  return analytic::sampled(g,
-                           [&](const Vector3d& x) { return std::clamp(distance(x), -5.0, 5.0); });
-}
 
 struct Tube {
   double radius;

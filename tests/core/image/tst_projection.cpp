@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/projection.h"
+#include "tests/core/analytic.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -19,24 +20,15 @@ struct Ball {
 };
 
 /// A bright ball on dark ground, and its distance.
-Volume<float> imageOf(const Geometry& g, const Ball& ball) {
-  Volume<float> image(g);
-  for (std::size_t n = 0; n < image.voxels.size(); ++n) {
-    const Index3 at = g.indexOf(n);
-    const double d = (g.toPhysical(Vector3d(at[0], at[1], at[2])) - ball.centre).norm();
-    image.voxels[n] = d < ball.radius ? 200.0F : 0.0F;
-  }
-  return image;
+Volume<float> fieldOf(const Geometry& g, const Ball& b) {
+  return analytic::sampled(
+      g, [&](const Vector3d& x) { return analytic::ball(x, b.centre, b.radius); });
 }
 
-Volume<float> fieldOf(const Geometry& g, const Ball& ball) {
-  Volume<float> phi(g);
-  for (std::size_t n = 0; n < phi.voxels.size(); ++n) {
-    const Index3 at = g.indexOf(n);
-    const double d = (g.toPhysical(Vector3d(at[0], at[1], at[2])) - ball.centre).norm();
-    phi.voxels[n] = static_cast<float>(d - ball.radius);
-  }
-  return phi;
+Volume<float> imageOf(const Geometry& g, const Ball& b) {
+  Volume<float> image = fieldOf(g, b);
+  for (float& v : image.voxels) v = v < 0.0F ? 200.0F : 0.0F;
+  return image;
 }
 
 /// A cube of 48 mm around the patient's origin whose grid axes are columns of `direction`.

@@ -67,13 +67,7 @@ class TestTriMesh : public QObject {
   }
 
   void componentsTouchingInAPointAreTwo() {
-    TriMesh mesh = shapes::tetrahedron();
-    mesh.points.insert(mesh.points.end(), {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
-    for (const auto& t : shapes::tetrahedron().triangles) {
-      std::array<std::uint32_t, 3> other{};
-      for (std::size_t k = 0; k < 3; ++k) other[k] = t[2 - k] == 0 ? 0 : t[2 - k] + 3;
-      mesh.triangles.push_back(other);
-    }
+    const TriMesh mesh = shapes::touchingTetrahedra();
     QCOMPARE(meshComponents(mesh).count, std::size_t{2});
     QVERIFY(std::abs(enclosedVolumeMm3(mesh) - 1.0 / 3.0) < 1e-15);
   }

@@ -6,17 +6,11 @@
 #include "core/openings/section.h"
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/refusal.h"
 
 using namespace angiomesh;
+using analytic::fieldOf;
 using Eigen::Vector3d;
-
-namespace {
-
-SplineField fieldOf(const Volume<float>& phi) {
-  return SplineField(phi, SplineKind::InterpolatingBspline);
-}
-
-}  // namespace
 
 class TestSection : public QObject {
   Q_OBJECT
@@ -96,12 +90,7 @@ class TestSection : public QObject {
       return analytic::tube(p, centre, Vector3d::UnitZ(), 5.0);
     }));
     const auto refused = [&](const CutPlane& plane, const char* why) {
-      try {
-        sectionOf(field, plane);
-      } catch (const InputError& error) {
-        return std::string(error.what()).find(why) != std::string::npos;
-      }
-      return false;
+      return messageOf([&] { sectionOf(field, plane); }).find(why) != std::string::npos;
     };
     QVERIFY(refused({{2.0, 2.0, 15.0}, Vector3d::UnitZ()}, "does not lie in a vessel"));
     QVERIFY(refused({{-20.0, 2.0, 15.0}, Vector3d::UnitZ()}, "does not lie in a vessel"));

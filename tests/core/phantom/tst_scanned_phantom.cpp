@@ -287,12 +287,7 @@ class TestScannedPhantom : public QObject {
     const auto refusal = [&](const std::function<void(std::string&)>& change) {
       std::string text = json;
       change(text);
-      try {
-        (void)phantomFromTruthJson(text, "some/truth.json");
-      } catch (const InputError& error) {
-        return std::string(error.what());
-      }
-      return std::string();
+      return messageOf([&] { (void)phantomFromTruthJson(text, "some/truth.json"); });
     };
     const auto replaced = [&](const std::string& from, const std::string& to) {
       return refusal([&](std::string& text) { text.replace(text.find(from), from.size(), to); });
@@ -316,14 +311,7 @@ class TestScannedPhantom : public QObject {
 
   void newParametersThatCannotBeMetAreRefused() {
     const auto refused = [](const std::function<void(PhantomParams&)>& change) {
-      PhantomParams params = paramsOf(PhantomKind::Stenosis, 48);
-      change(params);
-      try {
-        makePhantom(params);
-      } catch (const InputError&) {
-        return true;
-      }
-      return false;
+      return analytic::isRefused(paramsOf(PhantomKind::Stenosis, 48), change);
     };
     QVERIFY(!refused([](PhantomParams&) {}));
     QVERIFY(refused([](PhantomParams& p) { p.stenosisPercent = 0.0; }));

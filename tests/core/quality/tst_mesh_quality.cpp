@@ -167,14 +167,7 @@ class TestMeshQuality : public QObject {
   }
 
   void pinchedVertexIsCounted() {
-    // Two tetrahedra with one corner in common, opposite to one another.
-    TriMesh mesh = shapes::tetrahedron();
-    mesh.points.insert(mesh.points.end(), {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
-    for (const auto& t : shapes::tetrahedron().triangles) {
-      std::array<std::uint32_t, 3> other{};
-      for (std::size_t k = 0; k < 3; ++k) other[k] = t[2 - k] == 0 ? 0 : t[2 - k] + 3;
-      mesh.triangles.push_back(other);
-    }
+    const TriMesh mesh = shapes::touchingTetrahedra();
     const MeshQuality q = measureQuality(mesh);
     QCOMPARE(q.nonManifoldVertices, std::size_t{1});
     QCOMPARE(q.nonManifoldEdges, std::size_t{0});

@@ -8,6 +8,7 @@
 #include "core/base/random.h"
 #include "core/quality/best_threshold.h"
 #include "core/quality/overlap.h"
+#include "tests/core/analytic.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -38,13 +39,8 @@ Volume<std::uint8_t> boxMask(const Geometry& g, const Index3& first, const Index
 }
 
 Volume<float> ballField(const Geometry& g, const Vector3d& centreLps, double radius) {
-  Volume<float> phi(g);
-  for (std::size_t n = 0; n < phi.voxels.size(); ++n) {
-    const Index3 at = g.indexOf(n);
-    const Vector3d p = g.toPhysical(Vector3d(at[0], at[1], at[2]));
-    phi.voxels[n] = static_cast<float>((p - centreLps).norm() - radius);
-  }
-  return phi;
+  return analytic::sampled(g,
+                           [&](const Vector3d& x) { return analytic::ball(x, centreLps, radius); });
 }
 
 bool near(double a, double b, double tolerance = 1e-9) { return std::fabs(a - b) < tolerance; }

@@ -22,19 +22,23 @@ namespace {
 
 using Function = std::function<double(const Eigen::Vector3d&)>;
 
-Volume<float> fieldOf(const Geometry& g, const Function& f) {
-  const double far = 5.0 * g.voxelMm();
-  return sampled(g, [&](const Eigen::Vector3d& x) { return std::clamp(f(x), -far, far); });
-}
-
 const Eigen::Vector3d kAlongX(1.0, 0.0, 0.0), kAlongY(0.0, 1.0, 0.0), kAlongZ(0.0, 0.0, 1.0);
 
 /// A tube along z with a channel of one voxel through it along x.
 Volume<float> tubeWithAHole(const Geometry& g, double radius, const Index3& at) {
   const Eigen::Vector3d c = g.toPhysical({1.0 * at[0], 1.0 * at[1], 1.0 * at[2]});
-  return fieldOf(g, [&](const auto& x) {
+  return clamped(g, [&](const auto& x) {
     return std::max(tube(x, c, kAlongZ, radius), -tube(x, c, kAlongX, 0.3));
   });
+}
+
+/// Independent values, the fewer of them inside the larger `seed` is.
+Volume<float> anything(std::uint64_t seed) {
+  Volume<float> phi(oblique(17, 15, 16));
+  for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+    phi.voxels[i] =
+        static_cast<float>(randomNormal(seed, i) + 0.25 * static_cast<double>(seed) - 0.4);
+  return phi;
 }
 
 /// Euler's number of the voxels as closed cubes, which is that of 26-connected objects.
@@ -91,16 +95,16 @@ class TestHandles : public QObject {
   void roundBodiesHaveNone() {
     const Geometry g = cube(30);
     const Eigen::Vector3d c = centreOf(g);
-    QVERIFY(handlesOf(fieldOf(g, [&](const auto& x) { return ball(x, c, 9.3); })).empty());
-    QVERIFY(handlesOf(fieldOf(g, [&](const auto& x) {
+    QVERIFY(handlesOf(clamped(g, [&](const auto& x) { return ball(x, c, 9.3); })).empty());
+    QVERIFY(handlesOf(clamped(g, [&](const auto& x) {
               return std::min(tube(x, c, kAlongZ, 3.2), tube(x, c, {0.6, 0.0, 0.8}, 2.1));
             })).empty());
     // A cavity is no handle.
-    QVERIFY(handlesOf(fieldOf(g, [&](const auto& x) {
+    QVERIFY(handlesOf(clamped(g, [&](const auto& x) {
               return std::max(ball(x, c, 11.0), -ball(x, c, 4.0));
             })).empty());
-    QVERIFY(handlesOf(fieldOf(g, [](const auto&) { return 1.0; })).empty());
-    QVERIFY(handlesOf(fieldOf(g, [](const auto&) { return -1.0; })).empty());
+    QVERIFY(handlesOf(clamped(g, [](const auto&) { return 1.0; })).empty());
+    QVERIFY(handlesOf(clamped(g, [](const auto&) { return -1.0; })).empty());
   }
 
   void aRingHasOneAsLongAsItsInside() {
@@ -108,7 +112,7 @@ class TestHandles : public QObject {
       const Eigen::Vector3d c = centreOf(g);
       const double ring = 13.0, r = 3.1;
       const std::vector<Handle> found =
-          handlesOf(fieldOf(g, [&](const auto& x) { return torus(x, c, ring, r); }));
+          handlesOf(clamped(g, [&](const auto& x) { return torus(x, c, ring, r); }));
       QCOMPARE(found.size(), std::size_t{1});
       const Handle& one = found[0];
       QVERIFY(!one.lengthIsLeast);
@@ -126,7 +130,7 @@ class TestHandles : public QObject {
   void theLoopClosesWhereItIsThinnest() {
     const Geometry g = cube(48);
     const Eigen::Vector3d c = centreOf(g);
-    const std::vector<Handle> found = handlesOf(fieldOf(g, [&](const Eigen::Vector3d& x) {
+    const std::vector<Handle> found = handlesOf(clamped(g, [&](const Eigen::Vector3d& x) {
       const Eigen::Vector3d d = x - c;
       return torus(x, c, 13.0,
                    3.0 - 1.5 * std::exp(-(d - Eigen::Vector3d(0, 13, 0)).squaredNorm() / 20.0));
@@ -140,14 +144,14 @@ class TestHandles : public QObject {
     const Geometry g = cube(60);
     const Eigen::Vector3d c = centreOf(g);
     const Eigen::Vector3d aside(10.5, 0.0, 0.0);
-    const std::vector<Handle> joined = handlesOf(fieldOf(g, [&](const auto& x) {
+    const std::vector<Handle> joined = handlesOf(clamped(g, [&](const auto& x) {
       return std::min(torus(x, c + aside, 11.0, 2.6), torus(x, c - aside, 11.0, 3.4));
     }));
     QCOMPARE(joined.size(), std::size_t{2});
     QCOMPARE(joined[0].component, 1);
     QCOMPARE(joined[1].component, 1);
     const Eigen::Vector3d far(14.5, 0.0, 0.0);
-    const std::vector<Handle> apart = handlesOf(fieldOf(g, [&](const auto& x) {
+    const std::vector<Handle> apart = handlesOf(clamped(g, [&](const auto& x) {
       return std::min(torus(x, c + far, 9.0, 2.6), torus(x, c - far, 9.0, 3.4));
     }));
     QCOMPARE(apart.size(), std::size_t{2});
@@ -176,8 +180,8 @@ class TestHandles : public QObject {
           {tube(x, {17, 25, 25}, kAlongZ, 3.0), tube(x, {31, 25, 25}, kAlongZ, 3.0),
            std::max(tube(x, {25, 25, 8}, kAlongX, 3.0), std::fabs(x.x() - 24.0) - 8.0)});
     };
-    QVERIFY(handlesOf(fieldOf(g, fork)).empty());
-    Volume<float> phi = fieldOf(g, fork);
+    QVERIFY(handlesOf(clamped(g, fork)).empty());
+    Volume<float> phi = clamped(g, fork);
     for (int i = 17; i <= 31; ++i) {
       float& value = phi.at(i, 25, 40);
       value = std::min(value, -0.2F);
@@ -192,11 +196,8 @@ class TestHandles : public QObject {
   /// As many as Euler's number says, on anything.
   void countsAgreeWithEulersNumber() {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-      const Geometry g = oblique(17, 15, 16);
-      Volume<float> phi(g);
-      for (std::size_t i = 0; i < phi.voxels.size(); ++i)
-        phi.voxels[i] =
-            static_cast<float>(randomNormal(seed, i) + 0.25 * static_cast<double>(seed) - 0.4);
+      const Volume<float> phi = anything(seed);
+      const Geometry& g = phi.geometry;
       const Components inside = connectedComponents(insideMask(phi));
       Volume<std::uint8_t> outside(g);
       for (std::size_t i = 0; i < phi.voxels.size(); ++i)
@@ -256,7 +257,7 @@ class TestHandles : public QObject {
                                                  tube(x, c + 6.5 * kAlongX, kAlongZ, 3.0));
                                }};
     for (const Function& body : bodies) {
-      Volume<float> phi = fieldOf(g, body);
+      Volume<float> phi = clamped(g, body);
       const Volume<float> before = phi;
       QVERIFY(closeSmallHandles(phi, {}).empty());
       QVERIFY(phi.voxels == before.voxels);
@@ -265,7 +266,7 @@ class TestHandles : public QObject {
 
   void fillsABubble() {
     const Geometry g = cube(24);
-    Volume<float> phi = fieldOf(g, [&](const auto& x) { return ball(x, centreOf(g), 7.0); });
+    Volume<float> phi = clamped(g, [&](const auto& x) { return ball(x, centreOf(g), 7.0); });
     phi.at(12, 12, 10) = 0.2F;
     const std::vector<HandleChange> done = closeSmallHandles(phi, {});
     QCOMPARE(done.size(), std::size_t{1});
@@ -276,7 +277,7 @@ class TestHandles : public QObject {
   void takesTheCheaperChange() {
     const Geometry g = cube(32);
     const auto bridged = [&](float bridge, float gap) {
-      Volume<float> phi = fieldOf(g, [&](const auto& x) {
+      Volume<float> phi = clamped(g, [&](const auto& x) {
         return std::min(tube(x, {11, 16, 16}, kAlongZ, 3.2), tube(x, {20, 16, 16}, kAlongZ, 3.2));
       });
       for (int k = 12; k <= 16; ++k)
@@ -305,11 +306,7 @@ class TestHandles : public QObject {
   /// On anything there are no more handles than before, and the parts are the same.
   void neitherJoinsNorPartsNorAdds() {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-      const Geometry g = oblique(17, 15, 16);
-      Volume<float> phi(g);
-      for (std::size_t i = 0; i < phi.voxels.size(); ++i)
-        phi.voxels[i] =
-            static_cast<float>(randomNormal(seed, i) + 0.25 * static_cast<double>(seed) - 0.4);
+      Volume<float> phi = anything(seed);
       const std::size_t parts = connectedComponents(insideMask(phi)).sizes.size();
       const std::size_t handles = handlesOf(phi).size();
       const std::vector<HandleChange> done = closeSmallHandles(phi, {});
