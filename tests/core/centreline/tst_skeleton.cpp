@@ -10,6 +10,7 @@
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -292,10 +293,7 @@ class TestSkeleton : public QObject {
 
   void threadsDoNotCount() {
     const Volume<float> phi = redistance(phantomField(paramsOf(PhantomKind::CapsuleTree, 64, 3.0)));
-    setThreads(1);
-    const Skeleton one = skeletonOf(phi);
-    setThreads(3);
-    const Skeleton three = skeletonOf(phi);
+    const auto [one, three] = onOneAndSeveralThreads([&] { return skeletonOf(phi); }, 3);
     setThreads(0);
     QCOMPARE(one.branches.size(), three.branches.size());
     for (std::size_t b = 0; b < one.branches.size(); ++b) {

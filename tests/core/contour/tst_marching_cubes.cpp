@@ -9,6 +9,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using analytic::ball;
@@ -211,10 +212,7 @@ class TestMarchingCubes : public QObject {
 
   void threadsDoNotMatter() {
     const Volume<float> phi = shapes::noise({16, 16, 16}, 77);
-    setThreads(1);
-    const TriMesh one = marchingCubes(phi);
-    setThreads(4);
-    const TriMesh four = marchingCubes(phi);
+    const auto [one, four] = onOneAndSeveralThreads([&] { return marchingCubes(phi); }, 4);
     setThreads(0);
     QVERIFY(one.points == four.points);
     QVERIFY(one.triangles == four.triangles);

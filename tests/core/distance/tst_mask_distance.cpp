@@ -11,6 +11,7 @@
 #include "core/quality/zero_set_measure.h"
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -162,10 +163,8 @@ class TestMaskDistance : public QObject {
 
   void threadsDoNotMatter() {
     const Phantom phantom = makePhantom(paramsOf(PhantomKind::CapsuleTree, 48, 3.0));
-    setThreads(1);
-    const Volume<float> one = smoothDistance(phantom.truth);
-    setThreads(3);
-    const Volume<float> three = smoothDistance(phantom.truth);
+    const auto [one, three] =
+        onOneAndSeveralThreads([&] { return smoothDistance(phantom.truth); }, 3);
     setThreads(0);
     QCOMPARE(one.voxels, three.voxels);
   }

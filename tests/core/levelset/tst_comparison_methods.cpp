@@ -10,6 +10,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/quality/overlap.h"
 #include "tests/core/analytic.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -148,10 +149,8 @@ class TestComparisonMethods : public QObject {
     const Phantom phantom = noisyTube(30.0);
     for (const Method method :
          {Method::GeodesicActiveContour, Method::ConfidenceConnected, Method::Threshold}) {
-      setThreads(1);
-      const ComparisonResult one = segmented(phantom.image, method);
-      setThreads(3);
-      const ComparisonResult three = segmented(phantom.image, method);
+      const auto [one, three] =
+          onOneAndSeveralThreads([&] { return segmented(phantom.image, method); }, 3);
       setThreads(0);
       QVERIFY(one.phi.voxels == three.phi.voxels);
     }

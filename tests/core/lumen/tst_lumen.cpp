@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/levelset/flood.h"
 #include "core/lumen/axis_smoothing.h"
@@ -13,6 +12,7 @@
 #include "core/lumen/lumen.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -121,10 +121,8 @@ class TestLumen : public QObject {
 
   void isTheSameForAnyNumberOfThreads() {
     const Volume<float> distance = tubeDistance(2.5), image = imageOf(distance, 20.0);
-    setThreads(1);
-    const Volume<float> one = refineLumen(image, roughly(distance, 0.7), {}, Polarity::Bright);
-    setThreads(2);
-    const Volume<float> two = refineLumen(image, roughly(distance, 0.7), {}, Polarity::Bright);
+    const auto [one, two] = onOneAndSeveralThreads(
+        [&] { return refineLumen(image, roughly(distance, 0.7), {}, Polarity::Bright); });
     QVERIFY(one.voxels == two.voxels);
   }
 

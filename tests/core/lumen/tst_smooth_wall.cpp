@@ -15,6 +15,7 @@
 #include "core/lumen/smooth_wall.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -293,10 +294,7 @@ class TestSmoothWall : public QObject {
   void isTheSameForAnyNumberOfThreads() {
     const auto tube = [](const Vector3d& p) { return tubeDistance(p, 2.2); };
     const int before = threads();
-    setThreads(1);
-    const Made one = make(tube, 0.5, 10.0);
-    setThreads(2);
-    const Made two = make(tube, 0.5, 10.0);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return make(tube, 0.5, 10.0); });
     setThreads(before);
     QVERIFY(one.wall.phi.voxels == two.wall.phi.voxels);
     QCOMPARE(one.wall.spreadVoxels, two.wall.spreadVoxels);

@@ -11,6 +11,7 @@
 #include "core/phantom/truth_json.h"
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using analytic::paramsOf;
@@ -269,10 +270,7 @@ class TestPhantom : public QObject {
   void noiseIsUnclippedAndIndependentOfThreads() {
     PhantomParams params = paramsOf(PhantomKind::Aneurysm, 48);
     params.noiseSigma = 20.0;
-    setThreads(1);
-    const Phantom one = makePhantom(params);
-    setThreads(2);
-    const Phantom two = makePhantom(params);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return makePhantom(params); });
     QVERIFY(one.image.voxels == two.image.voxels);
     QVERIFY(one.truth.voxels == two.truth.voxels);
     params.noiseSigma = 0.0;
@@ -366,10 +364,7 @@ class TestPhantom : public QObject {
   void treesDependOnTheSeedAndNotOnTheThreads() {
     PhantomParams params = treeParams({64, 64, 48}, 5);
     params.noiseSigma = 20.0;
-    setThreads(1);
-    const Phantom one = makePhantom(params);
-    setThreads(2);
-    const Phantom two = makePhantom(params);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return makePhantom(params); });
     QVERIFY(one.image.voxels == two.image.voxels);
     QVERIFY(truthJson(params, one) == truthJson(params, two));
     params.randomSeed = 6;

@@ -11,6 +11,7 @@
 #include "core/phantom/truth_json.h"
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using analytic::paramsOf;
@@ -213,10 +214,7 @@ class TestPhantomLooks : public QObject {
     params.noiseSigma = 20.0;
     params.driftPercent = 30.0;
     params.fadePercent = 70.0;
-    setThreads(1);
-    const Phantom one = cluttered(params);
-    setThreads(2);
-    const Phantom two = cluttered(params);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return cluttered(params); });
     QVERIFY(one.image.voxels == two.image.voxels);
     QVERIFY(one.clutter.voxels == two.clutter.voxels);
     params.kind = PhantomKind::Torus;

@@ -12,6 +12,7 @@
 #include "core/phantom/truth_json.h"
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -213,10 +214,7 @@ class TestScannedPhantom : public QObject {
     params.fadePercent = 60.0;
     for (const char* psf : {"gaussian:0.5", "mr"}) {
       params = withPsf(params, psf);
-      setThreads(1);
-      const Phantom one = makePhantom(params);
-      setThreads(2);
-      const Phantom two = makePhantom(params);
+      const auto [one, two] = onOneAndSeveralThreads([&] { return makePhantom(params); });
       QVERIFY(one.image.voxels == two.image.voxels);
       QVERIFY(one.truth.voxels == two.truth.voxels);
     }

@@ -13,6 +13,7 @@
 #include "core/mesh/triangle_tree.h"
 #include "core/quality/mesh_quality.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector2d;
@@ -351,10 +352,7 @@ class TestMeshQuality : public QObject {
 
   void threadsDoNotMatter() {
     const TriMesh mesh = marchingCubes(shapes::noise({14, 14, 14}, 3));
-    setThreads(1);
-    const MeshQuality a = measureQuality(mesh);
-    setThreads(4);
-    const MeshQuality b = measureQuality(mesh);
+    const auto [a, b] = onOneAndSeveralThreads([&] { return measureQuality(mesh); }, 4);
     setThreads(0);
     QVERIFY(a.intersectingPairs == b.intersectingPairs);
     QCOMPARE(a.radiusRatioMean, b.radiusRatioMean);

@@ -9,6 +9,7 @@
 #include "core/quality/best_threshold.h"
 #include "core/quality/overlap.h"
 #include "tests/core/analytic.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -154,10 +155,7 @@ class TestOverlap : public QObject {
     const Vector3d centre = g.toPhysical({15.0, 12.0, 11.0});
     const auto a = insideMask(ballField(g, centre, 6.0));
     const auto b = insideMask(ballField(g, centre + Vector3d(1.3, 0.4, -0.2), 5.0));
-    setThreads(1);
-    const OverlapMeasures one = compareMasks(a, b);
-    setThreads(2);
-    const OverlapMeasures two = compareMasks(a, b);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return compareMasks(a, b); });
     QCOMPARE(one.assdMm, two.assdMm);
     QCOMPARE(one.hd95Mm, two.hd95Mm);
   }

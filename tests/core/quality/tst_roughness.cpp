@@ -8,6 +8,7 @@
 #include "core/quality/roughness.h"
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -144,10 +145,7 @@ class TestRoughness : public QObject {
 
   void doesNotDependOnTheThreads() {
     const TriMesh mesh = roughened(shapes::openTube(24, 60, 1.0), 0.01, true);
-    setThreads(1);
-    const auto one = measureRoughness(mesh);
-    setThreads(2);
-    const auto two = measureRoughness(mesh);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return measureRoughness(mesh); });
     QCOMPARE(one->spreadMm, two->spreadMm);
     QCOMPARE(one->spread95Mm, two->spread95Mm);
     QCOMPARE(one->angleDeg, two->angleDeg);

@@ -2,9 +2,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/base/parallel.h"
 #include "core/quality/vessel_measures.h"
 #include "tests/core/bars.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -56,10 +56,8 @@ class TestVesselMeasures : public QObject {
   void wallSamplesAreTheSameForAnyNumberOfThreads() {
     const PhantomParams params = paramsOf(PhantomKind::Bifurcation, 32, 4.0);
     const SplineField phi = splineOf(phantomField(params));
-    setThreads(1);
-    const auto one = wallSamples(phi, phantomDistance(params));
-    setThreads(2);
-    const auto two = wallSamples(phi, phantomDistance(params));
+    const auto [one, two] =
+        onOneAndSeveralThreads([&] { return wallSamples(phi, phantomDistance(params)); });
     QCOMPARE(one.size(), two.size());
     for (std::size_t i = 0; i < one.size(); ++i) QVERIFY(one[i].point == two[i].point);
   }

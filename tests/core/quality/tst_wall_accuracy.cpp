@@ -8,6 +8,7 @@
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/core/phantom_case.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using analytic::paramsOf;
@@ -166,10 +167,7 @@ class TestWallAccuracy : public QObject {
     const WallTruth truth(params);
     TriMesh ball = shapes::icosphere(4);
     for (Vector3d& p : ball.points) p = Vector3d::Constant(31.5) + 12.0 * p;
-    setThreads(1);
-    const WallAccuracy one = wallAccuracy(ball, truth);
-    setThreads(2);
-    const WallAccuracy two = wallAccuracy(ball, truth);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return wallAccuracy(ball, truth); });
     QVERIFY(one.all.vertices > 0);
     QCOMPARE(one.all.meanMm, two.all.meanMm);
     QCOMPARE(one.all.normalMeanDeg, two.all.normalMeanDeg);

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/contour/marching_cubes.h"
 #include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using shapes::pi;
@@ -122,10 +122,7 @@ class TestWallMeasures : public QObject {
 
   void noiseAndThreadsAreNoMatter() {
     const SplineField field(shapes::noise({14, 12, 10}, 7), SplineKind::InterpolatingBspline);
-    setThreads(1);
-    const ZeroSetMeasure one = measureZeroSet(field);
-    setThreads(2);
-    const ZeroSetMeasure two = measureZeroSet(field);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return measureZeroSet(field); });
     QCOMPARE(one.volumeMm3, two.volumeMm3);
     QCOMPARE(one.areaMm2, two.areaMm2);
     QVERIFY(std::isfinite(one.areaMm2));

@@ -13,6 +13,7 @@
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/analytic.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -122,10 +123,8 @@ class TestSoundSurface : public QObject {
     SurfaceParams params;
     params.sizing.edgeMinMm = 0.3;
     const SplineField spline(phi, params.spline);
-    setThreads(1);
-    const MadeSurface one = makeSurface(phi, spline, params);
-    setThreads(3);
-    const MadeSurface three = makeSurface(phi, spline, params);
+    const auto [one, three] =
+        onOneAndSeveralThreads([&] { return makeSurface(phi, spline, params); }, 3);
     setThreads(0);
     QVERIFY(one.mesh.points == three.mesh.points);
     QVERIFY(one.mesh.triangles == three.mesh.triangles);

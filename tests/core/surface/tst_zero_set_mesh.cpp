@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "core/phantom/shape.h"
 #include "core/quality/mesh_quality.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/analytic.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -158,10 +158,7 @@ class TestZeroSetMesh : public QObject {
 
   void isTheSameForAnyNumberOfThreads() {
     const Volume<float> phi = shapeNamed("kissing tubes");
-    setThreads(1);
-    const ZeroSetMesh one = meshed(phi);
-    setThreads(2);
-    const ZeroSetMesh two = meshed(phi);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return meshed(phi); });
     QVERIFY(one.mesh.points == two.mesh.points);
     QVERIFY(one.mesh.triangles == two.mesh.triangles);
   }

@@ -14,6 +14,7 @@
 #include "core/topology/voxel_topology.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -318,10 +319,7 @@ class TestHandles : public QObject {
 
   void theSameForAnyNumberOfThreads() {
     const Volume<float> phi = tubeWithAHole(cube(32), 3.7, {15, 16, 14});
-    setThreads(1);
-    const std::vector<Handle> one = handlesOf(phi);
-    setThreads(2);
-    const std::vector<Handle> two = handlesOf(phi);
+    const auto [one, two] = onOneAndSeveralThreads([&] { return handlesOf(phi); });
     QCOMPARE(one.size(), two.size());
     for (std::size_t i = 0; i < one.size(); ++i) {
       QVERIFY(one[i].placeLps == two[i].placeLps);
