@@ -6,22 +6,10 @@
 #include "core/base/error.h"
 #include "core/parameters/field.h"
 #include "tests/core/random_parameters.h"
+#include "tests/core/refusal.h"
 
 using namespace angiomesh;
 using angiomesh::test::randomValue;
-
-namespace {
-
-std::string messageOf(const std::function<void()>& f) {
-  try {
-    f();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-}  // namespace
 
 class TestParameters : public QObject {
   Q_OBJECT

@@ -11,6 +11,7 @@
 #include "core/preprocess/preprocess.h"
 #include "core/quality/overlap.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -86,7 +87,7 @@ class TestCtPreset : public QObject {
     QCOMPARE(farFromTruth(mask, ct.vessels), std::size_t{0});
     QCOMPARE(connectedComponents(mask).sizes.size(), std::size_t{2});
     const double overlap = compareMasks(mask, ct.vessels).overlap;
-    QVERIFY2(overlap > 96.0, qPrintable(QString::number(overlap)));
+    QVERIFY(isAbove(overlap, 96.0));
   }
 
   void whatIsAboveTheBoundIsFilledWithItsRim() {

@@ -4,13 +4,14 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/parameters/field.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/overlap.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -57,7 +58,7 @@ class TestPipeline : public QObject {
     QCOMPARE(run.stages.size(), std::size_t{7});
     const OverlapMeasures overlap =
         compareMasks(maskOnGrid(*run.surface->phi, phantom.truth.geometry), phantom.truth);
-    QVERIFY2(overlap.overlap > 85.0, qPrintable(QString::number(overlap.overlap)));
+    QVERIFY(isAbove(overlap.overlap, 85.0));
     const MeshQuality& mesh = run.quality->mesh;
     QVERIFY(mesh.closed && mesh.oriented);
     QCOMPARE(mesh.nonManifoldEdges + mesh.nonManifoldVertices + mesh.degenerateTriangles,
@@ -237,10 +238,8 @@ class TestPipeline : public QObject {
 
   void threadsDoNotChangeTheMesh() {
     const Phantom phantom = smallBifurcation();
-    setThreads(1);
-    const RunResult one = Pipeline(makeSource(phantom.image, "x")).run(smallParams());
-    setThreads(2);
-    const RunResult two = Pipeline(makeSource(phantom.image, "x")).run(smallParams());
+    const auto [one, two] = onOneAndSeveralThreads(
+        [&] { return Pipeline(makeSource(phantom.image, "x")).run(smallParams()); });
     QCOMPARE(one.key, two.key);
     QVERIFY(one.evolve->phi->voxels == two.evolve->phi->voxels);
     QVERIFY(one.smoothed->triangles == two.smoothed->triangles);
@@ -272,7 +271,7 @@ class TestPipeline : public QObject {
       QVERIFY(count > 100.0);
       // The method places the wall on an iso-level of vesselness, not on the edge: within half a
       // voxel.
-      QVERIFY2(std::fabs(sum / count - 1.6) < 0.4, qPrintable(QString::number(sum / count)));
+      QVERIFY(isNear(sum / count, 1.6, 0.4));
     }
   }
 

@@ -5,6 +5,7 @@
 #include "core/pipeline/brighter_around.h"
 #include "core/pipeline/segmentation_doubts.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -62,7 +63,7 @@ class TestSegmentationDoubts : public QObject {
     const EvolveResult result = found(1.2 * kRadius);  // the marrow comes first
     const std::vector<double> shares = sharesOf(image, *result.phi, Polarity::Bright);
     QCOMPARE(shares.size(), std::size_t{2});
-    QVERIFY2(shares[0] > 0.9, qPrintable(QString::number(shares[0])));
+    QVERIFY(isAbove(shares[0], 0.9));
     QCOMPARE(shares[1], 0.0);
     Volume<float> negative = image;
     for (float& value : negative.voxels) value = -value;

@@ -8,7 +8,9 @@
 #include "core/smooth/sagitta_offset.h"
 #include "core/smooth/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/threads.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -77,8 +79,7 @@ class TestSagittaOffset : public QObject {
     QVERIFY(kept.triangles == scene.mesh.triangles);
     const double truth = 4.0 / 3.0 * shapes::pi * 216.0;
     QVERIFY(enclosedVolumeMm3(scene.mesh) < 0.99 * truth);
-    QVERIFY2(std::abs(enclosedVolumeMm3(kept) / truth - 1.0) < 5e-4,
-             qPrintable(QString::number(enclosedVolumeMm3(kept) / truth)));
+    QVERIFY(isNear(enclosedVolumeMm3(kept) / truth, 1.0, 5e-4));
     verifyShape(kept);
   }
 
@@ -119,12 +120,12 @@ class TestSagittaOffset : public QObject {
     }
     const double byDistance = distance / weight / tube.radius;
     const double byArea = area / (2.0 * shapes::pi * tube.radius * tube.length);
-    QVERIFY2(std::abs(byDistance - 1.0) < 0.01, qPrintable(QString::number(byDistance)));
-    QVERIFY2(std::abs(byArea - 1.0) < 0.01, qPrintable(QString::number(byArea)));
+    QVERIFY(isNear(byDistance, 1.0, 0.01));
+    QVERIFY(isNear(byArea, 1.0, 0.01));
     if (!open) {
       const double truth = shapes::pi * tube.radius * tube.radius * tube.length;
       const double byVolume = std::sqrt(enclosedVolumeMm3(kept) / truth);
-      QVERIFY2(std::abs(byVolume - 1.0) < 0.01, qPrintable(QString::number(byVolume)));
+      QVERIFY(isNear(byVolume, 1.0, 0.01));
     }
     // Rims and caps are as flat as before.
     for (std::size_t v = 0; v < kept.points.size(); ++v) {
@@ -160,10 +161,7 @@ class TestSagittaOffset : public QObject {
 
   void theNumberOfThreadsDoesNotMatter() {
     const Scene scene(TubeGrid(3.0).phi(), 0.4);
-    setThreads(1);
-    const TriMesh one = scene.kept();
-    setThreads(4);
-    const TriMesh four = scene.kept();
+    const auto [one, four] = onOneAndSeveralThreads([&] { return scene.kept(); }, 4);
     setThreads(0);
     QVERIFY(one.points == four.points);
   }

@@ -11,6 +11,7 @@
 #include "core/mesh/triangle_tree.h"
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -107,8 +108,8 @@ class TestSmoothing : public QObject {
     const double k =
         1.0 - (2.0 * std::cos(2.0 * shapes::pi / around) + 4.0 * std::cos(shapes::pi / around)) / 6;
     const double exact = std::pow((1.0 - 0.5 * k) * (1.0 + 0.54 * k), 50);
-    QVERIFY2(std::abs(factor - exact) < 1e-9, qPrintable(QString::number(factor)));
-    QVERIFY2(std::abs(factor - expected) < 6e-3, qPrintable(QString::number(factor)));
+    QVERIFY(isNear(factor, exact, 1e-9));
+    QVERIFY(isNear(factor, expected, 6e-3));
   }
 
   void keepWallKeepsTubes_data() { taubinScalesTubes_data(); }
@@ -183,14 +184,14 @@ class TestSmoothing : public QObject {
     const Scene scene = tubeScene(radius);
     const TriMesh smooth = keepWallSmooth(scene.mesh, {}, withPhi ? scene.field.get() : nullptr);
     const double ratio = std::sqrt(enclosedVolumeMm3(smooth) / enclosedVolumeMm3(scene.mesh));
-    QVERIFY2(std::abs(ratio - 1.0) < 0.01, qPrintable(QString::number(ratio)));
+    QVERIFY(isNear(ratio, 1.0, 0.01));
     const MeshQuality before = measureQuality(scene.mesh), after = measureQuality(smooth);
     QVERIFY(after.closed && after.oriented);
     QCOMPARE(after.selfIntersections, std::size_t{0});
     QCOMPARE(after.euler, before.euler);
     QCOMPARE(after.vertices, before.vertices);
     QCOMPARE(after.triangles, before.triangles);
-    QVERIFY2(after.minAngleMin > 30.0, qPrintable(QString::number(after.minAngleMin)));
+    QVERIFY(isAbove(after.minAngleMin, 30.0));
     QVERIFY(after.radiusRatioMean > 0.9);
   }
 
