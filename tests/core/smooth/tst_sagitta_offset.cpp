@@ -9,6 +9,7 @@
 #include "core/smooth/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/bars.h"
+#include "tests/core/mesh_bars.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/core/threads.h"
 
@@ -53,16 +54,6 @@ struct TubeGrid {
   }
 };
 
-void verifyShape(const TriMesh& mesh) {
-  const MeshQuality q = measureQuality(mesh);
-  QVERIFY(q.oriented);
-  QCOMPARE(q.selfIntersections + q.nonManifoldEdges + q.nonManifoldVertices, std::size_t{0});
-  QVERIFY2(q.minAngleMin >= 30.0, qPrintable(QString::number(q.minAngleMin)));
-  QVERIFY2(q.maxAngleMax <= 110.0, qPrintable(QString::number(q.maxAngleMax)));
-  QVERIFY2(q.radiusRatioMean >= 0.975, qPrintable(QString::number(q.radiusRatioMean)));
-  QVERIFY2(q.radiusRatioMin >= 0.6, qPrintable(QString::number(q.radiusRatioMin)));
-}
-
 }  // namespace
 
 class TestSagittaOffset : public QObject {
@@ -80,7 +71,7 @@ class TestSagittaOffset : public QObject {
     const double truth = 4.0 / 3.0 * shapes::pi * 216.0;
     QVERIFY(enclosedVolumeMm3(scene.mesh) < 0.99 * truth);
     QVERIFY(isNear(enclosedVolumeMm3(kept) / truth, 1.0, 5e-4));
-    verifyShape(kept);
+    verifySoundShape(measureQuality(kept));
   }
 
   void tubesKeepTheirRadius_data() {
@@ -102,7 +93,7 @@ class TestSagittaOffset : public QObject {
     const Scene scene(tube.phi(), rho, open ? SurfaceBorder::Open : SurfaceBorder::Cap);
     QVERIFY(inscribedInZeroSet(scene.mesh, *scene.field));
     const TriMesh kept = scene.kept();
-    verifyShape(kept);
+    verifySoundShape(measureQuality(kept));
     // The wall's area and, where there are caps, the volume.
     double area = 0.0, distance = 0.0, weight = 0.0;
     for (const auto& t : kept.triangles) {
@@ -143,7 +134,7 @@ class TestSagittaOffset : public QObject {
     const Volume<float> phi = phantomField(params);
     const Scene coarse(phi, 0.4), fine(phi, 0.1);
     const TriMesh kept = coarse.kept();
-    verifyShape(kept);
+    verifySoundShape(measureQuality(kept));
     const double truth = enclosedVolumeMm3(fine.kept());
     QVERIFY(enclosedVolumeMm3(fine.mesh) < truth);
     QVERIFY(std::abs(enclosedVolumeMm3(kept) / truth - 1.0) < 0.001);

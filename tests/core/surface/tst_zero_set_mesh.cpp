@@ -9,6 +9,7 @@
 #include "core/quality/mesh_quality.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/analytic.h"
+#include "tests/core/mesh_bars.h"
 #include "tests/core/threads.h"
 
 using namespace angiomesh;
@@ -80,20 +81,6 @@ struct Expectation {
   int components, euler;
 };
 
-void checkBars(const ZeroSetMesh& surface, const Volume<float>& phi) {
-  const SplineField field(phi, SplineKind::InterpolatingBspline);
-  const MeshQuality q = measureQuality(surface.mesh, &field);
-  QVERIFY(q.oriented);
-  QCOMPARE(q.nonManifoldEdges, 0U);
-  QCOMPARE(q.nonManifoldVertices, 0U);
-  QCOMPARE(q.degenerateTriangles, 0U);
-  QCOMPARE(q.selfIntersections, 0U);
-  QVERIFY2(q.minAngleMin >= 30.0, qPrintable(QString::number(q.minAngleMin)));
-  QVERIFY2(q.maxAngleMax <= 110.0, qPrintable(QString::number(q.maxAngleMax)));
-  QVERIFY2(q.radiusRatioMean >= 0.975, qPrintable(QString::number(q.radiusRatioMean)));
-  QVERIFY2(q.radiusRatioMin >= 0.6, qPrintable(QString::number(q.radiusRatioMin)));
-}
-
 }  // namespace
 
 class TestZeroSetMesh : public QObject {
@@ -113,8 +100,8 @@ class TestZeroSetMesh : public QObject {
     QFETCH(int, euler);
     const Volume<float> phi = shapeNamed(QTest::currentDataTag());
     const ZeroSetMesh surface = meshed(phi);
-    checkBars(surface, phi);
     const MeshQuality q = measureQuality(surface.mesh);
+    verifySoundShape(q);
     QVERIFY(q.closed);
     QCOMPARE(q.components, components);
     QCOMPARE(q.euler, euler);
@@ -169,8 +156,8 @@ class TestZeroSetMesh : public QObject {
     const Volume<float> phi =
         analytic::sampled(g, [&](const Vector3d& p) { return analytic::torus(p, c, 6.0, 2.4); });
     const ZeroSetMesh surface = meshed(phi);
-    checkBars(surface, phi);
     const MeshQuality q = measureQuality(surface.mesh);
+    verifySoundShape(q);
     QCOMPARE(q.euler, 0);
     const double volume = 2.0 * M_PI * M_PI * 6.0 * 2.4 * 2.4;
     QVERIFY(q.volumeMm3 > 0.97 * volume && q.volumeMm3 < volume);
@@ -195,8 +182,8 @@ class TestZeroSetMesh : public QObject {
     });
     const ZeroSetMesh surface =
         meshed(phi, literal(), cap ? SurfaceBorder::Cap : SurfaceBorder::Open);
-    checkBars(surface, phi);
     const MeshQuality q = measureQuality(surface.mesh);
+    verifySoundShape(q);
     QCOMPARE(q.components, 1);
     QCOMPARE(q.closed, cap);
     QCOMPARE(q.boundaryLoops, cap ? 0U : 2U);
@@ -281,8 +268,8 @@ class TestZeroSetMesh : public QObject {
                       std::hypot(p.x() - 26.6, p.y() - 24.0 + slant) - 3.0);
     });
     const ZeroSetMesh surface = meshed(phi);
-    checkBars(surface, phi);
     const MeshQuality q = measureQuality(surface.mesh);
+    verifySoundShape(q);
     QVERIFY(q.closed);
     QVERIFY2(surface.fromFrontPercent >= 95.0,
              qPrintable(QString::number(surface.fromFrontPercent)));
@@ -326,7 +313,7 @@ class TestZeroSetMesh : public QObject {
   void remeshesToo() {
     const Volume<float> phi = shapeNamed("torus");
     const ZeroSetMesh surface = meshed(phi, literal(), SurfaceBorder::Cap, SurfaceMethod::Remesh);
-    checkBars(surface, phi);
+    verifySoundShape(measureQuality(surface.mesh));
     QCOMPARE(surface.fromFrontPercent, 0.0);
     QCOMPARE(measureQuality(surface.mesh).euler, 0);
     QVERIFY_EXCEPTION_THROWN(
