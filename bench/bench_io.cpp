@@ -17,6 +17,7 @@
 #include "bench/dicom_folder.h"
 #include "bench/peak_memory.h"
 #include "bench/program.h"
+#include "core/base/formatted.h"
 #include "core/base/parallel.h"
 #include "io/scan/image_io.h"
 
@@ -146,27 +147,19 @@ std::string rowOf(const Case& test) {
   std::vector<double> ratios;
   for (std::size_t n = 0; n < test.readMs.size(); ++n)
     ratios.push_back(test.readMs[n] / test.plainMs[n]);
-  char line[200];
-  std::snprintf(line, sizeof line, "| %s | %.1f | %.1f | %.2f | %.0f | ", test.name.c_str(),
-                bench::median(test.plainMs), bench::median(test.readMs), bench::median(ratios),
-                test.peakMb);
-  std::string row = line;
-  if (test.volumeMb > 0.0) {
-    std::snprintf(line, sizeof line, "%.2f", test.peakMb / test.volumeMb);
-    row += line;
-  }
+  std::string row = formatted("| %s | %.1f | %.1f | %.2f | %.0f | ", test.name.c_str(),
+                              bench::median(test.plainMs), bench::median(test.readMs),
+                              bench::median(ratios), test.peakMb);
+  if (test.volumeMb > 0.0) row += formatted("%.2f", test.peakMb / test.volumeMb);
   return row + " |\n";
 }
 
 std::string tableOf(const std::vector<Case>& cases, const Options& options) {
-  char line[400];
-  std::snprintf(
-      line, sizeof line,
+  std::string table = formatted(
       "# Reading volumes and headers\n\n%d threads, median of %d runs in one process. The "
       "bytes are those of the files, of headers the first 4 kB each, read by as many "
       "threads.\n\n",
       threads(), options.repeat);
-  std::string table = line;
   table +=
       "| what | its bytes, ms | Angiomesh, ms | times | memory added, MB | volumes (float32) |\n"
       "|---|---|---|---|---|---|\n";

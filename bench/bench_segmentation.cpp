@@ -13,6 +13,7 @@
 #include "bench/program.h"
 #include "bench/stages.h"
 #include "bench/svg_plot.h"
+#include "core/base/formatted.h"
 #include "core/base/parallel.h"
 
 using namespace angiomesh;
@@ -107,30 +108,24 @@ Group measure(const Options& options, int size, int threads) {
   return group;
 }
 
-template <class... Values>
-void append(std::string& to, const char* format, Values... values) {
-  char buffer[400];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  to += buffer;
-}
-
 std::string stageTable(const Group& group) {
   const double volumeMb = 4.0 * group.size * group.size * group.size / (1 << 20);
   std::string out;
-  append(out,
-         "## Stages, %d^3 voxels, %d threads\n\n| stage | way | ms | times ours | iterations | ms "
-         "per iteration | memory added, MB | volumes |\n|---|---|---|---|---|---|---|---|\n",
-         group.size, group.threads);
+  out += formatted(
+      "## Stages, %d^3 voxels, %d threads\n\n| stage | way | ms | times ours | iterations | ms "
+      "per iteration | memory added, MB | volumes |\n|---|---|---|---|---|---|---|---|\n",
+      group.size, group.threads);
   for (const auto& ways : group.stages)
     for (const Measured& m : ways) {
-      append(out, "| %s | %s | %.1f | %.2f |", m.stage.c_str(), m.way.c_str(),
-             bench::median(m.milliseconds), ratio(m, ways.front()));
+      out += formatted("| %s | %s | %.1f | %.2f |", m.stage.c_str(), m.way.c_str(),
+                       bench::median(m.milliseconds), ratio(m, ways.front()));
       if (m.iterations > 0)
-        append(out, " %d | %.2f |", m.iterations, bench::median(m.milliseconds) / m.iterations);
+        out +=
+            formatted(" %d | %.2f |", m.iterations, bench::median(m.milliseconds) / m.iterations);
       else
         out += " | |";
       if (m.peakMb >= 0.0)
-        append(out, " %.0f | %.2f |\n", m.peakMb, m.peakMb / volumeMb);
+        out += formatted(" %.0f | %.2f |\n", m.peakMb, m.peakMb / volumeMb);
       else
         out += " | |\n";
     }
@@ -142,7 +137,8 @@ std::string stageTable(const Group& group) {
       ++scales;
     }
   if (scales > 0)
-    append(out, "\nVesselness, mean over the scales: ITK takes %.1f times ours.\n", sum / scales);
+    out +=
+        formatted("\nVesselness, mean over the scales: ITK takes %.1f times ours.\n", sum / scales);
   return out + "\n";
 }
 
@@ -152,7 +148,7 @@ std::string growthTable(const std::vector<Group>& groups, bool bySize,
   std::string out = bySize ? "## Milliseconds against volume size\n\n| stage | way |"
                            : "## Milliseconds against threads\n\n| stage | way |";
   for (const Group& g : groups)
-    append(out, bySize ? " %d^3 |" : " %d |", bySize ? g.size : g.threads);
+    out += formatted(bySize ? " %d^3 |" : " %d |", bySize ? g.size : g.threads);
   out += "\n|---|---|";
   for (std::size_t n = 0; n < groups.size(); ++n) out += "---|";
   out += "\n";
@@ -163,11 +159,11 @@ std::string growthTable(const std::vector<Group>& groups, bool bySize,
                            {}};
     for (std::size_t w = 0; w < groups.front().stages[s].size(); ++w) {
       const Measured& first = groups.front().stages[s][w];
-      append(out, "| %s | %s |", first.stage.c_str(), first.way.c_str());
+      out += formatted("| %s | %s |", first.stage.c_str(), first.way.c_str());
       bench::PlotSeries series{first.way, {}};
       for (const Group& g : groups) {
         const double ms = bench::median(g.stages[s][w].milliseconds);
-        append(out, " %.1f |", ms);
+        out += formatted(" %.1f |", ms);
         series.points.emplace_back(bySize ? g.size : g.threads, std::max(ms, 1e-3));
       }
       panel.series.push_back(std::move(series));
@@ -193,8 +189,8 @@ int run(Options options) {
   std::vector<Group> bySize;
   for (const int size : options.sizes) bySize.push_back(measure(options, size, most));
   std::string tables = "# Segmentation beside ITK's filters\n\n";
-  append(tables, "Tree with noise %g, median of %d runs in one process.\n\n", options.noise,
-         options.repeat);
+  tables += formatted("Tree with noise %g, median of %d runs in one process.\n\n", options.noise,
+                      options.repeat);
   tables += stageTable(bySize.back());
   std::vector<bench::PlotPanel> panels;
   if (bySize.size() > 1) {
@@ -206,7 +202,7 @@ int run(Options options) {
     for (const int n : options.threads)
       byThreads.push_back(measure(options, options.threadSize, n));
     panels.clear();
-    append(tables, "Against threads, the volume has %d^3 voxels.\n\n", options.threadSize);
+    tables += formatted("Against threads, the volume has %d^3 voxels.\n\n", options.threadSize);
     tables += growthTable(byThreads, false, panels);
     write(folder / "threads.svg", bench::svgOf(panels));
   }

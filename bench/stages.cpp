@@ -12,6 +12,7 @@
 #include "bench/itk_hessian.h"
 #include "bench/itk_volume.h"
 #include "bench/printed_method.h"
+#include "core/base/formatted.h"
 #include "core/distance/redistance.h"
 #include "core/levelset/flood.h"
 #include "core/lumen/lumen.h"
@@ -75,9 +76,7 @@ PlainImage plain(const Volume<float>& image) {
 }
 
 Stage vesselnessStage(const BedPointer& bed, double sigma) {
-  char name[40];
-  std::snprintf(name, sizeof name, "vesselness, sigma %g", sigma);
-  return {name,
+  return {formatted("vesselness, sigma %g", sigma),
           {{"ours",
             [bed, sigma] {
               vesselnessAtScale(*bed->image, sigma, bed->params.vesselness, bed->c);

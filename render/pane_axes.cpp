@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/base/formatted.h"
 
 namespace angiomesh {
 
@@ -76,11 +77,9 @@ std::string orientationLetters(const Eigen::Vector3d& directionLps) {
 }
 
 std::string positionText(const Eigen::Vector3d& pointLps) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "%c %.1f %c %.1f %c %.1f mm", axisLetter(0, pointLps[0]),
-                std::abs(pointLps[0]), axisLetter(1, pointLps[1]), std::abs(pointLps[1]),
-                axisLetter(2, pointLps[2]), std::abs(pointLps[2]));
-  return text.data();
+  return formatted("%c %.1f %c %.1f %c %.1f mm", axisLetter(0, pointLps[0]), std::abs(pointLps[0]),
+                   axisLetter(1, pointLps[1]), std::abs(pointLps[1]), axisLetter(2, pointLps[2]),
+                   std::abs(pointLps[2]));
 }
 
 const char* planeName(int plane) {

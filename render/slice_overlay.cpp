@@ -14,7 +14,8 @@
 #include <vtkTextProperty.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include "core/base/formatted.h"
 
 namespace angiomesh {
 
@@ -40,12 +41,8 @@ void style(vtkTextActor* actor, int size, bool centredAcross, bool rightAligned,
 }
 
 std::string lengthText(double mm) {
-  std::array<char, 32> text{};
-  if (mm >= 10.0 && std::fmod(mm, 10.0) == 0.0)
-    std::snprintf(text.data(), text.size(), "%g cm", mm / 10.0);
-  else
-    std::snprintf(text.data(), text.size(), "%g mm", mm);
-  return text.data();
+  if (mm >= 10.0 && std::fmod(mm, 10.0) == 0.0) return formatted("%g cm", mm / 10.0);
+  return formatted("%g mm", mm);
 }
 
 }  // namespace

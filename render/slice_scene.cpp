@@ -21,9 +21,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "core/base/formatted.h"
 #include "render/slice_layer.h"
 #include "render/slice_marks.h"
 #include "render/slice_overlay.h"
@@ -269,20 +269,18 @@ void SliceScene::Parts::showTexts() {
   constexpr std::array<const char*, 3> falling{"R", "A", "I"};
   const auto p = static_cast<std::size_t>(axes.plane);
   const int count = image->geometry.size[static_cast<std::size_t>(axes.across)];
-  std::array<char, 160> upperLeft{};
-  std::snprintf(upperLeft.data(), upperLeft.size(), "%s %d/%d\n%s %.1f mm", planeName(axes.plane),
-                slice + 1, count, along >= 0.0 ? rising[p] : falling[p], std::abs(along));
-  std::array<char, 96> lowerLeft{};
-  std::snprintf(lowerLeft.data(), lowerLeft.size(), "W %.4g  L %.4g",
-                imageProp->GetProperty()->GetColorWindow(),
+  const std::string upperLeft =
+      formatted("%s %d/%d\n%s %.1f mm", planeName(axes.plane), slice + 1, count,
+                along >= 0.0 ? rising[p] : falling[p], std::abs(along));
+  const std::string lowerLeft =
+      formatted("W %.4g  L %.4g", imageProp->GetProperty()->GetColorWindow(),
                 imageProp->GetProperty()->GetColorLevel());
-  std::array<char, 64> upperRight{};
+  std::string upperRight;
   if (slabMode != SlabMode::None) {
     constexpr std::array<const char*, 4> names{"", "MIP", "MinIP", "Mean"};
-    std::snprintf(upperRight.data(), upperRight.size(), "%s %.1f mm",
-                  names[static_cast<std::size_t>(slabMode)], slabThickness);
+    upperRight = formatted("%s %.1f mm", names[static_cast<std::size_t>(slabMode)], slabThickness);
   }
-  overlay->setTexts(upperLeft.data(), upperRight.data(), lowerLeft.data());
+  overlay->setTexts(upperLeft, upperRight, lowerLeft);
 }
 
 SliceScene::SliceScene() : parts_(std::make_unique<Parts>()) {}

@@ -4,16 +4,13 @@
 #include <string>
 
 #include "app/cli/commands.h"
+#include "core/base/formatted.h"
 #include "core/parameters/field.h"
 
 namespace angiomesh::cli {
 namespace {
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
+std::string number(double value) { return formatted("%.10g", value); }
 
 std::string allowed(const Field& field) {
   std::string text;

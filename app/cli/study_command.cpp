@@ -13,6 +13,7 @@
 #include "app/session/options.h"
 #include "app/study/study_figures.h"
 #include "app/study/study_segmentation.h"
+#include "core/base/formatted.h"
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "io/file/files.h"
@@ -88,14 +89,12 @@ Json jsonOf(const std::string& title, const PanelRecipe& recipe, const PanelResu
 }
 
 std::string rowOf(const std::string& number, const Json& panel) {
-  char row[300];
-  std::snprintf(row, sizeof row, "| %s | %s | %zu | %.1f | %.2f | %.1f | %.3f | %.3f | %.4f |\n",
-                number.c_str(), panel["title"].get<std::string>().c_str(),
-                panel["triangles"].get<std::size_t>(), panel["min_angle_min"].get<double>(),
-                panel["below_30_percent"].get<double>(), panel["max_angle_max"].get<double>(),
-                panel["radius_ratio_mean"].get<double>(), panel["radius_ratio_min"].get<double>(),
-                panel.value("vertex_deviation_mean_voxels", 0.0));
-  return row;
+  return formatted("| %s | %s | %zu | %.1f | %.2f | %.1f | %.3f | %.3f | %.4f |\n", number.c_str(),
+                   panel["title"].get<std::string>().c_str(), panel["triangles"].get<std::size_t>(),
+                   panel["min_angle_min"].get<double>(), panel["below_30_percent"].get<double>(),
+                   panel["max_angle_max"].get<double>(), panel["radius_ratio_mean"].get<double>(),
+                   panel["radius_ratio_min"].get<double>(),
+                   panel.value("vertex_deviation_mean_voxels", 0.0));
 }
 
 constexpr const char* kTableHead =
@@ -126,14 +125,14 @@ std::string segmentation(const FiguresOptions& options, const StagedFolder& fold
                {"inside_voxels", panel.insideVoxels},
                {"components", panel.components},
                {"iterations", panel.iterations}};
-      std::array<char, 20> overlap{};
+      std::string overlap;
       if (panel.overlap) {
         one["overlap"] = *panel.overlap;
-        std::snprintf(overlap.data(), overlap.size(), "%.2f", *panel.overlap);
+        overlap = formatted("%.2f", *panel.overlap);
       }
       table += "| " + made.number + " | " + panel.title + " | " +
                std::to_string(panel.insideVoxels) + " | " + std::to_string(panel.components) +
-               " | " + std::to_string(panel.iterations) + " | " + overlap.data() + " |\n";
+               " | " + std::to_string(panel.iterations) + " | " + overlap + " |\n";
       figure["panels"].push_back(std::move(one));
     }
     folder.add(name, [&](const auto& place) { writePng(made.picture, place); });

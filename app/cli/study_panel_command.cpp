@@ -10,6 +10,7 @@
 
 #include "app/session/options.h"
 #include "app/study/study_panel.h"
+#include "core/base/formatted.h"
 #include "core/parameters/field.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
@@ -67,10 +68,7 @@ const std::vector<Departure>& departures() {
 }
 
 std::string numberText(double value, int decimals) {
-  if (std::isnan(value)) return "";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return std::isnan(value) ? "" : formatted("%.*f", decimals, value);
 }
 
 std::string barText(const RowResult& result) {

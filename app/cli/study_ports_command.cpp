@@ -9,6 +9,7 @@
 #include "app/session/options.h"
 #include "app/study/study_ports.h"
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/phantom/phantom.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
@@ -58,9 +59,7 @@ std::vector<StudyVolume> volumesOf(const PortsOptions& options) {
 }
 
 std::string fileOf(const std::string& name, int number) {
-  char text[20];
-  std::snprintf(text, sizeof text, "-%02d.stl", number + 1);
-  return name + text;
+  return name + formatted("-%02d.stl", number + 1);
 }
 
 Json jsonOf(const PortCase& made) {
@@ -96,13 +95,10 @@ std::string rowOf(const std::string& name, const std::vector<PortCase>& cases, d
     worst.leaks += c.leaks;
     worst.nameFaults += c.nameFaults;
   }
-  char row[300];
-  std::snprintf(row, sizeof row,
-                "| %s | %zu | %d | %.1e | %.3f | %.3f | %.1f | %.1f | %zu | %zu | %zu | %zu |\n",
-                name.c_str(), cases.size(), worst.refused, worst.offPlaneMm, worst.areaErrorPercent,
-                worst.spreadPercent, worst.minAngle, uncutAngle, worst.intersections,
-                worst.unverified, worst.leaks, worst.nameFaults);
-  return row;
+  return formatted("| %s | %zu | %d | %.1e | %.3f | %.3f | %.1f | %.1f | %zu | %zu | %zu | %zu |\n",
+                   name.c_str(), cases.size(), worst.refused, worst.offPlaneMm,
+                   worst.areaErrorPercent, worst.spreadPercent, worst.minAngle, uncutAngle,
+                   worst.intersections, worst.unverified, worst.leaks, worst.nameFaults);
 }
 
 int ports(const PortsOptions& options, const Progress& progress) {

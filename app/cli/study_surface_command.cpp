@@ -13,6 +13,7 @@
 #include "app/session/wall_text.h"
 #include "app/study/study_surface.h"
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/parameters/field.h"
 #include "core/pipeline/report.h"
 #include "io/file/files.h"
@@ -93,10 +94,7 @@ constexpr const char* kLegend =
     "of a radius of a branching or at the volume's border does not count. s: the whole pipeline.\n";
 
 std::string numberText(double value, int decimals) {
-  if (std::isnan(value)) return "";
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-  return buffer;
+  return std::isnan(value) ? "" : formatted("%.*f", decimals, value);
 }
 
 std::string barText(const std::vector<SurfaceBar>& bars) {

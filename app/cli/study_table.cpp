@@ -11,6 +11,7 @@
 
 #include "app/session/options.h"
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"
@@ -69,19 +70,12 @@ std::vector<Row> rowsOf(const Phantom& tree, Parameters params, const Progress& 
   return rows;
 }
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 200> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
-
 std::string lines(const std::vector<Row>& rows, const char* format) {
   std::string out;
   for (const Row& row : rows) {
     const VoxelRatios& r = row.ratios;
-    out += text(format, row.gamma, row.d, row.xi, r.truePositive, r.falsePositive, r.trueNegative,
-                r.falseNegative, r.overlap);
+    out += formatted(format, row.gamma, row.d, row.xi, r.truePositive, r.falsePositive,
+                     r.trueNegative, r.falseNegative, r.overlap);
   }
   return out;
 }
@@ -96,11 +90,11 @@ int tableA(const TableOptions& options, const Progress& progress) {
     const Phantom tree =
         thesisTree(options.size, options.randomSeed, kNoises[n], part.sub(0.0, 0.05));
     const std::vector<Row> rows = rowsOf(tree, params, part.sub(0.05, 1.0));
-    folder.add(text("table-a%zu.csv", n + 1), [&](const auto& place) {
+    folder.add(formatted("table-a%zu.csv", n + 1), [&](const auto& place) {
       writeText(place, "gamma,d,xi,TPR,FPR,TNR,FNR,overlap\n" +
                            lines(rows, "%.2f,%.2f,%.0f,%.3f,%.3f,%.3f,%.3f,%.3f\n"));
     });
-    tables += text(
+    tables += formatted(
         "Table A.%zu: %d x %d x %d voxels, noise %.0f, clipped to 0..255, random seed %llu, preset "
         "%s. TPR to FNR are "
         "percentages of all voxels.\n\n",

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <string>
 
+#include "core/base/formatted.h"
+
 namespace angiomesh::cli {
 namespace {
 
@@ -26,12 +28,8 @@ void printLine(const std::string& name, const WallAgreement& a, double voxel) {
 }
 
 std::string className(std::size_t n) {
-  char text[40];
-  if (n + 2 == kRadiusClasses.size())
-    std::snprintf(text, sizeof text, "radius > %g", kRadiusClasses[n]);
-  else
-    std::snprintf(text, sizeof text, "%g to %g", kRadiusClasses[n], kRadiusClasses[n + 1]);
-  return text;
+  if (n + 2 == kRadiusClasses.size()) return formatted("radius > %g", kRadiusClasses[n]);
+  return formatted("%g to %g", kRadiusClasses[n], kRadiusClasses[n + 1]);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/formatted.h"
 #include "core/contour/marching_cubes.h"
 #include "core/smooth/smoothing.h"
 #include "core/surface/zero_set_mesh.h"
@@ -18,17 +18,8 @@ namespace {
 constexpr double noGradation = 0.05;
 
 std::string keyOf(const PanelRecipe& r) {
-  char key[120];
-  std::snprintf(key, sizeof key, "%d %d %.6g %.6g %d %d", r.marchingCubes ? 1 : 0,
-                static_cast<int>(r.spline), r.sizing.rho, r.sizing.etaInverse, r.gradation ? 1 : 0,
-                r.taubin ? 1 : 0);
-  return key;
-}
-
-std::string decimals(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+  return formatted("%d %d %.6g %.6g %d %d", r.marchingCubes ? 1 : 0, static_cast<int>(r.spline),
+                   r.sizing.rho, r.sizing.etaInverse, r.gradation ? 1 : 0, r.taubin ? 1 : 0);
 }
 
 }  // namespace
@@ -63,13 +54,13 @@ std::vector<FigurePlan> thesisFigures() {
   for (const double rho : {0.6, 0.4, 0.2}) {
     PanelRecipe recipe;
     recipe.sizing.rho = rho;
-    rhos.panels.emplace_back("rho = " + decimals("%.1f", rho), recipe);
+    rhos.panels.emplace_back("rho = " + formatted("%.1f", rho), recipe);
   }
   FigurePlan etas{"B.2", "Varying eta, B-splines, rho = 0.4", {}};
   for (const double etaInverse : {0.8, 0.65, 0.5}) {
     PanelRecipe recipe;
     recipe.sizing.etaInverse = etaInverse;
-    etas.panels.emplace_back("1/eta = " + decimals("%.2f", etaInverse), recipe);
+    etas.panels.emplace_back("1/eta = " + formatted("%.2f", etaInverse), recipe);
   }
   figures.push_back(std::move(rhos));
   figures.push_back(std::move(etas));

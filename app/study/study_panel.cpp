@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -24,11 +24,7 @@ const std::vector<Vector3d> kOffsets{
     {0.0, 0.0, 0.0}, {0.5, 0.5, 0.5}, {0.25, 0.0, 0.1}, {0.4, 0.2, 0.3}, {0.1, 0.45, 0.25}};
 const Vector3d kOblique(1.0, 0.7, 0.45);
 
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
+std::string shortNumber(double value) { return formatted("%g", value); }
 
 std::string axisName(const Vector3d& axis) {
   return shortNumber(axis[0]) + "," + shortNumber(axis[1]) + "," + shortNumber(axis[2]);

@@ -2,13 +2,13 @@
 #include "app/study/study_segmentation.h"
 
 #include <array>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <utility>
 
 #include "app/study/figure_pictures.h"
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"
@@ -130,9 +130,7 @@ SegmentationFigure parameterRow(Segmenter& segmenter, const Parameters& params,
     const Found& found = segmenter.make(varied);
     phis.push_back(found.phi.get());
     figure.panels.push_back(found.panel);
-    std::array<char, 40> title{};
-    std::snprintf(title.data(), title.size(), "%s = %g", name.c_str(), value);
-    figure.panels.back().title = title.data();
+    figure.panels.back().title = formatted("%s = %g", name.c_str(), value);
   }
   figure.picture = projectionRows(segmenter.preprocessed(), phis);
   return figure;

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/base/random.h"
 #include "core/pipeline/pipeline.h"
 
@@ -44,12 +44,6 @@ SurfaceShape shapeOf(const std::string& name, PhantomKind kind, double radius, s
   return shape;
 }
 
-std::string text(const char* format, double value) {
-  char buffer[80];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
-}
-
 MeasuredMesh measured(const TriMesh& mesh, const MeshQuality& quality, const WallTruth& truth,
                       const Progress& progress) {
   return {quality, wallAccuracy(mesh, truth, progress)};
@@ -75,7 +69,7 @@ std::vector<SurfaceShape> surfaceShapes(std::uint64_t seed) {
   add("neck-aneurysm", PhantomKind::NeckAneurysm, 4.0);
   for (const double percent : {50.0, 70.0, 90.0}) {
     add("stenosis", PhantomKind::Stenosis, 4.0);
-    shapes.back().name += text("-%.0f", percent);
+    shapes.back().name += formatted("-%.0f", percent);
     shapes.back().phantom.stenosisPercent = percent;
   }
   return shapes;
@@ -129,7 +123,7 @@ std::vector<SurfaceBar> barsOf(const SurfaceCase& made) {
   if (limits == std::end(kLimits)) return bars;
   const WallAccuracy& wall = made.exported.wall;
   const auto atMost = [&](const char* name, double value, double limit) {
-    bars.push_back({name + text(" <= %g", limit), name, std::fabs(value) <= limit});
+    bars.push_back({name + formatted(" <= %g", limit), name, std::fabs(value) <= limit});
   };
   atMost("spread", wall.all.spreadMm / made.voxelMm, limits->spread);
   double bias = std::fabs(wall.all.meanMm);

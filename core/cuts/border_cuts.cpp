@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/cuts/border_slant.h"
 #include "core/cuts/clip_reference.h"
 
@@ -172,11 +172,8 @@ std::vector<std::string> addBorderCuts(const SplineField& field, const Volume<fl
     } catch (const InputError& error) {
       planes.pop_back();
       names.pop_back();
-      char place[120];
-      std::snprintf(place, sizeof place,
-                    "the opening at the border at L %.1f P %.1f S %.1f mm was not cut: ",
-                    opening.centreLps.x(), opening.centreLps.y(), opening.centreLps.z());
-      remarks.push_back(place + error.cause());
+      remarks.push_back("the opening at the border at " + placeText(opening.centreLps) +
+                        " was not cut: " + error.cause());
     }
   }
   return remarks;

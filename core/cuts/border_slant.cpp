@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <unordered_set>
 
 #include "core/base/error.h"
 #include "core/base/few_warnings.h"
+#include "core/base/formatted.h"
 #include "core/centreline/vessel_at.h"
 #include "core/cuts/clip_reference.h"
 #include "core/image/neighbours.h"
@@ -202,23 +202,19 @@ class Finder {
 };
 
 std::string slantText(const Port& port) {
-  char text[400];
-  if (!port.slant) {
-    std::snprintf(text, sizeof text,
-                  "the port '%s' of %.3g mm2 may slice its vessel: there is no section across it "
-                  "near by; look at it before it becomes an inlet or outlet",
-                  port.name.c_str(), port.areaMm2);
-    return text;
-  }
+  if (!port.slant)
+    return formatted(
+        "the port '%s' of %.3g mm2 may slice its vessel: there is no section across it "
+        "near by; look at it before it becomes an inlet or outlet",
+        port.name.c_str(), port.areaMm2);
   const BorderSlant& slant = *port.slant;
-  std::snprintf(text, sizeof text,
-                "the port '%s' slices its vessel: its normal is %.0f degrees off the vessel's axis "
-                "and its area of %.3g mm2 is %.2f times that of the section across just inside; "
-                "end the vessel there with --cut %.2f,%.2f,%.2f,%.4f,%.4f,%.4f,NAME",
-                port.name.c_str(), slant.angleDeg, port.areaMm2, slant.areaRatio,
-                slant.centreLps.x(), slant.centreLps.y(), slant.centreLps.z(), slant.axisLps.x(),
-                slant.axisLps.y(), slant.axisLps.z());
-  return text;
+  return formatted(
+      "the port '%s' slices its vessel: its normal is %.0f degrees off the vessel's axis "
+      "and its area of %.3g mm2 is %.2f times that of the section across just inside; "
+      "end the vessel there with --cut %.2f,%.2f,%.2f,%.4f,%.4f,%.4f,NAME",
+      port.name.c_str(), slant.angleDeg, port.areaMm2, slant.areaRatio, slant.centreLps.x(),
+      slant.centreLps.y(), slant.centreLps.z(), slant.axisLps.x(), slant.axisLps.y(),
+      slant.axisLps.z());
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "core/cuts/cuts.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/openings/port.h"
 
 namespace angiomesh {
@@ -57,13 +57,8 @@ Vector3d placeOf(const std::vector<std::string>& pieces, std::size_t first, cons
   return place;
 }
 
-std::string shortest(double value) {
-  std::array<char, 40> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
-std::string placeText(const Vector3d& place) {
-  return shortest(place.x()) + "," + shortest(place.y()) + "," + shortest(place.z());
+std::string listText(const Vector3d& place) {
+  return shortestText(place.x()) + "," + shortestText(place.y()) + "," + shortestText(place.z());
 }
 
 }  // namespace
@@ -97,8 +92,8 @@ GivenCut parseCut(const std::string& text) {
 }
 
 std::string cutText(const GivenCut& cut) {
-  std::string text = placeText(cut.pointLps) + ",";
-  if (cut.normalLps) text += placeText(*cut.normalLps) + ",";
+  std::string text = listText(cut.pointLps) + ",";
+  if (cut.normalLps) text += listText(*cut.normalLps) + ",";
   return text + cut.name;
 }
 
@@ -146,7 +141,7 @@ PortNaming parsePortNaming(const std::string& text) {
 }
 
 std::string portNamingText(const PortNaming& naming) {
-  return (naming.placeLps ? placeText(*naming.placeLps) : naming.port) + "=" + naming.name;
+  return (naming.placeLps ? listText(*naming.placeLps) : naming.port) + "=" + naming.name;
 }
 
 void addPorts(const std::vector<Port>& ports, PortParams& params) {

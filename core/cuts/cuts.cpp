@@ -4,11 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/centreline/vessel_at.h"
 #include "core/cuts/border_cuts.h"
 #include "core/cuts/border_slant.h"
@@ -135,24 +135,19 @@ std::optional<CutPlane> nearestAcross(const SplineField& field, const Volume<flo
 }
 
 [[noreturn]] void refusePlace(const GivenCut& cut) {
-  const Vector3d& p = cut.pointLps;
-  char place[100];
-  std::snprintf(place, sizeof place, "'%s' at L %.1f P %.1f S %.1f mm", cut.name.c_str(), p.x(),
-                p.y(), p.z());
-  throw InputError("there is no vessel where the cut " + std::string(place) + " lies", "ports.cuts",
-                   "give a point inside the segmentation, in mm LPS");
+  throw InputError(
+      "there is no vessel where the cut '" + cut.name + "' at " + placeText(cut.pointLps) + " lies",
+      "ports.cuts", "give a point inside the segmentation, in mm LPS");
 }
 
 /// What to say of a cut that does not lie where it was asked for.
 std::optional<std::string> moveText(const GivenCut& cut, const CutPlane& plane, double voxelMm) {
   const double moved = std::fabs((plane.pointLps - cut.pointLps).dot(plane.normalLps));
   if (cut.normalLps || moved < kTellVoxels * voxelMm) return std::nullopt;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "was moved by %.1f mm along its vessel: there is the nearest place where it can be "
-                "cut across",
-                moved);
-  return text;
+  return formatted(
+      "was moved by %.1f mm along its vessel: there is the nearest place where it can be "
+      "cut across",
+      moved);
 }
 
 /// Whether two cuts come so near to each other that one of them has to go.
@@ -163,10 +158,7 @@ bool inTheWay(const Section& section, const ProposedCut& end) {
 std::string endName(int number) { return "end_" + std::to_string(number); }
 
 std::string uncutText(const Vector3d& tip, const std::string& why) {
-  char place[80];
-  std::snprintf(place, sizeof place, "the end at L %.1f P %.1f S %.1f mm was not cut: ", tip.x(),
-                tip.y(), tip.z());
-  return place + why;
+  return "the end at " + placeText(tip) + " was not cut: " + why;
 }
 
 }  // namespace

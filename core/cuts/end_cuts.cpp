@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/centreline/vessel_at.h"
 
 namespace angiomesh {
@@ -29,12 +29,6 @@ struct Approach {
   [[nodiscard]] int farNode() const { return fromFront ? branch.to : branch.from; }
 };
 
-std::string inMm(const char* format, double a, double b) {
-  char text[160];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
-
 /// The first point `radii` of its own radii away from the end, and how far that is.
 std::optional<std::pair<std::size_t, double>> placeOfCut(const Approach& approach, double radii) {
   double gone = 0.0;
@@ -53,8 +47,8 @@ void propose(const Skeleton& skeleton, const SplineField& phi, const Approach& a
   const double length = approach.branch.lengthMm;
   const auto found = placeOfCut(approach, radii);
   if (!found)
-    return refuse(inMm("the branch is too short: %.2f mm at a mean radius of %.2f mm", length,
-                       approach.branch.meanRadiusMm));
+    return refuse(formatted("the branch is too short: %.2f mm at a mean radius of %.2f mm", length,
+                            approach.branch.meanRadiusMm));
   const SkeletonPoint& place = approach.at(found->first);
   const SkeletonNode& far = skeleton.nodes[static_cast<std::size_t>(approach.farNode())];
   const double left = length - found->second;
@@ -63,12 +57,12 @@ void propose(const Skeleton& skeleton, const SplineField& phi, const Approach& a
   // The other tip gets its cut at about the same distance.
   if (far.kind == NodeKind::Tip) wanted += found->second;
   if (left < wanted)
-    return refuse(
-        inMm(far.kind == NodeKind::Junction
-                 ? "the branch is too short: the cut would be %.2f mm from the middle of a "
-                   "junction, %.2f mm are needed"
-                 : "the vessel is too short: %.2f mm are left behind the cut, %.2f mm are needed",
-             left, wanted));
+    return refuse(formatted(
+        far.kind == NodeKind::Junction
+            ? "the branch is too short: the cut would be %.2f mm from the middle of a "
+              "junction, %.2f mm are needed"
+            : "the vessel is too short: %.2f mm are left behind the cut, %.2f mm are needed",
+        left, wanted));
   const std::optional<LocalVessel> vessel = vesselAt(phi, place.pointLps);
   if (!vessel || vessel->radiusMm > kMostUnlike * place.radiusMm ||
       vessel->radiusMm * kMostUnlike < place.radiusMm)

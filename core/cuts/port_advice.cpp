@@ -2,8 +2,9 @@
 #include "core/cuts/port_advice.h"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
+
+#include "core/base/formatted.h"
 
 namespace angiomesh {
 namespace {
@@ -66,11 +67,9 @@ std::vector<PortAdvice> portAdvice(const Skeleton& skeleton, const CutAway& away
     const auto length = toJunction(skeleton, away, section, crossings[0]);
     const double diameter = section.equivalentDiameterMm();
     if (!length || *length >= kPortDiametersToBranching * diameter) continue;
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "lies %.1f of its diameters from the next branching; solvers want %.0f",
-                  *length / diameter, kPortDiametersToBranching);
-    advice.push_back({n, text});
+    advice.push_back(
+        {n, formatted("lies %.1f of its diameters from the next branching; solvers want %.0f",
+                      *length / diameter, kPortDiametersToBranching)});
   }
   return advice;
 }

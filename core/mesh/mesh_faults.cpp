@@ -2,9 +2,9 @@
 #include "core/mesh/mesh_faults.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
+#include "core/base/formatted.h"
 #include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/self_intersection.h"
@@ -63,13 +63,6 @@ void locateFaults(const TriMesh& mesh, MeshFaults& faults) {
     most = patch.triangles;
     faults.placeLps = patch.sum / static_cast<double>(patch.triangles);
   }
-}
-
-std::string placeText(const Eigen::Vector3d& pointLps) {
-  char text[96];
-  std::snprintf(text, sizeof text, "L %.1f P %.1f S %.1f mm", pointLps.x(), pointLps.y(),
-                pointLps.z());
-  return text;
 }
 
 std::string MeshFaults::text() const {

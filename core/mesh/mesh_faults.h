@@ -33,7 +33,4 @@ void locateFaults(const TriMesh& mesh, MeshFaults& faults);
 /// @throws Cancelled
 MeshFaults findFaults(const TriMesh& mesh, bool closed, const Progress& progress = {});
 
-/// "L 1.0 P 2.0 S 3.0 mm"
-std::string placeText(const Eigen::Vector3d& pointLps);
-
 }  // namespace angiomesh

@@ -3,9 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
+#include "core/base/formatted.h"
 #include "core/mesh/flat_area.h"
 #include "core/mesh/mesh_edges.h"
 
@@ -90,19 +90,18 @@ std::vector<std::string> portFaults(const std::vector<Port>& expected, const Tri
   std::vector<std::string> faults;
   for (std::size_t n = 0; n < expected.size(); ++n) {
     const Port &was = expected[n], &is = found[n];
-    char text[160] = "";
+    std::string text;
     if (!(is.areaMm2 > 0.0))
-      std::snprintf(text, sizeof text, "is not there any more");
+      text = "is not there any more";
     else if (std::fabs(is.areaMm2 - was.areaMm2) > kLargestShare * was.areaMm2)
-      std::snprintf(text, sizeof text, "has an area of %.4g mm2 instead of %.4g mm2", is.areaMm2,
-                    was.areaMm2);
+      text = formatted("has an area of %.4g mm2 instead of %.4g mm2", is.areaMm2, was.areaMm2);
     else if ((is.centreLps - was.centreLps).norm() > kLargestShare * was.equivalentDiameterMm())
-      std::snprintf(text, sizeof text, "has its centre %.3g mm from where it was",
-                    (is.centreLps - was.centreLps).norm());
+      text = formatted("has its centre %.3g mm from where it was",
+                       (is.centreLps - was.centreLps).norm());
     else if (is.normalLps.dot(was.normalLps) < kLeastCosine)
-      std::snprintf(text, sizeof text, "has turned by %.2f degrees",
-                    std::acos(std::min(1.0, is.normalLps.dot(was.normalLps))) * 180.0 / kPi);
-    if (text[0] != '\0') faults.push_back("the port '" + was.name + "' " + text);
+      text = formatted("has turned by %.2f degrees",
+                       std::acos(std::min(1.0, is.normalLps.dot(was.normalLps))) * 180.0 / kPi);
+    if (!text.empty()) faults.push_back("the port '" + was.name + "' " + text);
   }
   return faults;
 }

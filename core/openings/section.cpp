@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <deque>
 #include <string>
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/field/root.h"
 #include "core/mesh/flat_area.h"
 #include "core/openings/marching_square.h"
@@ -20,12 +20,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-std::string placeText(const Vector3d& p) {
-  char text[80];
-  std::snprintf(text, sizeof text, "at L %.1f P %.1f S %.1f mm", p.x(), p.y(), p.z());
-  return text;
-}
 
 class SectionTracer {
  public:
@@ -45,7 +39,8 @@ class SectionTracer {
     if (!section_.plane.normalLps.allFinite() || !section_.plane.pointLps.allFinite() ||
         !(std::fabs(section_.plane.normalLps.norm() - 1.0) < 1e-6))
       throw InputError("the normal of " + name_ + " has no direction",
-                       placeText(section_.plane.pointLps), "give a normal that is not 0, or none");
+                       "at " + placeText(section_.plane.pointLps),
+                       "give a normal that is not 0, or none");
     flood();
     outline();
     measure();
@@ -83,7 +78,8 @@ class SectionTracer {
   void flood() {
     const Node start{0, 0};
     if (!insideGrid(at(start)) || !(valueAt(start) < 0.0))
-      throw InputError(name_ + " does not lie in a vessel", placeText(section_.plane.pointLps),
+      throw InputError(name_ + " does not lie in a vessel",
+                       "at " + placeText(section_.plane.pointLps),
                        "give a point inside the segmentation, in mm LPS");
     std::deque<Node> open{start};
     region_[keyOf(start)] = start;
@@ -98,7 +94,7 @@ class SectionTracer {
           if (di != 0 && dj != 0 && !joinedAcross(n, next)) continue;
           if (!insideGrid(at(next)))
             throw InputError(name_ + " reaches the border of the volume",
-                             placeText(section_.plane.pointLps),
+                             "at " + placeText(section_.plane.pointLps),
                              "move it inwards, or take the opening at the border as the port");
           region_[keyOf(next)] = next;
           open.push_back(next);

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
+#include "core/base/formatted.h"
 #include "core/base/parallel.h"
 
 namespace angiomesh {
@@ -88,16 +89,11 @@ PointSpread pointSpreadFromText(const std::string& text) {
 }
 
 std::string pointSpreadText(const PointSpread& psf) {
-  const auto number = [](double value) {
-    std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return std::string(text.data(), end);
-  };
   switch (psf.kind) {
     case PointSpread::Kind::Gaussian:
-      return "gaussian:" + number(psf.sigma);
+      return "gaussian:" + shortestText(psf.sigma);
     case PointSpread::Kind::Mr:
-      return psf.zeroFilling == 1.0 ? "mr" : "mr:" + number(psf.zeroFilling);
+      return psf.zeroFilling == 1.0 ? "mr" : "mr:" + shortestText(psf.zeroFilling);
     case PointSpread::Kind::Subvoxels:
       break;
   }

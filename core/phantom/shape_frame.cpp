@@ -3,21 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 
 namespace angiomesh {
-namespace {
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-}  // namespace
-
 ShapeFrame makeShapeFrame(const PhantomParams& params, const Geometry& g) {
   const double norm = std::sqrt(params.axis.dot(params.axis));
   if (!std::isfinite(norm) || norm < 1e-9)
@@ -26,8 +16,9 @@ ShapeFrame makeShapeFrame(const PhantomParams& params, const Geometry& g) {
   if (!params.offset.allFinite() || params.offset.cwiseAbs().maxCoeff() > 4.0)
     throw InputError("the shift is too large", "phantom offset", "give at most 4 voxels");
   if (!std::isfinite(params.radius) || params.radius < 0.5)
-    throw InputError("a vessel radius of " + number(params.radius) + " voxels cannot be drawn",
-                     "phantom radius", "give at least 0.5 voxel");
+    throw InputError(
+        "a vessel radius of " + formatted("%.3g", params.radius) + " voxels cannot be drawn",
+        "phantom radius", "give at least 0.5 voxel");
   ShapeFrame frame;
   frame.unit = g.voxelMm();
   frame.radius = params.radius * frame.unit;
@@ -57,10 +48,12 @@ void requireRoom(const ShapeFrame& frame, double halfWidth, const char* kind) {
   if (halfWidth <= room) return;
   const double radius = frame.radius / frame.unit;
   throw InputError(
-      "a " + std::string(kind) + " of radius " + number(radius) + " voxels does not fit",
-      "phantom of " + number(2.0 * frame.halfSide / frame.unit) + " voxels in its shortest side",
-      "give a radius of about " + number(std::max(0.5, radius * room / halfWidth)) +
-          " voxels or a size of " + number(std::ceil(2.0 * (halfWidth / frame.unit + 1.0))));
+      "a " + std::string(kind) + " of radius " + formatted("%.3g", radius) + " voxels does not fit",
+      "phantom of " + formatted("%.3g", 2.0 * frame.halfSide / frame.unit) +
+          " voxels in its shortest side",
+      "give a radius of about " + formatted("%.3g", std::max(0.5, radius * room / halfWidth)) +
+          " voxels or a size of " +
+          formatted("%.3g", std::ceil(2.0 * (halfWidth / frame.unit + 1.0))));
 }
 
 std::optional<std::array<double, 2>> clipToVolume(const ShapeFrame& frame,
@@ -113,13 +106,13 @@ Geometry phantomGeometry(const PhantomParams& params) {
       throw InputError("a side of " + std::to_string(g.size[a]) + " voxels makes no phantom",
                        "phantom size", "give 8 to 4096 voxels in each direction");
     if (!std::isfinite(g.spacing[a]) || g.spacing[a] < 1e-3 || g.spacing[a] > 1e3)
-      throw InputError("a spacing of " + number(g.spacing[a]) + " mm makes no phantom",
+      throw InputError("a spacing of " + formatted("%.3g", g.spacing[a]) + " mm makes no phantom",
                        "phantom spacing", "give 0.001 to 1000 mm in each direction");
     voxels *= g.size[a];
   }
   if (voxels > 1024.0 * 1024.0 * 1024.0)
-    throw InputError("a phantom of " + number(voxels) + " voxels is too large", "phantom size",
-                     "give at most 1024 x 1024 x 1024 voxels");
+    throw InputError("a phantom of " + formatted("%.3g", voxels) + " voxels is too large",
+                     "phantom size", "give at most 1024 x 1024 x 1024 voxels");
   if (g.spacing.maxCoeff() > 20.0 * g.spacing.minCoeff())
     throw InputError("the spacing differs by more than 20 times between the axes",
                      "phantom spacing", "give spacings that are closer to one another");

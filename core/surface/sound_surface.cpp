@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/formatted.h"
 #include "core/front/mend_mesh.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_faults.h"

@@ -3,11 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
+#include "core/base/formatted.h"
 #include "core/base/parallel.h"
 #include "core/front/surface_cover.h"
 #include "core/mesh/half_edges.h"
@@ -103,8 +102,7 @@ void doubtTurned(const PatchMesh& mesh, const std::vector<TurnedFace>& turned,
     if (of.worst == nullptr) continue;
     const auto corners = cornersOf(mesh.mesh, of.worst->triangle);
     const std::string where = placeText((corners[0] + corners[1] + corners[2]) / 3.0);
-    char degrees[16];
-    std::snprintf(degrees, sizeof degrees, "%.0f", of.worst->degrees);
+    const std::string degrees = formatted("%.0f", of.worst->degrees);
     std::string why;
     if (of.measured > 0)
       why = "around " + std::to_string(of.measured) + " triangles the field's gradient turns away" +

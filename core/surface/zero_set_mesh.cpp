@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/contour/port_patches.h"
 #include "core/contour/reference_surface.h"
 #include "core/cuts/clip_reference.h"

@@ -2,9 +2,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "core/base/formatted.h"
 #include "core/base/statistics.h"
 #include "io/dicom/dicom_series.h"
 #include "io/dicom/slice_orientation.h"
@@ -26,11 +26,7 @@ constexpr double kSamePlaceMm = 1e-3;
 // Resampling makes at most so many slices of each that is there.
 constexpr double kMostNewSlices = 8.0;
 
-std::string mm(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g mm", value);
-  return text;
-}
+std::string mm(double value) { return formatted("%.4g mm", value); }
 
 /// Looks through one stack and gathers what it finds.
 class Doctor {
@@ -245,10 +241,8 @@ class Doctor {
       return;
     }
     const double angle = std::atan2(largest, heights_[at]) * 180.0 / std::numbers::pi;
-    char degrees[32];
-    std::snprintf(degrees, sizeof(degrees), "%.1f", angle);
     refuse(FindingKind::GantryTilt,
-           "the stack of slices leans (gantry tilt) by " + std::string(degrees) +
+           "the stack of slices leans (gantry tilt) by " + formatted("%.1f", angle) +
                " degrees: " + pairText(0, at) + " are " + mm(largest) + " beside each other and " +
                mm(heights_[at]) + " apart",
            pairOf(0, at), pairNames(0, at));

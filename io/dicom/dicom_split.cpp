@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/formatted.h"
 #include "core/base/statistics.h"
 #include "io/dicom/dicom_series.h"
 #include "io/dicom/slice_orientation.h"
@@ -149,9 +150,7 @@ std::vector<Group> groupAlike(const DicomSeries& series, Differences& difference
 }
 
 std::string spacingText(const DicomFrame& frame) {
-  char text[64];
-  std::snprintf(text, sizeof text, "pixels of %.4g x %.4g mm", frame.spacingX, frame.spacingY);
-  return text;
+  return formatted("pixels of %.4g x %.4g mm", frame.spacingX, frame.spacingY);
 }
 
 void labelGroups(std::vector<Group>& groups, const DicomSeries& series,

@@ -12,12 +12,12 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <random>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "core/base/formatted.h"
 #include "io/file/file_lock.h"
 
 namespace angiomesh {
@@ -31,9 +31,7 @@ constexpr std::chrono::hours kForeignAge{24};
 
 /// The lowest eight digits.
 std::string hexadecimal(std::uint64_t number) {
-  std::array<char, 9> text{};
-  std::snprintf(text.data(), text.size(), "%08x", static_cast<unsigned>(number));
-  return text.data();
+  return formatted("%08x", static_cast<unsigned>(number));
 }
 
 /// FNV-1a, which is the same for every program.

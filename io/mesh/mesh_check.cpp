@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
-#include <cstdio>
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/mesh/outward.h"
 #include "core/openings/port.h"
 #include "io/mesh/mesh_io.h"
@@ -127,10 +127,8 @@ Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
 }
 
 std::string boxText(const Eigen::AlignedBox3d& box) {
-  char text[200];
-  std::snprintf(text, sizeof text, "%.9g, %.9g, %.9g to %.9g, %.9g, %.9g mm", box.min().x(),
-                box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z());
-  return text;
+  return formatted("%.9g, %.9g, %.9g to %.9g, %.9g, %.9g mm", box.min().x(), box.min().y(),
+                   box.min().z(), box.max().x(), box.max().y(), box.max().z());
 }
 
 const char* yesOrNo(bool value) { return value ? "yes" : "no"; }

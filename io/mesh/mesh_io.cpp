@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/mesh/outward.h"
 #include "core/mesh/triangle_shape.h"
 #include "core/smooth/wall.h"
@@ -175,10 +175,8 @@ void checkSize(const std::vector<Eigen::Vector3d>& points, const MeshReadOptions
   for (const Eigen::Vector3d& p : points) box.extend(p);
   const double longest = box.sizes().maxCoeff();
   if (longest == 0.0 || (longest >= kShortestMm && longest <= kLongestMm)) return;
-  char text[60];
-  std::snprintf(text, sizeof text, "the mesh is %.3g mm long", longest);
   loaded.warnings.push_back(
-      text +
+      formatted("the mesh is %.3g mm long", longest) +
       std::string(longest < kShortestMm ? ", shorter than any vessel: are its numbers metres"
                                         : ", longer than any vessel: are its numbers not mm") +
       "? Give its unit when reading (convert --from-unit, quality --unit), " + path.string());
@@ -204,8 +202,7 @@ void mergePoints(const MeshReadOptions& options, const fs::path& path, LoadedMes
     // A round number, to be read and typed.
     const double distance = share > 0.0 ? std::pow(10.0, std::floor(std::log10(share))) : 0.0;
     const std::size_t near = openPointsNear(loaded.mesh, distance);
-    char text[40];
-    std::snprintf(text, sizeof text, "%.1g", distance);
+    const std::string text = formatted("%.1g", distance);
     if (near > 0)
       loaded.warnings.push_back("the surface has cracks: " + counted(near, "point", "points") +
                                 " at open edges within " + text + " mm of another one, " +

@@ -2,21 +2,14 @@
 #include "io/vessel/openfoam_text.h"
 
 #include <cmath>
-#include <cstdio>
 
-#include "io/file/mesh_text.h"
+#include "core/base/formatted.h"
 
 namespace angiomesh {
 namespace {
 
-std::string number(double value) {
-  std::string text;
-  appendShortest(text, value);
-  return text;
-}
-
 std::string vector(const Eigen::Vector3d& v) {
-  return "(" + number(v.x()) + " " + number(v.y()) + " " + number(v.z()) + ")";
+  return "(" + shortestText(v.x()) + " " + shortestText(v.y()) + " " + shortestText(v.z()) + ")";
 }
 
 std::string dictionary(const std::string& object, const std::string& content) {
@@ -274,15 +267,13 @@ std::string readme(const OpenFoamMesh& mesh) {
   std::string list;
   for (std::size_t patch = 0; patch < mesh.patches.size(); ++patch) {
     list += "- " + mesh.patches[patch];
-    char text[96] = ": the wall";
-    if (patch > 0)
-      std::snprintf(text, sizeof text, ": %.4g mm across, as a circle of the same area",
-                    1e3 * mesh.diameters[patch - 1]);
-    list += std::string(text) + "\n";
+    list += patch > 0 ? formatted(": %.4g mm across, as a circle of the same area\n",
+                                  1e3 * mesh.diameters[patch - 1])
+                      : ": the wall\n";
   }
-  char cells[120];
-  std::snprintf(cells, sizeof cells, "%.4g mm in the background mesh, %.4g mm at level %d",
-                1e3 * mesh.cell, 1e3 * std::ldexp(mesh.cell, -mesh.finest), mesh.finest);
+  const std::string cells =
+      formatted("%.4g mm in the background mesh, %.4g mm at level %d", 1e3 * mesh.cell,
+                1e3 * std::ldexp(mesh.cell, -mesh.finest), mesh.finest);
   return "A vessel for OpenFOAM (openfoam.com, v1912 or later), written by Angiomesh\n\n"
          "    ./Allrun\n\n"
          "fills it with cells. The surface is constant/triSurface/vessel.stl, in metres, in the\n"

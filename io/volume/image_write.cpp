@@ -8,7 +8,6 @@
 #include <array>
 #include <bit>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -18,6 +17,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/file/text_scanner.h"
@@ -42,13 +42,6 @@ struct Content {
 [[noreturn]] void throwNotWritten(const fs::path& path) {
   throw IoError("cannot write the image (" + std::generic_category().message(errno) + ")",
                 path.string(), kAdvice);
-}
-
-/// The shortest text that reads back as the same number.
-std::string exactText(double number) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
-  return {text.data(), end.ptr};
 }
 
 void put(std::ostream& out, std::span<const std::byte> bytes) {
@@ -107,7 +100,7 @@ std::string nrrdTypeName(VoxelType type) {
 
 template <class Vector>
 std::string spaced(const Vector& v) {
-  return exactText(v[0]) + " " + exactText(v[1]) + " " + exactText(v[2]);
+  return shortestText(v[0]) + " " + shortestText(v[1]) + " " + shortestText(v[2]);
 }
 
 std::string sizesText(const Geometry& g) {
@@ -143,7 +136,7 @@ std::string nrrdHeader(const Content& content, const std::string& encoding,
                        const std::string& dataFile) {
   const Geometry& g = content.geometry;
   const auto vector = [](const Eigen::Vector3d& v) {
-    return "(" + exactText(v[0]) + "," + exactText(v[1]) + "," + exactText(v[2]) + ")";
+    return "(" + shortestText(v[0]) + "," + shortestText(v[1]) + "," + shortestText(v[2]) + ")";
   };
   std::string axes;
   for (Eigen::Index a = 0; a < 3; ++a) axes += " " + vector(g.spacing[a] * g.direction.col(a));

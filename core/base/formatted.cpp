@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/base/formatted.h"
+
+#include <array>
+#include <charconv>
+#include <cstdarg>
+#include <cstddef>
+#include <cstdio>
+
+namespace angiomesh {
+
+std::string formatted(const char* format, ...) {
+  std::va_list values, again;
+  va_start(values, format);
+  va_copy(again, values);
+  std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, values)), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  va_end(values);
+  return text;
+}
+
+std::string shortestText(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string placeText(const Eigen::Vector3d& pointLps) {
+  return formatted("L %.1f P %.1f S %.1f mm", pointLps.x(), pointLps.y(), pointLps.z());
+}
+
+}  // namespace angiomesh
