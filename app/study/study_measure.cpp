@@ -6,7 +6,7 @@
 
 #include "app/study/study_panel.h"
 #include "core/base/error.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/pipeline/segments.h"

@@ -12,6 +12,7 @@
 #include "core/centreline/skeleton_graph.h"
 #include "core/centreline/vessel_at.h"
 #include "core/centreline/voxel_set.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh {
 namespace {
@@ -45,8 +46,7 @@ std::vector<Draft> draftsOf(const ChainGraph& graph, const CentreLines& lines,
     Draft draft;
     draft.nodes = {chain.from, chain.to};
     for (const std::uint32_t n : chain.voxels) {
-      const Index3 p = set.indexOf(n);
-      draft.line.push_back(set.geometry().toPhysical(Vector3d(p[0], p[1], p[2])));
+      draft.line.push_back(voxelCentre(set.geometry(), set.voxel(n)));
       draft.wallMm.push_back(lines.wallMm(n));
     }
     draft.line = smoothed(smoothed(draft.line, kSmoothVoxels), kSmoothVoxels);
@@ -149,8 +149,7 @@ void addPart(Skeleton& skeleton, const Part& part, const CentreLines& lines, con
   std::vector<Vector3d> places;
   for (std::size_t n = 0; n < part.graph.nodes.size(); ++n) {
     const ChainGraph::Node& node = part.graph.nodes[n];
-    const Index3 p = set.indexOf(node.voxel);
-    JunctionPlace junction(set.geometry().toPhysical(Vector3d(p[0], p[1], p[2])));
+    JunctionPlace junction(voxelCentre(set.geometry(), set.voxel(node.voxel)));
     for (std::size_t b = 0; b < drafts.size(); ++b)
       for (std::size_t end = 0; end < 2; ++end)
         if (drafts[b].nodes[end] == static_cast<int>(n)) junction.add(shaped[b]->entry(end));

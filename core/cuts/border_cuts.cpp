@@ -10,6 +10,7 @@
 #include "core/base/formatted.h"
 #include "core/cuts/border_slant.h"
 #include "core/cuts/clip_reference.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh {
 namespace {
@@ -94,7 +95,7 @@ class BorderFinder {
       const double part =
           plane.areaMm2 * std::clamp(0.5 - valueAt(p) / plane.voxelMm, 0.0, 1.0) * halves(node);
       area += part;
-      moment += part * grid_.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+      moment += part * voxelCentre(grid_, p);
       normal += part * plane.normal;
       if (valueAt(p) < 0.0) takeAround(node, found);
     }

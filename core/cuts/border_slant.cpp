@@ -11,7 +11,7 @@
 #include "core/base/formatted.h"
 #include "core/centreline/vessel_at.h"
 #include "core/cuts/clip_reference.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/section.h"
 
@@ -127,8 +127,7 @@ class Finder {
   }
 
   [[nodiscard]] Vector3d placeOf(std::size_t voxel) const {
-    const Index3 p = phi_.geometry.indexOf(voxel);
-    return phi_.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+    return voxelCentre(phi_.geometry, voxel);
   }
   [[nodiscard]] double reachMm() const {
     return kNearRadii * 0.5 * port_.equivalentDiameterMm() + 2.0 * voxel_;

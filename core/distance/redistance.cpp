@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/field/spline_field.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh {
 namespace {

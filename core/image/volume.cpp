@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/base/statistics.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh {
 

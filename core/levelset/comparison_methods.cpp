@@ -18,7 +18,7 @@
 #include "core/base/parallel.h"
 #include "core/base/statistics.h"
 #include "core/image/itk_volume.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 #include "core/levelset/seeds.h"
 
 namespace angiomesh {

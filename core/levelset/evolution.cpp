@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "core/base/parallel.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 #include "core/levelset/front_speed.h"
 
 namespace angiomesh {

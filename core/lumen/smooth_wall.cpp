@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/field/wall_field.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 #include "core/lumen/local_levels.h"
 #include "core/lumen/local_quadric.h"
 #include "core/lumen/wall_cells.h"

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/distance/redistance.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh {
 namespace {
@@ -21,10 +21,6 @@ constexpr int kThinVesselCells = 3;
 constexpr double kBesideVoxels = 1.0;
 /// Rims closer than this would leave no room for triangles between them.
 constexpr double kLeastGapVoxels = 1.5;
-
-Vector3d centreOf(const Geometry& g, const Index3& p) {
-  return g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
-}
 
 /// Calls visit(index) for the voxels around a section, as far as `mm` from its rim.
 template <class Visit>
@@ -148,11 +144,11 @@ class Cutter {
     std::unordered_set<std::size_t> near, far;  // ends of those through the section
     forEachAround(grid_, section, 2.0 * grid_.spacing.maxCoeff(), [&](const Index3& p) {
       const std::size_t from = offset(p);
-      const Vector3d here = centreOf(grid_, p);
+      const Vector3d here = voxelCentre(grid_, p);
       if (!inside(from) || section.height(here) > 0.0) return;
       forNeighbours(grid_, from, [&](std::size_t number, std::size_t to) {
         if (!inside(to)) return;
-        const Vector3d there = centreOf(grid_, grid_.indexOf(to));
+        const Vector3d there = voxelCentre(grid_, to);
         if (section.height(there) <= 0.0) return;
         const Vector3d at = crossing(section, here, there);
         const Way way{from, to, joined(p, kSteps27[number])};
@@ -308,7 +304,7 @@ Volume<float> phiWithout(const Volume<float>& phi, const CutAway& away, const Pr
   for (const Section& section : away.sections)
     forEachAround(g, section, far, [&](const Index3& p) {
       const std::size_t voxel = g.offset(p[0], p[1], p[2]);
-      const Vector3d here = centreOf(g, p);
+      const Vector3d here = voxelCentre(g, p);
       const double height = section.height(here);
       if (std::fabs(height) >= far || phi.voxels[voxel] >= 0.0F) return;
       if (!section.covers(here - height * section.plane.normalLps)) return;

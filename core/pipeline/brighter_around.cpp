@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh {
 namespace {
@@ -26,9 +26,7 @@ class Sampler {
 
   [[nodiscard]] double at(std::size_t n) const {
     if (same_) return static_cast<double>(image_.voxels[n]);
-    const Index3 p = grid_.indexOf(n);
-    Index3 q =
-        nearestVoxel(image_.geometry, grid_.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]}));
+    Index3 q = nearestVoxel(image_.geometry, voxelCentre(grid_, n));
     for (std::size_t a = 0; a < 3; ++a) q[a] = std::clamp(q[a], 0, image_.geometry.size[a] - 1);
     return static_cast<double>(image_.at(q[0], q[1], q[2]));
   }

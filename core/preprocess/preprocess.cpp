@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/base/statistics.h"
 #include "core/field/spline_field.h"
+#include "core/image/voxels.h"
 #include "core/preprocess/curvature_flow.h"
 
 namespace angiomesh {
@@ -36,7 +37,7 @@ std::array<Index3, 2> voxelsInBox(const Geometry& g, const std::array<double, 6>
     most[static_cast<Eigen::Index>(a)] = std::max(boxLps[a], boxLps[a + 3]);
   }
   const auto inside = [&](int i, int j, int k) {
-    const Eigen::Vector3d x = g.toPhysical({1.0 * i, 1.0 * j, 1.0 * k});
+    const Eigen::Vector3d x = voxelCentre(g, {i, j, k});
     return (x.array() >= least.array()).all() && (x.array() <= most.array()).all();
   };
   const Eigen::Vector3d along = g.toPhysical({1.0, 0.0, 0.0}) - g.toPhysical({0.0, 0.0, 0.0});
@@ -77,7 +78,7 @@ Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>&
   const Geometry& g = image.geometry;
   const auto [low, high] = voxelsInBox(g, boxLps);
   Geometry cropped = g;
-  cropped.origin = g.toPhysical({1.0 * low[0], 1.0 * low[1], 1.0 * low[2]});
+  cropped.origin = voxelCentre(g, low);
   for (std::size_t a = 0; a < 3; ++a) cropped.size[a] = high[a] - low[a] + 1;
   Volume<float> out(cropped);
   for (int k = 0; k < cropped.size[2]; ++k)

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/statistics.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh {
 namespace {
@@ -48,7 +49,7 @@ PointSet surfaceVoxels(const Volume<std::uint8_t>& mask) {
           if (mask.at(i, j, k) != 0 &&
               (empty(i - 1, j, k) || empty(i + 1, j, k) || empty(i, j - 1, k) ||
                empty(i, j + 1, k) || empty(i, j, k - 1) || empty(i, j, k + 1)))
-            slices[slice].push_back(g.toPhysical(Vector3d(i, j, k)));
+            slices[slice].push_back(voxelCentre(g, {i, j, k}));
     }
   });
   PointSet set;

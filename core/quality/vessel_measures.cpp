@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/statistics.h"
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 #include "core/phantom/wall_truth.h"
 
 namespace angiomesh {
@@ -90,7 +90,7 @@ double radiusFromShares(const Geometry& g, const Cylinder& cylinder, const Share
       const int k = static_cast<int>(slice);
       for (int j = 0; j < g.size[1]; ++j)
         for (int i = 0; i < g.size[0]; ++i) {
-          const Vector3d centre = g.toPhysical(Vector3d(i, j, k));
+          const Vector3d centre = voxelCentre(g, {i, j, k});
           if (cylinder.holds(centre, reach))
             slices[slice] += shareOf(i, j, k, cylinder.holds(centre, -reach));
         }

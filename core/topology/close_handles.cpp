@@ -67,10 +67,6 @@ class Pass {
   using Entry = std::pair<float, std::size_t>;
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
 
-  [[nodiscard]] Eigen::Vector3d pointOf(std::size_t at) const {
-    const Index3 p = g_.indexOf(at);
-    return g_.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
-  }
   /// Whether phi may be wrong by as much as it is there.
   [[nodiscard]] bool mayChange(std::size_t at) const {
     const float bound =
@@ -316,7 +312,7 @@ class Pass {
       const float depth = std::fabs(value);
       if (n < needed) {
         change.depth = std::max(change.depth, static_cast<double>(depth));
-        change.placeLps += pointOf(voxels[n]) / static_cast<double>(needed);
+        change.placeLps += voxelCentre(g_, voxels[n]) / static_cast<double>(needed);
       }
       const float across = std::max(depth, 0.5F * level_);
       value = filled ? -across : across;

@@ -84,8 +84,7 @@ class Growth {
 
   [[nodiscard]] float value(std::uint32_t n) const { return phi_.voxels[voxels_[n]]; }
   [[nodiscard]] Eigen::Vector3d pointOf(std::uint32_t n) const {
-    const Index3 p = g_.indexOf(voxels_[n]);
-    return g_.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+    return voxelCentre(g_, voxels_[n]);
   }
 
   /// Calls visit(bit, number) for the neighbours of a voxel in the components.

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/image/neighbours.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh {
 

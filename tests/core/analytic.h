@@ -7,6 +7,7 @@
 
 #include "core/field/spline_field.h"
 #include "core/image/volume.h"
+#include "core/image/voxels.h"
 
 namespace angiomesh::analytic {
 
@@ -31,10 +32,8 @@ inline Geometry oblique(int nx, int ny, int nz) {
 template <class F>
 Volume<float> sampled(const Geometry& g, F f) {
   Volume<float> volume(g);
-  for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
-    const Index3 p = g.indexOf(i);
-    volume.voxels[i] = static_cast<float>(f(g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]})));
-  }
+  for (std::size_t i = 0; i < volume.voxels.size(); ++i)
+    volume.voxels[i] = static_cast<float>(f(voxelCentre(g, i)));
   return volume;
 }
 

@@ -212,7 +212,7 @@ class TestCuts : public QObject {
     const Volume<float> left = phiWithout(cut.phi, cut.away);
     for (std::size_t i = 0; i < left.voxels.size(); ++i) {
       const Index3 p = g.indexOf(i);
-      const Vector3d at = g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+      const Vector3d at = voxelCentre(g, p);
       const double height = cut.away.sections[0].height(at);
       const bool inside = cut.phi.voxels[i] < 0.0F && height <= 0.0;
       QCOMPARE(left.voxels[i] < 0.0F, inside);

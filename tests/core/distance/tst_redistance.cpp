@@ -32,7 +32,7 @@ Deviation deviationOf(const Volume<float>& phi, const Shape& shape, double gradi
     const Index3 p = g.indexOf(i);
     bool inner = true;
     for (int a = 0; a < 3; ++a) inner = inner && p[a] >= 6 && p[a] < g.size[a] - 6;
-    const Eigen::Vector3d x = g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+    const Eigen::Vector3d x = voxelCentre(g, p);
     const double exact = shape(x) / unit;
     if (!inner || std::fabs(exact) > 3.0) continue;
     if (std::fabs(exact) < 1.0) {

@@ -42,7 +42,7 @@ class TestPreprocess : public QObject {
     QVERIFY(crop.voxels.size() < image.voxels.size());
     for (std::size_t i = 0; i < crop.voxels.size(); ++i) {
       const Index3 p = crop.geometry.indexOf(i);
-      const Eigen::Vector3d x = crop.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+      const Eigen::Vector3d x = voxelCentre(crop.geometry, p);
       QVERIFY(std::fabs(crop.voxels[i] - (x[0] + 10.0 * x[1] - 3.0 * x[2])) < 1e-3);
     }
     QVERIFY_EXCEPTION_THROWN(cropToBox(image, {900, 900, 900, 901, 901, 901}), InputError);
@@ -59,9 +59,7 @@ class TestPreprocess : public QObject {
     double worst = 0.0;
     for (std::size_t i = 0; i < out.voxels.size(); ++i) {
       const Index3 p = out.geometry.indexOf(i);
-      worst = std::max(
-          worst, std::fabs(out.voxels[i] -
-                           field(out.geometry.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]}))));
+      worst = std::max(worst, std::fabs(out.voxels[i] - field(voxelCentre(out.geometry, p))));
     }
     QVERIFY(isBelow(worst, 1e-3));
   }

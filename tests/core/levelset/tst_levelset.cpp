@@ -47,8 +47,7 @@ class TestLevelSet : public QObject {
       const auto phi = fastMarchingStart(g, {seed}, 1.0);
       for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
         const Index3 p = g.indexOf(i);
-        const double exact =
-            (g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]}) - seed).norm() / g.voxelMm() - 1.0;
+        const double exact = (voxelCentre(g, p) - seed).norm() / g.voxelMm() - 1.0;
         if (exact <= 1.0) QVERIFY(std::fabs(phi.voxels[i] - exact) < 1e-5);
         if (exact < 2.0)
           QVERIFY2(std::fabs(phi.voxels[i] - exact) < 0.6,
@@ -115,7 +114,7 @@ class TestLevelSet : public QObject {
     for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
       if (std::fabs(phi.voxels[i]) > 0.5F) continue;
       const Index3 p = c.indexOf(i);
-      const Eigen::Vector3d d = c.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]}) - centreOf(c);
+      const Eigen::Vector3d d = voxelCentre(c, p) - centreOf(c);
       const double ring = std::hypot(d[0], d[1]);
       const double r = 5.0 + phi.voxels[i];
       const double exact = 1.0 / r + (ring - 14.0) / r / ring;
@@ -159,8 +158,7 @@ class TestLevelSet : public QObject {
     double worst = 0.0;
     for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
       const Index3 p = g.indexOf(i);
-      const double exact =
-          torus(g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]}), centreOf(g), 9.0, 3.5);
+      const double exact = torus(voxelCentre(g, p), centreOf(g), 9.0, 3.5);
       // The curvature term pushes the wall out by (1 - gamma) d kappa / gamma / (b / 0.1) < 0.1
       // voxel.
       if ((phi.voxels[i] < 0.0F) != (exact < 0.0)) worst = std::max(worst, std::fabs(exact));

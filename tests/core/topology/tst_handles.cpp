@@ -27,7 +27,7 @@ const Eigen::Vector3d kAlongX(1.0, 0.0, 0.0), kAlongY(0.0, 1.0, 0.0), kAlongZ(0.
 
 /// A tube along z with a channel of one voxel through it along x.
 Volume<float> tubeWithAHole(const Geometry& g, double radius, const Index3& at) {
-  const Eigen::Vector3d c = g.toPhysical({1.0 * at[0], 1.0 * at[1], 1.0 * at[2]});
+  const Eigen::Vector3d c = voxelCentre(g, at);
   return clamped(g, [&](const auto& x) {
     return std::max(tube(x, c, kAlongZ, radius), -tube(x, c, kAlongX, 0.3));
   });

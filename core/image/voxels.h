@@ -58,6 +58,13 @@ void forFaceNeighbours(const Geometry& g, Voxel voxel, Visit visit) {
   if (p[2] + 1 < g.size[2]) visit(voxel + slice);
 }
 
+inline Eigen::Vector3d voxelCentre(const Geometry& g, const Index3& p) {
+  return g.toPhysical({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+}
+inline Eigen::Vector3d voxelCentre(const Geometry& g, std::size_t voxel) {
+  return voxelCentre(g, g.indexOf(voxel));
+}
+
 /// The voxel whose centre is nearest to a point, half-way away from voxel (0, 0, 0)'s; it may lie
 /// beyond the border.
 inline Index3 nearestVoxel(const Geometry& g, const Eigen::Vector3d& pointLps) {
