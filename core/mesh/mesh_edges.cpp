@@ -2,8 +2,8 @@
 #include "core/mesh/mesh_edges.h"
 
 #include <algorithm>
-#include <numeric>
 #include <cstddef>
+#include <numeric>
 
 namespace angiomesh {
 namespace {
