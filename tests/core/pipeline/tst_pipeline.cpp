@@ -8,6 +8,7 @@
 #include "core/parameters/field.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/vesselness_step.h"
 #include "core/quality/overlap.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
@@ -99,7 +100,7 @@ class TestPipeline : public QObject {
     VesselnessResult vessels;
     vessels.multiScale = std::make_shared<const Volume<float>>(v);
     vessels.scalesMm = {0.5, 1.1, 2.0};
-    LevelSetParams params;
+    ThresholdParams params;
     params.bRule = ThresholdRule::Average;
     params.xi = 3.0;
     params.bMin = 0.01;
@@ -112,6 +113,56 @@ class TestPipeline : public QObject {
       QCOMPARE(p.voxels[i], static_cast<float>(vesselSpeed(v.voxels[i], t)));
     params.b = 0.07;
     QCOMPARE(thresholdsFor(vessels, params).b, 0.07);
+  }
+
+  // What was handed on stays, whatever becomes of later steps.
+  void eachStepIsToldWithItsResult() {
+    Pipeline pipeline(makeSource(twoTubes(), "tubes"));
+    std::vector<Step> told;
+    std::shared_ptr<const SurfaceResult> surface;
+    RunOptions options;
+    Progress progress;
+    options.done = [&](Step step, const RunResult& soFar) {
+      told.push_back(step);
+      QVERIFY(soFar.stages.back().step == step && soFar.key == soFar.stages.back().key);
+      if (step != Step::Surface) return;
+      QVERIFY(soFar.surface && !soFar.smoothed && !soFar.quality);
+      surface = soFar.surface;
+      progress.cancel();
+    };
+    QVERIFY_EXCEPTION_THROWN(pipeline.run(Parameters(), options, progress), Cancelled);
+    const std::vector<Step> upToSurface{Step::Preprocess, Step::Vesselness, Step::Seeds,
+                                        Step::Evolve, Step::Surface};
+    QVERIFY(told == upToSurface);
+    QVERIFY(pipeline.has(Step::Surface, Parameters()));
+    QCOMPARE(pipeline.deepestAtHand(Parameters()), Step::Surface);
+
+    RunOptions upToSmooth;
+    upToSmooth.begins = [](Step step) { return step <= Step::Smooth; };
+    const RunResult stopped = pipeline.run(Parameters(), upToSmooth);
+    QVERIFY(stopped.surface == surface && stopped.smoothed && !stopped.quality);
+    QCOMPARE(stopped.key, pipeline.key(Step::Smooth, Parameters()));
+  }
+
+  void aStepReadsTheFieldsThatAreItsOwn() {
+    const Pipeline pipeline(makeSource(Volume<float>(cube(4)), "cube"));
+    Parameters scan, mask;
+    mask.segmentation.method = SegmentationMethod::Label;
+    for (const Parameters& base : {scan, mask})
+      for (const Field& field : parameterFields()) {
+        if (field.kind != FieldKind::Boolean) continue;
+        Parameters changed = base;
+        field.put(changed, !std::get<bool>(field.get(base)));
+        const std::optional<Step> reader = isSegmented(base) ? field.ofMask : field.ofScan;
+        for (int s = 1; s < kStepCount; ++s) {
+          const auto step = static_cast<Step>(s);
+          QCOMPARE(pipeline.key(step, changed) != pipeline.key(step, base),
+                   reader && *reader <= step);
+        }
+      }
+    Parameters named = scan;
+    named.ports.names = {"border_1=inlet"};
+    QCOMPARE(pipeline.key(Step::Quality, named), pipeline.key(Step::Quality, scan));
   }
 
   // Two tubes: the segmentation keeps one, and so does every surface.
