@@ -30,6 +30,7 @@ struct SegmentationParams {
   MaskConnectivity connectivity = MaskConnectivity::Corners;  ///< of its voxels
   KeepComponents keep = KeepComponents::All;
   double minVolumeMm3 = 0.0;
+  double minLengthMm = 0.0;  ///< of the centre lines of a component
   std::vector<double>
       drop;  ///< x,y,z,... LPS mm: the components that hold these points are left out
 

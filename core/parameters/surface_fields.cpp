@@ -78,6 +78,13 @@ void addParts(FieldTable& t) {
          0.0, 1e9, "mm3", "components smaller than this are left out")
       .slider(upToHundredth)
       .rises("small parts are left out");
+  t.real(
+       "segmentation.minLengthMm", "Least length", ANGIOMESH_MEMBER(segmentation.minLengthMm), 0.0,
+       1e4, "mm",
+       "components with centre lines shorter than this, all branches together, are left out; so is "
+       "what is not longer than it is thick")
+      .slider(0.0, 100.0, SliderUnit::Voxel)
+      .rises("short pieces and blobs are left out, however thick they are");
   t.points("segmentation.drop", "Parts ticked off", ANGIOMESH_MEMBER(segmentation.drop),
            "the components that hold these points, x,y,z,... in mm LPS, are left out")
       .place();

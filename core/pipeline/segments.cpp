@@ -79,22 +79,26 @@ Segments selectSegments(const Volume<float>& phi, const SegmentationParams& para
     for (const std::size_t d : dropped[n])
       component.droppedBy.emplace_back(params.drop[3 * d], params.drop[3 * d + 1],
                                        params.drop[3 * d + 2]);
-    component.kept = dropped[n].empty() && component.volumeMm3 >= params.minVolumeMm3 &&
-                     (params.keep != KeepComponents::Largest || n == 0) &&
-                     (params.keep != KeepComponents::Seeded || component.seeded);
+    component.kept =
+        dropped[n].empty() && component.volumeMm3 >= params.minVolumeMm3 &&
+        (component.measure ? component.measure->lengthMm : 0.0) >= params.minLengthMm &&
+        (params.keep != KeepComponents::Largest || n == 0) &&
+        (params.keep != KeepComponents::Seeded || component.seeded);
     if (component.kept) out.insideVoxels += component.voxels;
     out.components.push_back(component);
   }
   if (out.insideVoxels == 0)
     throw NumericError("no component of the segmentation is left for the surface", "segmentation",
                        "keep more: see segmentation.keep, segmentation.minVolumeMm3, "
+                       "segmentation.minLengthMm, "
                        "segmentation.drop and seeds.points");
   out.labels = std::move(found.labels);
   return out;
 }
 
 bool keepsAll(const SegmentationParams& params) {
-  return params.keep == KeepComponents::All && params.minVolumeMm3 == 0.0 && params.drop.empty();
+  return params.keep == KeepComponents::All && params.minVolumeMm3 == 0.0 &&
+         params.minLengthMm == 0.0 && params.drop.empty();
 }
 
 std::shared_ptr<const Volume<float>> withoutDropped(std::shared_ptr<const Volume<float>> phi,

@@ -26,7 +26,7 @@ struct ComponentRow {
   double volumeMm3 = 0.0;
   std::optional<ComponentMeasure> measure;  ///< of the largest only
   bool ticked = true;
-  bool byRule = false;  ///< left out by segmentation.keep or .minVolumeMm3: a tick has no say
+  bool byRule = false;  ///< left out by a rule of segmentation.*: a tick has no say
 };
 
 /// The results that are shown: of each step the last one that came, whatever came of later steps.

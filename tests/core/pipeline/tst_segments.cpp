@@ -55,6 +55,25 @@ class TestSegments : public QObject {
     QVERIFY(isBelow(worst, 0.12));
   }
 
+  void shortPartsAreLeftOutHoweverThick() {
+    // A rod of 30 voxels, and a ball that holds more.
+    const Volume<float> phi = clamped(kGrid, [](const Vector3d& x) {
+      const Vector3d along(0.0, 0.0, std::clamp(x.z(), 8.0, 38.0));
+      const double rod = (x - Vector3d(38.0, 38.0, 0.0) - along).norm() - 2.5;
+      return std::min(rod, ball(x, {16.0, 16.0, 24.0}, 11.0));
+    });
+    SegmentationParams params;
+    QVERIFY(keepsAll(params));
+    params.minLengthMm = 20.0;
+    QVERIFY(!keepsAll(params));
+    const Segments segments = selectSegments(phi, params, {}, {});
+    QCOMPARE(segments.components.size(), std::size_t{2});
+    QVERIFY(segments.components[0].volumeMm3 > 2.0 * segments.components[1].volumeMm3);
+    QVERIFY(!segments.components[0].kept && segments.components[1].kept);
+    params.minLengthMm = 40.0;
+    QVERIFY_EXCEPTION_THROWN(selectSegments(phi, params, {}, {}), NumericError);
+  }
+
   void allIsKeptUnlessAskedFor() {
     const auto phi = std::make_shared<const Volume<float>>(twoBalls(4.0));
     const Segments segments = selectSegments(*phi, {}, {}, {});
