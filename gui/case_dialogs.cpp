@@ -58,7 +58,7 @@ CaseDialogs::CaseDialogs(QWidget* window, CaseModels& models, ViewState& state, 
   connect(&models_.files, &CaseFiles::sourceSeen, this, [this](const QString& path) {
     rememberSource(models_.document.sourceHash(), path.toStdString());
   });
-  // Asked from the event loop: the models is in the midst of its work.
+  // Asked from the event loop: the models are in the midst of their work.
   connect(&models_.files, &CaseFiles::sourceMissing, this, [this](const QString& what) {
     QMetaObject::invokeMethod(
         this, [this, what] { askForSource(what, {}); }, Qt::QueuedConnection);

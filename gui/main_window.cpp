@@ -95,7 +95,7 @@ MainWindow::~MainWindow() {
   ports_->disconnect();
   delete ports_;
   ports_ = nullptr;
-  models_->document.undoStack()->disconnect(this);
+  models_->document.undoStack()->disconnect();
   models_.reset();
 }
 

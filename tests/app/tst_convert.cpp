@@ -226,7 +226,7 @@ class TestConvert : public QObject, CliFolder {
     for (const QString name : {"x.vtu", "x", "x.vtk"}) {
       const QString error = said("convert ball.ply -o " + name);
       QVERIFY(error.contains(name) && !error.contains("ball.ply"));
-      QVERIFY(error.contains(".ply, .stl, .obj or .vtp"));
+      QVERIFY(error.contains(".ply, .stl, .obj, .off or .vtp"));
       QVERIFY(said("smooth missing.ply -o " + name).contains(name));
     }
     QVERIFY(said("convert ball.ply -o x.nrrd").contains("does not become a volume, x.nrrd"));

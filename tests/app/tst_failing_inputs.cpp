@@ -286,7 +286,7 @@ class TestFailingInputs : public QObject, CliFolder {
       QCOMPARE(surface["components"].toArray().size(), shared == QString("edges") ? 1 : 2);
       QCOMPARE(surface["unverified"].toInt(), 0);
       QVERIFY(quality("a.ply").closed);
-      QVERIFY(mesh.errors.contains("share an edge"));
+      QVERIFY(mesh.errors.contains("share only an edge"));
     }
   }
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kPatienceMs = 60000;
 
-/// The messages of a models, by severity.
+/// The messages of the models, by severity.
 struct Messages {
   explicit Messages(CaseModels& models) {
     QObject::connect(&models.log, &MessageLog::message, &models.log,
