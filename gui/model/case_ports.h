@@ -19,7 +19,7 @@
 namespace angiomesh {
 
 /// The inlets and outlets of the case: the cuts among its parameters with what is known of them,
-/// and the other openings of the last mesh. Edits go through the models's undo stack; looking
+/// and the other openings of the last mesh. Edits go through the case's undo stack; looking
 /// for vessels runs on a worker.
 class CasePorts : public QObject {
   Q_OBJECT

@@ -178,7 +178,8 @@ class TestWindowRun : public QObject {
     QTest::newRow("stl") << 2 << "vessels.stl" << QByteArray("Angiomesh SPACE=LPS") << false;
     QTest::newRow("stl text") << 3 << "vessels.stl" << QByteArray("solid wall SPACE=RAS") << true;
     QTest::newRow("obj") << 4 << "vessels.obj" << QByteArray("# Angiomesh") << false;
-    QTest::newRow("vtp") << 5 << "vessels.vtp" << QByteArray("<?xml") << true;
+    QTest::newRow("off") << 5 << "vessels.off" << QByteArray("OFF\n# Angiomesh") << false;
+    QTest::newRow("vtp") << 6 << "vessels.vtp" << QByteArray("<?xml") << true;
   }
   void everyFormatIsExportedAndReadBack() {
     QFETCH(int, format);
@@ -198,11 +199,12 @@ class TestWindowRun : public QObject {
     const auto tick = [&](const char* name) {
       QTest::mouseClick(check(name), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
     };
-    QCOMPARE(combo("exportFormat")->count(), 7);
+    QCOMPARE(combo("exportFormat")->count(), 8);
     c.choose(combo("exportFormat"), format);
     auto* hint = dialog->findChild<QLabel*>("exportHint");
-    QCOMPARE(hint->isVisible(), file.endsWith(".stl"));
-    QVERIFY(!hint->isVisible() || hint->text().contains("topology"));
+    // STL has no topology, OFF no names of the ports.
+    QCOMPARE(hint->isVisible(), file.endsWith(".stl") || file.endsWith(".off"));
+    QCOMPARE(hint->text().contains("topology"), file.endsWith(".stl"));
     const bool extras = file.endsWith(".ply") || file.endsWith(".vtp");
     QCOMPARE(check("exportNormals")->isEnabled(), extras);
     QCOMPARE(check("exportQuality")->isEnabled(), extras);
