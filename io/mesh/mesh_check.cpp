@@ -6,6 +6,7 @@
 #include "core/base/formatted.h"
 #include "core/mesh/outward.h"
 #include "core/openings/port.h"
+#include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_io.h"
 #include "io/mesh/mesh_patch.h"
 #include "io/mesh/mesh_place.h"
@@ -23,11 +24,11 @@ struct Expected {
 };
 
 /// As a file of the format gives them back.
-void settlePatches(const MeshWriteOptions& options, const std::string& extension,
-                   Expected& expected) {
+void settlePatches(const MeshWriteOptions& options, const fs::path& path, Expected& expected) {
   TriMesh& mesh = expected.mesh;
-  const bool isStl = extension == ".stl", ascii = options.encoding == MeshEncoding::Ascii;
-  const bool named = mesh.patch.empty() ? isStl && ascii : !isStl || ascii;
+  // The only solid of an ASCII STL file has a name, too.
+  const bool named = meshFormatOf(path)->holdsNames(options.encoding) &&
+                     (!mesh.patch.empty() || meshExtension(path) == ".stl");
   std::vector<std::uint32_t> groups(mesh.patch.begin(), mesh.patch.end());
   groups.resize(mesh.triangles.size());
   PatchSet set;
@@ -67,7 +68,7 @@ Expected expectedMesh(const TriMesh& mesh, const fs::path& path, const MeshWrite
   if (isStl || options.unit != LengthUnit::Millimetre)
     expected.outward = turnOutward(moved).turnedParts == 0;
   expected.mesh = std::move(moved);
-  settlePatches(options, meshExtension(path), expected);
+  settlePatches(options, path, expected);
   return expected;
 }
 

@@ -190,7 +190,7 @@ class TestPrivacy : public QObject {
   void meshesFromFormatToFormat() {
     int n = 0;
     for (const fs::path& input : meshes_) {
-      for (const char* end : {".ply", ".stl", ".obj", ".vtp"})
+      for (const char* end : {".ply", ".stl", ".obj", ".off", ".vtp"})
         done({"convert", text(input), "-o", QString::number(++n) + end});
       // Names of patches lie packed and in base64 in a VTP file, where the search does not look.
       for (const std::string& name :

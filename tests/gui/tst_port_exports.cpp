@@ -49,7 +49,8 @@ class TestPortExports : public QObject {
     QTest::newRow("stl") << 2 << "v.stl" << false;
     QTest::newRow("stl text") << 3 << "v.stl" << true;
     QTest::newRow("obj") << 4 << "v.obj" << true;
-    QTest::newRow("vtp") << 5 << "v.vtp" << true;
+    QTest::newRow("off") << 5 << "v.off" << false;
+    QTest::newRow("vtp") << 6 << "v.vtp" << true;
   }
   void namesAreExported() {
     QFETCH(int, format);
@@ -83,7 +84,7 @@ class TestPortExports : public QObject {
     c.cutAt(0.5);
     c.click(c.find<QPushButton>("run"));
     c.savePath = c.folder.filePath("foam");
-    QDialog* dialog = exportAs(c, 6);
+    QDialog* dialog = exportAs(c, 7);
     QVERIFY(dialog);
     QVERIFY(!dialog->findChild<QComboBox*>("exportUnit")->isEnabled());
     QVERIFY(!dialog->findChild<QLabel*>("exportHint")->text().contains("not connected"));
@@ -93,7 +94,7 @@ class TestPortExports : public QObject {
     QTRY_VERIFY(!c.find<QDialog>("exportDialog"));
     c.models().document.setField("segmentation.keep", std::string("all"));
     c.click(c.find<QPushButton>("run"));
-    dialog = exportAs(c, 6);
+    dialog = exportAs(c, 7);
     QVERIFY(dialog);
     QVERIFY(dialog->findChild<QLabel*>("exportHint")->text().contains("2 parts"));
   }
