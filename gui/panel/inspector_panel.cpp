@@ -54,7 +54,11 @@ QString titleOf(const QualityMeasure* measure) {
     return QCoreApplication::translate("QualityMeasure", kVerifiedTitle);
   }
   const QString label = QCoreApplication::translate("QualityMeasure", measure->label);
-  return *measure->unit == '\0' ? label : label + ", " + QString::fromUtf8(measure->unit);
+  const QString unit = QString::fromLatin1(measure->unit)
+                           .replace("deg", QStringLiteral("°"))
+                           .replace("mm2", QStringLiteral("mm²"))
+                           .replace("mm3", QStringLiteral("mm³"));
+  return unit.isEmpty() ? label : label + ", " + unit;
 }
 
 QString valueOf(const QualityMeasure* measure, const MeshQuality* quality) {
