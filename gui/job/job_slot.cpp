@@ -15,6 +15,7 @@ JobTimer::JobTimer(QObject* parent) : QObject(parent) {
 }
 
 void JobTimer::wake() {
+  wanted_ = true;
   // A timer that is started again with each move of a slider would never come to its end.
   if (!timer_.isActive()) {
     timer_.start();
@@ -22,13 +23,22 @@ void JobTimer::wake() {
 }
 
 void JobTimer::poll() {
-  bool goesOn = false;
+  // What ends may begin something that was looked at already, or call this again.
+  const bool outermost = !std::exchange(polling_, true);
+  if (outermost) {
+    wanted_ = false;
+  }
   const std::vector<Polled*> now = polled_;
   for (Polled* polled : now) {
-    goesOn = polled->poll() || goesOn;
+    if (polled->poll()) {
+      wanted_ = true;
+    }
   }
-  if (!goesOn) {
-    timer_.stop();
+  if (outermost) {
+    polling_ = false;
+    if (!wanted_) {
+      timer_.stop();
+    }
   }
   Q_EMIT ticked();
 }

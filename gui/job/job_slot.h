@@ -40,6 +40,8 @@ class JobTimer : public QObject {
  private:
   QTimer timer_;
   std::vector<Polled*> polled_;
+  bool polling_ = false;
+  bool wanted_ = false;  ///< since the outermost poll() began
 };
 
 /// Room for one job of a kind, off the window's thread. A job has execute(), which must not throw;

@@ -3,6 +3,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <chrono>
+#include <thread>
 
 #include "gui/model/case_models.h"
 #include "io/mesh/mesh_io.h"
@@ -386,6 +388,19 @@ class TestModels : public QObject {
     QVERIFY(!models.runs.running());
     QVERIFY(models.runs.state(Step::Vesselness) == StepState::Empty);
     QVERIFY(!models.results.phi());
+  }
+
+  void aJobThatStartsWhileOthersAreLookedAtIsLookedAtToo() {
+    struct Job {
+      void execute() noexcept { std::this_thread::sleep_for(std::chrono::milliseconds(50)); }
+    };
+    JobTimer timer;
+    bool done = false;
+    JobSlot<Job> first(timer, makeThreadedJobRunner, [&](const auto&) { done = true; });
+    JobSlot<Job> second(timer, makeThreadedJobRunner,
+                        [&](const auto&) { first.start(std::make_shared<Job>()); });
+    second.start(std::make_shared<Job>());
+    QTRY_VERIFY_WITH_TIMEOUT(done, kPatienceMs);
   }
 
   void goesWhileRunning() {
