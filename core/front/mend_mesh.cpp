@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/front/fill_loop.h"
-#include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_edges.h"
+#include "core/mesh/mesh_faults.h"
 
 namespace angiomesh {
 namespace {
@@ -179,22 +179,9 @@ class Mender {
 }  // namespace
 
 std::vector<std::uint32_t> brokenTriangles(const PatchMesh& mesh, bool open) {
-  std::vector<std::uint32_t> broken;
-  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh.mesh);
-  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-    end = edgeRunEnd(sides, i);
-    if (end - i == 2 && sides[i].forward != sides[i + 1].forward) continue;
-    const bool rim = mesh.place[sides[i].low].shared(mesh.place[sides[i].high]).planes() > 0;
-    if (end - i == 1 && open && rim) continue;
-    for (std::size_t k = i; k < end; ++k) broken.push_back(sides[k].triangle);
-  }
-  const HalfEdges edges(mesh.mesh, sides);
-  for (std::uint32_t t = 0; t < mesh.mesh.triangles.size(); ++t)
-    for (const std::uint32_t v : mesh.mesh.triangles[t])
-      if (edges.irregular(v)) broken.push_back(t);
-  std::sort(broken.begin(), broken.end());
-  broken.erase(std::unique(broken.begin(), broken.end()), broken.end());
-  return broken;
+  return brokenTriangles(mesh.mesh, [&](const EdgeSide& side) {
+    return open && mesh.place[side.low].shared(mesh.place[side.high]).planes() > 0;
+  });
 }
 
 bool mendMesh(PatchMesh& mesh, const std::vector<std::uint32_t>& broken, int rings,

@@ -30,11 +30,8 @@ std::vector<EdgeSide> sortedEdgeSides(const TriMesh& mesh) {
   // Bucketing by the lower vertex leaves a handful of sides to sort in each bucket.
   const std::size_t vertices = mesh.points.size();
   std::vector<std::uint32_t> first(vertices + 1, 0);
-  const auto repeats = [](const std::array<std::uint32_t, 3>& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-  };
   for (const auto& t : mesh.triangles) {
-    if (repeats(t)) continue;
+    if (repeatsVertex(t)) continue;
     for (std::size_t k = 0; k < 3; ++k) ++first[std::min(t[k], t[(k + 1) % 3]) + 1];
   }
   std::partial_sum(first.begin(), first.end(), first.begin());
@@ -42,7 +39,7 @@ std::vector<EdgeSide> sortedEdgeSides(const TriMesh& mesh) {
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
-    if (repeats(t)) continue;
+    if (repeatsVertex(t)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
       sides[next[std::min(a, b)]++] = {std::min(a, b), std::max(a, b),
@@ -62,6 +59,42 @@ std::size_t edgeRunEnd(const std::vector<EdgeSide>& sides, std::size_t first) {
     ++last;
   }
   return last;
+}
+
+VertexFans vertexFans(const TriMesh& mesh, const std::vector<EdgeSide>& sides) {
+  VertexFans fans{DisjointSets(3 * mesh.triangles.size()),
+                  std::vector<char>(mesh.points.size(), 0)};
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    end = edgeRunEnd(sides, i);
+    for (const std::uint32_t v : {sides[i].low, sides[i].high}) {
+      if (end - i > 2) fans.several[v] = 1;
+      for (std::size_t j = i + 1; j < end; ++j)
+        fans.ofCorners.join(cornerAt(mesh, sides[i].triangle, v),
+                            cornerAt(mesh, sides[j].triangle, v));
+    }
+  }
+  constexpr std::uint32_t none = 0xffffffffU;
+  std::vector<std::uint32_t> fanOf(mesh.points.size(), none);
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    const auto& t = mesh.triangles[corner / 3];
+    if (repeatsVertex(t)) continue;
+    const std::uint32_t v = t[corner % 3], fan = fans.ofCorners.find(corner);
+    if (fanOf[v] != none && fanOf[v] != fan) fans.several[v] = 1;
+    fanOf[v] = fan;
+  }
+  return fans;
+}
+
+std::vector<char> irregularVertices(const TriMesh& mesh, const std::vector<EdgeSide>& sides) {
+  std::vector<char> irregular = vertexFans(mesh, sides).several;
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high &&
+        sides[i].forward == sides[i - 1].forward)
+      irregular[sides[i].low] = irregular[sides[i].high] = 1;
+  for (const auto& t : mesh.triangles)
+    if (repeatsVertex(t))
+      for (const std::uint32_t v : t) irregular[v] = 1;
+  return irregular;
 }
 
 std::vector<RimEdge> rimEdges(const TriMesh& mesh) {

@@ -26,6 +26,24 @@ std::vector<EdgeSide> sortedEdgeSides(const TriMesh& mesh);
 /// The end of the run of equal edges that starts at `first`.
 std::size_t edgeRunEnd(const std::vector<EdgeSide>& sides, std::size_t first);
 
+/// Corner k of triangle t is 3 t + k.
+inline std::uint32_t cornerAt(const TriMesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
+  const auto& t = mesh.triangles[triangle];
+  return 3 * triangle + (t[0] == vertex ? 0U : t[1] == vertex ? 1U : 2U);
+}
+
+/// A fan is a set of corners at one vertex whose triangles hang together by edges; a vertex of a
+/// manifold has one. Triangles that repeat a vertex count for nothing.
+struct VertexFans {
+  DisjointSets ofCorners;
+  std::vector<char> several;  ///< per vertex: 1 with several fans, or an edge of several triangles
+};
+/// `sides` are the mesh's sortedEdgeSides().
+VertexFans vertexFans(const TriMesh& mesh, const std::vector<EdgeSide>& sides);
+
+/// Per vertex: 1 where its triangles are not one fan, disagree in orientation, or repeat it.
+std::vector<char> irregularVertices(const TriMesh& mesh, const std::vector<EdgeSide>& sides);
+
 /// An edge that a surface ends at: of one triangle alone, or between two patches.
 struct RimEdge {
   std::uint32_t from = 0, to = 0;  ///< the opening, or the patch of the higher number, to the left

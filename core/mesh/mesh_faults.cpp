@@ -5,32 +5,29 @@
 #include <map>
 
 #include "core/base/formatted.h"
-#include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/self_intersection.h"
 
 namespace angiomesh {
-namespace {
 
-std::vector<std::uint32_t> brokenFaces(const TriMesh& mesh, bool closed) {
+std::vector<std::uint32_t> brokenTriangles(const TriMesh& mesh,
+                                           const std::function<bool(const EdgeSide&)>& mayEnd) {
   std::vector<std::uint32_t> broken;
   const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
-  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-    const std::size_t end = edgeRunEnd(sides, i);
-    if (end - i == 1 && !closed) continue;
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    end = edgeRunEnd(sides, i);
     if (end - i == 2 && sides[i].forward != sides[i + 1].forward) continue;
+    if (end - i == 1 && mayEnd(sides[i])) continue;
     for (std::size_t k = i; k < end; ++k) broken.push_back(sides[k].triangle);
   }
-  const HalfEdges edges(mesh);
+  const std::vector<char> irregular = irregularVertices(mesh, sides);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::uint32_t v : mesh.triangles[t])
-      if (edges.irregular(v)) broken.push_back(t);
+      if (irregular[v] != 0) broken.push_back(t);
   std::sort(broken.begin(), broken.end());
   broken.erase(std::unique(broken.begin(), broken.end()), broken.end());
   return broken;
 }
-
-}  // namespace
 
 void locateFaults(const TriMesh& mesh, MeshFaults& faults) {
   DisjointSets sets(mesh.points.size());
@@ -78,7 +75,7 @@ std::string MeshFaults::text() const {
 MeshFaults findFaults(const TriMesh& mesh, bool closed, const Progress& progress) {
   MeshFaults faults;
   faults.meeting = selfIntersections(mesh, progress);
-  faults.broken = brokenFaces(mesh, closed);
+  faults.broken = brokenTriangles(mesh, [&](const EdgeSide&) { return !closed; });
   locateFaults(mesh, faults);
   return faults;
 }

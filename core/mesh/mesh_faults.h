@@ -4,12 +4,13 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/mesh/tri_mesh.h"
+#include "core/mesh/mesh_edges.h"
 
 namespace angiomesh {
 
@@ -26,6 +27,11 @@ struct MeshFaults {
   /// "cuts itself in 12 places, such as near L 1.0 P 2.0 S 3.0 mm"
   [[nodiscard]] std::string text() const;
 };
+
+/// The triangles at edges of more than two triangles or of two that disagree in orientation, at
+/// rims that may not end the surface, and at vertices of more than one fan; sorted.
+std::vector<std::uint32_t> brokenTriangles(const TriMesh& mesh,
+                                           const std::function<bool(const EdgeSide&)>& mayEnd);
 
 /// Counts the places of the triangles that are listed.
 void locateFaults(const TriMesh& mesh, MeshFaults& faults);

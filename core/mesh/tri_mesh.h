@@ -16,6 +16,10 @@ struct TriMesh {
   std::vector<std::uint16_t> patch = {};
 };
 
+inline bool repeatsVertex(const std::array<std::uint32_t, 3>& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
 /// @throws InputError when a triangle names a vertex that is not there, a vertex is not finite, or
 /// some triangles have a patch and others none
 void checkMesh(const TriMesh& mesh);

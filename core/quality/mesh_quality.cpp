@@ -21,43 +21,12 @@ namespace {
 constexpr std::size_t blockSize = 4096;
 constexpr std::size_t listedPairs = 1000;
 
-// Corner k of triangle t is 3 t + k. A fan is a set of corners at one vertex whose triangles hang
-// together by edges; a manifold vertex has one.
-struct Fans {
-  DisjointSets ofCorners;
-  std::vector<char> vertexUsed, vertexManifold;
-  std::size_t usedVertices = 0;
-};
-
-std::uint32_t cornerAt(const TriMesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
-  const auto& t = mesh.triangles[triangle];
-  return 3 * triangle + (t[0] == vertex ? 0U : t[1] == vertex ? 1U : 2U);
-}
-
-Fans findFans(const TriMesh& mesh, const std::vector<EdgeSide>& sides) {
-  Fans fans{DisjointSets(3 * mesh.triangles.size()), std::vector<char>(mesh.points.size(), 0),
-            std::vector<char>(mesh.points.size(), 1), 0};
-  for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
-    const std::size_t end = edgeRunEnd(sides, i);
-    for (const std::uint32_t vertex : {sides[i].low, sides[i].high}) {
-      fans.vertexUsed[vertex] = 1;
-      if (end - i > 2) fans.vertexManifold[vertex] = 0;
-      for (std::size_t j = i + 1; j < end; ++j) {
-        fans.ofCorners.join(cornerAt(mesh, sides[i].triangle, vertex),
-                            cornerAt(mesh, sides[j].triangle, vertex));
-      }
-    }
-  }
-  for (const char used : fans.vertexUsed) fans.usedVertices += used != 0 ? 1 : 0;
-  return fans;
-}
-
 struct ComponentCount {
   std::size_t fans = 0, edges = 0, faces = 0, loops = 0;
 };
 
 // Boundary loops by component: two boundary edges follow one another when they end in one fan.
-void countLoops(const TriMesh& mesh, const std::vector<EdgeSide>& sides, Fans& fans,
+void countLoops(const TriMesh& mesh, const std::vector<EdgeSide>& sides, VertexFans& fans,
                 const MeshComponents& components, std::vector<ComponentCount>& counts) {
   DisjointSets loops(3 * mesh.triangles.size());
   std::vector<std::uint32_t> ends;
@@ -81,7 +50,7 @@ void countTopology(const TriMesh& mesh, MeshQuality& q, const Progress& progress
   const MeshComponents components = meshComponents(mesh);
   progress.report(0.1);
   std::vector<ComponentCount> counts(components.count);
-  Fans fans = findFans(mesh, sides);
+  VertexFans fans = vertexFans(mesh, sides);
   progress.report(0.15);
 
   std::size_t edges = 0;
@@ -95,14 +64,12 @@ void countTopology(const TriMesh& mesh, MeshQuality& q, const Progress& progress
     ++counts[components.label[sides[i].triangle]].edges;
     i = end;
   }
-  std::vector<std::uint32_t> fanOf(mesh.points.size(), 0xffffffffU);
+  std::vector<char> used(mesh.points.size(), 0);
   for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
     const auto& t = mesh.triangles[corner / 3];
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    const std::uint32_t vertex = t[corner % 3], fan = fans.ofCorners.find(corner);
-    if (fan == corner) ++counts[components.label[corner / 3]].fans;
-    if (fanOf[vertex] == 0xffffffffU) fanOf[vertex] = fan;
-    if (fanOf[vertex] != fan) fans.vertexManifold[vertex] = 0;
+    if (repeatsVertex(t)) continue;
+    used[t[corner % 3]] = 1;
+    if (fans.ofCorners.find(corner) == corner) ++counts[components.label[corner / 3]].fans;
     if (corner % 3 == 0) ++counts[components.label[corner / 3]].faces;
   }
   countLoops(mesh, sides, fans, components, counts);
@@ -117,8 +84,9 @@ void countTopology(const TriMesh& mesh, MeshQuality& q, const Progress& progress
         static_cast<long>(c.fans) - static_cast<long>(c.edges) + static_cast<long>(c.faces);
     q.genus += static_cast<int>(std::max(0L, (2 - euler - static_cast<long>(c.loops)) / 2));
   }
-  for (const char manifold : fans.vertexManifold) q.nonManifoldVertices += manifold == 0 ? 1 : 0;
-  q.euler = static_cast<int>(static_cast<long>(fans.usedVertices) - static_cast<long>(edges) +
+  q.nonManifoldVertices =
+      static_cast<std::size_t>(std::count(fans.several.begin(), fans.several.end(), 1));
+  q.euler = static_cast<int>(std::count(used.begin(), used.end(), 1) - static_cast<long>(edges) +
                              static_cast<long>(faces));
   q.closed = faces > 0 && q.boundaryEdges == 0 && q.nonManifoldEdges == 0;
   q.areaMm2 = surfaceAreaMm2(mesh);

@@ -9,7 +9,7 @@
 #include "core/base/formatted.h"
 #include "core/base/parallel.h"
 #include "core/front/surface_cover.h"
-#include "core/mesh/half_edges.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_faults.h"
 #include "core/mesh/triangle_tree.h"
 #include "core/surface/facing_check.h"
@@ -57,7 +57,7 @@ void countRims(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, Surfac
 
 void measureParts(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, SurfaceBorder border,
                   SurfaceCheck& check) {
-  const HalfEdges edges(mesh.mesh, sides);
+  const std::vector<char> irregular = irregularVertices(mesh.mesh, sides);
   std::vector<char> seen(mesh.mesh.points.size(), 0);
   std::vector<std::size_t> fromFront(check.components.size(), 0);
   for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
@@ -72,7 +72,7 @@ void measureParts(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, Sur
     component.volumeMm3 += a.dot(b.cross(c)) / 6.0;
     component.areaMm2 += 0.5 * (b - a).cross(c - a).norm();
     for (const std::uint32_t v : corners) {
-      if (edges.irregular(v)) doubtIt(component, "a vertex has more than one fan of faces");
+      if (irregular[v] != 0) doubtIt(component, "a vertex has more than one fan of faces");
       if (seen[v] == 0) ++component.euler;
       seen[v] = 1;
     }
