@@ -28,7 +28,7 @@ constexpr std::array<StepFacts, kStepCount> kSteps{{
     {"seeds", "Seeds", 2, 0.32, true, true},
     {"evolve", "Evolve", 9, 0.35, false, false},
     {"surface", "Surface", 6, 0.8, false, false},
-    {"smooth", "Smooth", 4, 0.88, false, false},
+    {"smooth", "Smooth", 5, 0.88, false, false},
     {"quality", "Quality", 3, 0.94, false, false},
 }};
 

@@ -198,14 +198,15 @@ void addSmooth(FieldTable& t) {
            "keep-wall: smooths the triangulation, not the vessel; taubin: as in the thesis")
       .main();
   t.integer("smooth.iterations", "Iterations", ANGIOMESH_MEMBER(smooth.iterations), 0, 1000,
-            "pairs of a lambda and a mu step; 0: nothing is smoothed")
+            "sweeps over the vertices, with taubin pairs of a lambda and a mu step; 0: nothing is "
+            "smoothed")
       .main()
       .slider(0.0, 500.0)
       .idle(idleWithoutSmoothing)
       .rises("smoother, and with taubin the vessel's own detail goes too");
   t.real("smooth.lambda", "λ", ANGIOMESH_MEMBER(smooth.lambda), 0.0, 1.0, "",
          "weight of the shrinking step")
-      .idle(idleForEvenTriangles)
+      .idle(idleWithoutTaubin)
       .rises("each iteration smooths more");
   t.real("smooth.mu", "μ", ANGIOMESH_MEMBER(smooth.mu), -1.0, 0.0, "", "weight of the growing step")
       .idle(idleWithoutTaubin)

@@ -31,7 +31,7 @@ PatchMesh improved(RemeshWorker& worker, const Progress& progress) {
 
 PatchMesh remesh(const PatchMesh& start, const SplineField& field, const EdgeSize& size,
                  const EndPlanes& ends, const Progress& progress, const std::vector<char>& held) {
-  const RemeshGround ground(field, size, ends);
+  const ZeroSetGround ground(field, size, ends);
   RemeshWorker worker(start, ground, progress, held);
   worker.resize();
   PatchMesh result = improved(worker, progress);
@@ -41,7 +41,7 @@ PatchMesh remesh(const PatchMesh& start, const SplineField& field, const EdgeSiz
 
 void improveTriangles(PatchMesh& mesh, const SplineField& field, const EdgeSize& size,
                       const EndPlanes& ends, const Progress& progress) {
-  const RemeshGround ground(field, size, ends);
+  const ZeroSetGround ground(field, size, ends);
   RemeshWorker worker(mesh, ground, progress);
   mesh = improved(worker, progress);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/remesh/remesh_shape.h"
 
 namespace angiomesh {
@@ -11,6 +12,18 @@ namespace {
 
 // Botsch and Kobbelt's 4/3 and 4/5, brought down so that the mean is 1.
 constexpr double longEdge = 1.30, shortEdge = 0.78;
+/// Cosines between two triangles, and between a triangle and the wall, that are no loss.
+constexpr double slightBend = 0.85, slightLean = 0.7;
+
+// Badness (see remeshing::badness()): below the first a flip has nothing to mend, and up to the
+// second one by valence may go, as relaxation evens it out.
+constexpr double mendable = 0.5, relaxable = 1.6;
+// What a flip has to gain in badness: more where valences say nothing, so that flips come to rest.
+constexpr double shapeGain = 1e-3, valenceGain = 0.05;
+// Relaxation ends where nothing moves by more than this, in wanted lengths.
+constexpr double settled = 0.02, settledInTheEnd = 0.01;
+// Resizing ends with a round that changes less than one in so many triangles.
+constexpr std::size_t rareChange = 300;
 
 int square(int x) { return x * x; }
 
@@ -28,7 +41,24 @@ bool RemeshEdges::flipAgrees(std::uint32_t h) const {
   const Vector3d &pu = mesh_.point(u), &pv = mesh_.point(v), &pa = mesh_.point(a),
                  &pb = mesh_.point(b);
   const std::uint32_t patch = mesh_.patch(h / 3);
-  return agrees(patch, {u, b, a}, {pu, pb, pa}, 0.5) && agrees(patch, {v, a, b}, {pv, pa, pb}, 0.5);
+  return agrees(patch, {u, b, a}, {pu, pb, pa}, kChosenAgreement) &&
+         agrees(patch, {v, a, b}, {pv, pa, pb}, kChosenAgreement);
+}
+
+// Whether a flip leaves a pair that bends as little as before, and agrees with the wall as well: of
+// a thin vessel of few vertices another one would cut off a part.
+bool RemeshEdges::flipKeepsWall(std::uint32_t h) const {
+  const std::uint32_t u = mesh_.origin(h), v = mesh_.target(h), a = mesh_.apex(h),
+                      b = mesh_.apex(mesh_.twin(h));
+  const Vector3d &pu = mesh_.point(u), &pv = mesh_.point(v), &pa = mesh_.point(a),
+                 &pb = mesh_.point(b);
+  const double bend = unitNormal(pu, pv, pa).dot(unitNormal(pv, pu, pb));
+  if (unitNormal(pu, pb, pa).dot(unitNormal(pv, pa, pb)) < std::min(slightBend, bend)) return false;
+  const std::uint32_t patch = mesh_.patch(h / 3);
+  const double least = std::min({slightLean, agreement(patch, {u, v, a}, {pu, pv, pa}),
+                                 agreement(patch, {v, u, b}, {pv, pu, pb})});
+  return agreement(patch, {u, b, a}, {pu, pb, pa}) >= least &&
+         agreement(patch, {v, a, b}, {pv, pa, pb}) >= least;
 }
 
 // By valence: towards 6 (4 on a rim) where that leaves triangles that relaxation can even out. By
@@ -41,7 +71,7 @@ bool RemeshEdges::worthFlipping(std::uint32_t h, FlipBy by) const {
   const Vector3d &pu = mesh_.point(u), &pv = mesh_.point(v), &pa = mesh_.point(a),
                  &pb = mesh_.point(b);
   const double now = std::max(remeshing::badness(pu, pv, pa), remeshing::badness(pv, pu, pb));
-  if (by == FlipBy::Shape && now < 0.5) return false;
+  if (by == FlipBy::Shape && now < mendable) return false;
   const auto excess = [&](std::uint32_t w, int change) {
     const int valence = static_cast<int>(mesh_.valence(w)) + change;
     return square(valence - (mesh_.onRim(w) ? 4 : 6));
@@ -51,11 +81,12 @@ bool RemeshEdges::worthFlipping(std::uint32_t h, FlipBy by) const {
   if (by == FlipBy::Valence) {
     const int before = excess(u, 0) + excess(v, 0) + excess(a, 0) + excess(b, 0);
     const int after = excess(u, -1) + excess(v, -1) + excess(a, 1) + excess(b, 1);
-    worth = after < before ? then < std::max(1.6, now) : after == before && then < now - 0.05;
+    worth = after < before ? then < std::max(relaxable, now)
+                           : after == before && then < now - valenceGain;
   } else {
-    worth = then < now - 1e-3;
+    worth = then < now - shapeGain;
   }
-  return worth && mesh_.canFlip(h) && flipAgrees(h);
+  return worth && mesh_.canFlip(h) && flipAgrees(h) && (edits_ == Edits::All || flipKeepsWall(h));
 }
 
 // Where `all` is false, only edges of active vertices are looked at.
@@ -107,7 +138,7 @@ std::uint32_t RemeshEdges::splitEdge(std::uint32_t h) {
   if (!ground_.land(where, point, normal, 3) || (point - middle).norm() > 0.5 * length)
     return EditMesh::none;
   const std::uint32_t m = mesh_.split(h, where);
-  mesh_.set(m, point, normal, ground_.sizeAt(point));
+  mesh_.set(m, point, normal, ground_.sizeAt(m, point));
   activate(m);
   return m;
 }
@@ -135,8 +166,8 @@ bool RemeshEdges::collapseFits(std::uint32_t h, double longest, Vector3d& point)
       const std::uint32_t patch = mesh_.patch(ring.side[i] / 3);
       const std::array<std::uint32_t, 3> corners{v, a, b};
       const Vector3d &pa = mesh_.point(a), &pb = mesh_.point(b);
-      if (!agrees(patch, corners, {point, pa, pb}, 0.4) &&
-          agrees(patch, {w, a, b}, {mesh_.point(w), pa, pb}, 0.4))
+      if (!agrees(patch, corners, {point, pa, pb}, kLeastAgreement) &&
+          agrees(patch, {w, a, b}, {mesh_.point(w), pa, pb}, kLeastAgreement))
         return false;
     }
   }
@@ -192,15 +223,15 @@ void RemeshEdges::resize() {
   for (int round = 0; round < rounds; ++round) {
     const std::size_t changed = collapseShort() + splitLong();
     // New vertices are far from their neighbours in memory.
-    if (mesh_.vertexSlots() > 2 * ordered || 300 * changed < mesh_.halfEdgeSlots() / 3) {
+    if (mesh_.vertexSlots() > 2 * ordered || rareChange * changed < mesh_.halfEdgeSlots() / 3) {
       mesh_.reorder();
       ordered = mesh_.vertexSlots();
       active_.assign(mesh_.vertexSlots(), 1);
     }
     flipEdges(FlipBy::Valence, false);
-    relax(2, 0.02);
+    relax(2, settled);
     progress_.report(0.6 * (round + 1) / rounds);
-    if (300 * changed < mesh_.halfEdgeSlots() / 3) break;
+    if (rareChange * changed < mesh_.halfEdgeSlots() / 3) break;
   }
 }
 
@@ -208,10 +239,10 @@ void RemeshEdges::even() {
   active_.assign(mesh_.vertexSlots(), 1);
   flipEdges(FlipBy::Valence, true);
   for (int round = 0; round < 4; ++round) {
-    relax(4, 0.02);
+    relax(4, settled);
     if (flipEdges(round < 2 ? FlipBy::Valence : FlipBy::Shape, false) == 0 && round > 1) break;
   }
-  relax(4, 0.01);
+  relax(4, settledInTheEnd);
 }
 
 }  // namespace angiomesh

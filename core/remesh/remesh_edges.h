@@ -20,6 +20,7 @@ class RemeshEdges : public RemeshVertices {
 
   [[nodiscard]] double stretch(std::uint32_t h) const;
   [[nodiscard]] bool flipAgrees(std::uint32_t h) const;
+  [[nodiscard]] bool flipKeepsWall(std::uint32_t h) const;
   [[nodiscard]] bool worthFlipping(std::uint32_t h, FlipBy by) const;
   std::size_t flipEdges(FlipBy by, bool all);
   void activate(std::uint32_t v);

@@ -7,7 +7,7 @@
 
 namespace angiomesh {
 
-RemeshGround::RemeshGround(const SplineField& field, const EdgeSize& size, const EndPlanes& ends)
+ZeroSetGround::ZeroSetGround(const SplineField& field, const EdgeSize& size, const EndPlanes& ends)
     : field_(field),
       size_(size),
       ends_(ends),
@@ -17,8 +17,8 @@ RemeshGround::RemeshGround(const SplineField& field, const EdgeSize& size, const
   for (int axis = 0; axis < 3; ++axis) last_[axis] = g.size[static_cast<std::size_t>(axis)] - 1;
 }
 
-Eigen::Vector3d RemeshGround::along(const Place& place, const Vector3d& normal,
-                                    const Vector3d& step) const {
+Eigen::Vector3d ZeroSetGround::along(const Place& place, const Vector3d& normal,
+                                     const Vector3d& step) const {
   if (!place.wall) return ends_.along(place, step);
   const int planes = place.planes();
   if (planes == 0) return step - step.dot(normal) * normal;
@@ -29,8 +29,8 @@ Eigen::Vector3d RemeshGround::along(const Place& place, const Vector3d& normal,
   return step.dot(line) / square * line;
 }
 
-bool RemeshGround::land(const Place& place, Vector3d& point, Vector3d& normal, int steps,
-                        double voxels) const {
+bool ZeroSetGround::land(const Place& place, Vector3d& point, Vector3d& normal, int steps) const {
+  constexpr double voxels = 1e-6;
   const Geometry& g = field_.geometry();
   const int held = place.planes();
   if (held > 0) ends_.snap(place, point);

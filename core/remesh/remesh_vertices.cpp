@@ -14,6 +14,15 @@ namespace {
 constexpr std::size_t blockSize = 512;
 constexpr std::size_t cached = 20000;  ///< so many vertices fit into the processor's cache
 
+// Of the wanted length: a step below the first is none; none is longer than the second, and none is
+// brought back to the wall by more than the third, which tells that it crossed to another sheet.
+constexpr double leastStep = 1e-4, longestStep = 0.5, farthestLanding = 0.3;
+constexpr double leastTurn = 0.3;   ///< cosine between the wall's normals before and after a step
+constexpr double startReach = 0.3;  ///< units: farther from the wall a vertex starts where it is
+// Of the wanted area of a triangle, seen along the normal: below the first it counts as folded, and
+// below the second no step may leave it.
+constexpr double foldedArea = 0.1, leastArea = 0.02;
+
 struct Flat {
   double x, y;
 };
@@ -35,7 +44,7 @@ constexpr double sizeWeight = 0.15;
 
 double energyAt(const Flat& a, const Flat& b, double wanted) {
   const double area = 0.5 * cross(a, b);
-  if (!(area > 0.02 * wanted)) return 1e30;
+  if (!(area > leastArea * wanted)) return 1e30;
   const double dx = a.x - b.x, dy = a.y - b.y;
   const double f =
       (a.x * a.x + a.y * a.y + b.x * b.x + b.y * b.y + dx * dx + dy * dy) / (evenShape * area);
@@ -69,15 +78,15 @@ void addEnergy(const Flat& a, const Flat& b, double wanted, Energy& e) {
 }  // namespace
 
 RemeshVertices::RemeshVertices(const PatchMesh& start, const RemeshGround& ground,
-                               const Progress& progress, const std::vector<char>& held)
-    : mesh_(start), ground_(ground), progress_(progress) {
+                               const Progress& progress, const std::vector<char>& held, Edits edits)
+    : mesh_(start), ground_(ground), progress_(progress), edits_(edits) {
   for (std::uint32_t v = 0; v < held.size(); ++v)
     if (held[v] != 0) {
       mesh_.lock(v);
       partly_ = true;
     }
-  if (mesh_.vertexSlots() > cached) mesh_.reorder();
-  const double reach = 0.3 * ground_.voxelMm();
+  if (edits_ == Edits::All && mesh_.vertexSlots() > cached) mesh_.reorder();
+  const double reach = startReach * ground_.unitMm();
   parallelFor(0, mesh_.vertexSlots(), blockSize, [&](std::size_t first, std::size_t last) {
     progress_.check();
     for (std::size_t i = first; i < last; ++i) {
@@ -99,7 +108,7 @@ void RemeshVertices::place(std::uint32_t v, Vector3d point, int steps, double fa
                       (point - wanted).squaredNorm() < farthest * farthest;
   if (mesh_.locked(v)) point = mesh_.point(v);
   if (!landed) point = wanted;
-  mesh_.set(v, point, normal, ground_.sizeAt(point));
+  mesh_.set(v, point, normal, ground_.sizeAt(v, point));
 }
 
 double RemeshVertices::shapeBadness(std::uint32_t t) const {
@@ -189,7 +198,7 @@ bool RemeshVertices::stepOf(std::uint32_t v, const Ring& ring, Vector3d& step) c
     wanted[i] = evenArea * g * g;
     meanX += flat[i].x / ring.count;
     meanY += flat[i].y / ring.count;
-    if (cross(flat[i], flat[j]) > 0.1 * wanted[i]) {
+    if (cross(flat[i], flat[j]) > foldedArea * wanted[i]) {
       addEnergy(flat[i], flat[j], wanted[i], e);
     } else {
       folded = true;
@@ -248,15 +257,17 @@ bool RemeshVertices::relaxVertex(std::uint32_t v) {
   }
   step = ground_.along(mesh_.place(v), mesh_.normal(v), step);
   const double length = step.norm(), g = mesh_.size(v);
-  if (length < 1e-4 * g) return false;
-  if (length > 0.5 * g) step *= 0.5 * g / length;
+  if (length < leastStep * g) return false;
+  if (length > longestStep * g) step *= longestStep * g / length;
   const Vector3d wanted = mesh_.point(v) + step;
   Vector3d point = wanted, normal = mesh_.normal(v);
   if (!ground_.land(mesh_.place(v), point, normal, 1)) return false;
-  if ((point - wanted).norm() > 0.3 * g) return false;
-  if (normal.dot(mesh_.normal(v)) < 0.3) return false;
-  if (!ringAgrees(v, ring, point, 0.4) && ringAgrees(v, ring, mesh_.point(v), 0.4)) return false;
-  mesh_.set(v, point, normal, ground_.sizeAt(point));
+  if ((point - wanted).norm() > farthestLanding * g) return false;
+  if (normal.dot(mesh_.normal(v)) < leastTurn || !ground_.allows(v, normal)) return false;
+  if (!ringAgrees(v, ring, point, kLeastAgreement) &&
+      ringAgrees(v, ring, mesh_.point(v), kLeastAgreement))
+    return false;
+  mesh_.set(v, point, normal, ground_.sizeAt(v, point));
   return true;
 }
 

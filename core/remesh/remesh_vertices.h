@@ -17,14 +17,22 @@ class RemeshVertices {
  public:
   using Vector3d = Eigen::Vector3d;
 
+  /// Whether edges may only be flipped, so that vertices and triangles keep their numbers.
+  enum class Edits { All, FlipsOnly };
+
   /// `held`, per vertex of `start`, may be empty: those that stay in place with their triangles.
   RemeshVertices(const PatchMesh& start, const RemeshGround& ground, const Progress& progress,
-                 const std::vector<char>& held);
+                 const std::vector<char>& held = {}, Edits edits = Edits::All);
 
   [[nodiscard]] PatchMesh result() const { return mesh_.result(); }
 
  protected:
   using Ring = EditMesh::Ring;
+
+  // The least cosine between a triangle and the wall that an edit may leave: half a right angle and
+  // some more, as a coarse triangle leans by that much on a tight bend; flips and the search for a
+  // better place, which have a choice, are held to less.
+  static constexpr double kLeastAgreement = 0.4, kChosenAgreement = 0.5;
 
   [[nodiscard]] int freedom(std::uint32_t v) const;
   [[nodiscard]] double agreement(std::uint32_t patch, const std::array<std::uint32_t, 3>& corners,
@@ -47,6 +55,7 @@ class RemeshVertices {
   const Progress& progress_;
   std::vector<std::uint8_t> active_, moved_;
   bool partly_ = false;  ///< some vertices are held
+  const Edits edits_;
 
  private:
   std::vector<std::vector<std::uint32_t>> colours_;

@@ -12,19 +12,32 @@ namespace angiomesh {
 namespace {
 
 constexpr std::size_t blockSize = 512;
-constexpr double good = 0.97;  ///< nothing to be gained below this badness
+constexpr double good = 0.97;          ///< nothing to be gained below this badness
+constexpr double leastGain = 0.98;     ///< of the summed badness, what a change may leave
+constexpr double worthMoving = 0.6;    ///< badness around a vertex that a search may better
+constexpr double smallestGain = 1e-4;  ///< of a search's step, so that it ends
+// The steps of a search, of the wanted length: from well within a triangle down to what no angle
+// notices.
+constexpr double firstStep = 0.16, lastStep = 0.004;
+constexpr double leastEdge = 0.6, greatestEdge = 1.6;  ///< that a change may leave, wanted lengths
+// What repair() may look at, in triangles for each of the mesh: enough for all that can be mended,
+// and some more in a small mesh. Less where a twentieth and more is bad, as on a wall of noise.
+constexpr std::size_t effortEach = 100, hopelessEffortEach = 20;
+constexpr std::size_t moreEach = 3000, mostMore = 3000000;
+constexpr std::size_t partlyShare = 8, foldShare = 8;  ///< of that with held parts, and for folds
+constexpr double freeLanding = 0.05;                   ///< wanted lengths that no triangle notices
+constexpr double landedBadness = 1.1;
 
 }  // namespace
 
 bool RemeshWorker::Merit::betterThan(const Merit& other) const {
-  constexpr double leastEdge = 0.6, greatestEdge = 1.6;  // in wanted lengths
-  constexpr double thirtyDegrees = 1.14;                 // badness
+  constexpr double thirtyDegrees = 1.14;  // badness
   if (worst > other.worst + 1e-9) return false;
   // No fold is worth a bad angle.
   if (worstShape > thirtyDegrees && worstShape > other.worstShape + 1e-9) return false;
   if (shortest < leastEdge && shortest < other.shortest - 1e-9) return false;
   if (longest > greatestEdge && longest > other.longest + 1e-9) return false;
-  return sum < 0.98 * other.sum;
+  return sum < leastGain * other.sum;
 }
 
 // The corners of t and the vertices across its sides; at higher levels rings around them.
@@ -102,7 +115,7 @@ bool RemeshWorker::relocate(std::uint32_t v) {
   const double g = mesh_.size(v);
   Vector3d best = start;
   double worst = ringBadness(ring, start);
-  if (worst < 0.6) return false;
+  if (worst < worthMoving) return false;
   const double before = worst;
   Vector3d t1 = n.unitOrthogonal();
   if (free == 1) {
@@ -114,12 +127,12 @@ bool RemeshWorker::relocate(std::uint32_t v) {
   constexpr double c = 0.5, s = 0.8660254037844386;
   const std::array<Vector3d, 6> ways{
       t1, c * t1 + s * t2, -c * t1 + s * t2, Vector3d(-t1), -c * t1 - s * t2, c * t1 - s * t2};
-  for (double length = 0.16 * g; length > 0.004 * g;) {
+  for (double length = firstStep * g; length > lastStep * g;) {
     bool moved = false;
     for (std::size_t i = 0; i < 6; i += free == 1 ? 3 : 1) {
       const Vector3d point = best + length * ways[i];
       const double value = ringBadness(ring, point);
-      if (value < worst - 1e-4) {
+      if (value < worst - smallestGain) {
         worst = value;
         best = point;
         moved = true;
@@ -130,10 +143,11 @@ bool RemeshWorker::relocate(std::uint32_t v) {
   }
   if (best == start) return false;
   Vector3d normal = n;
-  if (!ground_.land(mesh_.place(v), best, normal, 2)) return false;
-  if (ringBadness(ring, best) > before - 1e-4) return false;
-  if (!ringAgrees(v, ring, best, 0.5) && ringAgrees(v, ring, start, 0.5)) return false;
-  mesh_.set(v, best, normal, ground_.sizeAt(best));
+  if (!ground_.land(mesh_.place(v), best, normal, 2) || !ground_.allows(v, normal)) return false;
+  if (ringBadness(ring, best) > before - smallestGain) return false;
+  if (!ringAgrees(v, ring, best, kChosenAgreement) && ringAgrees(v, ring, start, kChosenAgreement))
+    return false;
+  mesh_.set(v, best, normal, ground_.sizeAt(v, best));
   return true;
 }
 
@@ -168,7 +182,7 @@ bool RemeshWorker::apply(const Move& move, std::vector<std::uint32_t>& vertices)
       mesh_.flip(move.side);
       return true;
     case Kind::Collapse:
-      return collapseEdge(move.side, 1.6);
+      return collapseEdge(move.side, greatestEdge);
     case Kind::Split: {
       const std::uint32_t m = splitEdge(move.side);
       if (m == EditMesh::none) return false;
@@ -184,16 +198,19 @@ std::vector<RemeshWorker::Move> RemeshWorker::movesFor(std::uint32_t t, int leve
   std::stable_sort(sides.begin(), sides.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return stretch(a) < stretch(b); });
   std::vector<Move> moves{{Kind::Relocate, 0}};
-  moves.push_back({Kind::Flip, sides[2]});
-  moves.push_back({Kind::Flip, sides[1]});
-  moves.push_back({Kind::Collapse, sides[0]});
-  moves.push_back({Kind::Split, sides[2]});
+  const auto add = [&](Kind kind, std::uint32_t side) {
+    if (kind == Kind::Flip || edits_ == Edits::All) moves.push_back({kind, side});
+  };
+  add(Kind::Flip, sides[2]);
+  add(Kind::Flip, sides[1]);
+  add(Kind::Collapse, sides[0]);
+  add(Kind::Split, sides[2]);
   if (level == 0) return moves;
-  moves.push_back({Kind::Flip, sides[0]});
-  moves.push_back({Kind::Collapse, sides[1]});
-  moves.push_back({Kind::Split, sides[1]});
-  moves.push_back({Kind::Collapse, sides[2]});
-  moves.push_back({Kind::Split, sides[0]});
+  add(Kind::Flip, sides[0]);
+  add(Kind::Collapse, sides[1]);
+  add(Kind::Split, sides[1]);
+  add(Kind::Collapse, sides[2]);
+  add(Kind::Split, sides[0]);
   // The sides of the triangles around.
   std::vector<std::uint32_t> more;
   for (std::uint32_t k = 0; k < 3; ++k) {
@@ -207,9 +224,9 @@ std::vector<RemeshWorker::Move> RemeshWorker::movesFor(std::uint32_t t, int leve
   }
   for (const std::uint32_t h : more) {
     const double s = stretch(h);
-    moves.push_back({Kind::Flip, h});
-    if (s < 1.0) moves.push_back({Kind::Collapse, h});
-    if (s > 1.0) moves.push_back({Kind::Split, h});
+    add(Kind::Flip, h);
+    if (s < 1.0) add(Kind::Collapse, h);
+    if (s > 1.0) add(Kind::Split, h);
   }
   return moves;
 }
@@ -289,10 +306,10 @@ void RemeshWorker::repair() {
     const bool hopeless = 20 * start.size() > faces + 1000;
     if (hopeless && level > 0) return;
     // Held triangles are none that could be made good; those beside them mostly neither.
-    std::size_t quota =
-        ((hopeless ? 20 : 100) * faces + std::min<std::size_t>(3000 * faces, 3000000)) /
-        (partly_ ? 8 : 1);
-    std::size_t foldQuota = quota / 8;
+    std::size_t quota = ((hopeless ? hopelessEffortEach : effortEach) * faces +
+                         std::min(moreEach * faces, mostMore)) /
+                        (partly_ ? partlyShare : 1);
+    std::size_t foldQuota = quota / foldShare;
     while (!queue.empty()) {
       progress_.check();
       const Job job = queue.top();
@@ -329,7 +346,7 @@ void RemeshWorker::finish() {
       Vector3d point = mesh_.point(v), normal = mesh_.normal(v);
       const bool landed = ground_.land(mesh_.place(v), point, normal, 20);
       const double moved = (point - mesh_.point(v)).norm();
-      if (landed && moved < 0.05 * mesh_.size(v)) {
+      if (landed && moved < freeLanding * mesh_.size(v)) {
         mesh_.set(v, point, normal, mesh_.size(v));
       } else {
         far[v] = 1;
@@ -342,9 +359,10 @@ void RemeshWorker::finish() {
     if (far[v] == 0) continue;
     Vector3d point = mesh_.point(v), normal = mesh_.normal(v);
     const Ring ring = mesh_.ring(v);
-    if (ground_.land(mesh_.place(v), point, normal, 50) && ringAgrees(v, ring, point, 0.4) &&
-        ringBadness(ring, point) < std::max(1.1, ringBadness(ring, mesh_.point(v))))
-      mesh_.set(v, point, normal, ground_.sizeAt(point));
+    if (ground_.land(mesh_.place(v), point, normal, 50) &&
+        ringAgrees(v, ring, point, kLeastAgreement) &&
+        ringBadness(ring, point) < std::max(landedBadness, ringBadness(ring, mesh_.point(v))))
+      mesh_.set(v, point, normal, ground_.sizeAt(v, point));
   }
 }
 

@@ -5,16 +5,14 @@
 
 namespace angiomesh {
 
-/// One run of remesh() or improveTriangles().
+/// One run of remesh(), improveTriangles() or keepWallSmooth().
 class RemeshWorker : public RemeshEdges {
  public:
-  RemeshWorker(const PatchMesh& start, const RemeshGround& ground, const Progress& progress,
-               const std::vector<char>& held = {})
-      : RemeshEdges(start, ground, progress, held) {}
+  using RemeshEdges::RemeshEdges;
 
   /// Works on the bad triangles one by one.
   void repair();
-  /// Brings the vertices exactly to phi = 0.
+  /// Brings the vertices exactly to the wall.
   void finish();
 
  private:

@@ -72,9 +72,12 @@ TriMesh keepWallSmooth(const TriMesh& mesh, const SmoothParams& params, const Sp
     if (!inscribed.triangles.empty())
       inscribed.putInto(
           result, offsetBySagitta(inscribed.mesh, *phi, ports, frozen, progress.sub(0.0, 0.1)));
-    if (!others.triangles.empty())
-      others.putInto(result, WallSmoother(others.mesh, params, phi, *wall, ports, frozen)
-                                 .run(progress.sub(0.1, 0.85)));
+    if (!others.triangles.empty()) {
+      const WallPlaces places(others.mesh, phi, ports, frozen);
+      const WallGround ground(*wall, places);
+      const Progress part = progress.sub(0.1, 0.85);
+      others.putInto(result, WallSmoother(places, ground, *wall, params, part).run());
+    }
     return result;
   };
   std::size_t count = 0;

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "core/base/parallel.h"
-#include "core/mesh/half_edges.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/openings/held_planes.h"
 #include "core/smooth/smooth_soundly.h"
@@ -24,9 +23,8 @@ using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 // None where the mesh is no manifold: vertices of several fans and edges of several triangles have
 // no place in OpenMesh.
 std::optional<HalfEdgeMesh> halfEdgeMesh(const TriMesh& mesh) {
-  const HalfEdges edges(mesh);
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
-    if (edges.irregular(v)) return std::nullopt;
+  for (const char irregular : irregularVertices(mesh, sortedEdgeSides(mesh)))
+    if (irregular != 0) return std::nullopt;
   HalfEdgeMesh result;
   result.reserve(mesh.points.size(), 3 * mesh.triangles.size() / 2, mesh.triangles.size());
   for (const Eigen::Vector3d& p : mesh.points) result.add_vertex({p.x(), p.y(), p.z()});

@@ -17,8 +17,8 @@ enum class SmoothMethod { KeepWall, Taubin, None };
 struct SmoothParams {
   SmoothMethod method = SmoothMethod::KeepWall;
   int iterations = 50;   ///< pairs of a lambda and a mu step
-  double lambda = 0.50;  ///< thesis 4.3, eq. 4.6
-  double mu = -0.54;     ///< thesis 4.3, eq. 4.7
+  double lambda = 0.50;  ///< Taubin: thesis 4.3, eq. 4.6
+  double mu = -0.54;     ///< Taubin: thesis 4.3, eq. 4.7
   double wallBoundVoxels =
       0.05;  ///< KeepWall: largest distance of a vertex from phi = 0, working voxels
 
@@ -41,10 +41,10 @@ TriMesh taubinSmooth(const TriMesh& mesh, const SmoothParams& params, const Prog
 /// surroundings of triangles that would come to meet stay as they were. Rims and caps, of patches
 /// and in the outermost planes of voxel centres of phi, stay in their planes, and rims come to
 /// enclose the area of phi < 0 there (see offsetBySagitta()). On other meshes, such as marching
-/// cubes: in each of `iterations` sweeps the vertices slide along the wall towards their
-/// neighbours' mean (by lambda; mu is not used, as nothing shrinks), and edges are flipped where
-/// that makes better triangles; then the worst triangles are worked on one by one, and the volume
-/// that the input enclosed is given back place by place. The wall is phi = 0: vertices end within
+/// cubes: in each of `iterations` sweeps, or until nothing moves, the vertices slide along the wall
+/// to where the triangles around them are best, and edges are flipped (as by remesh(); lambda and
+/// mu are Taubin's); then the worst triangles are worked on one by one, and the volume that the
+/// input enclosed is given back place by place. The wall is phi = 0: vertices end within
 /// wallBoundVoxels of it, except where a triangle would fold over. Without `phi` it is the input
 /// surface, and the mean edge length counts as a voxel. Vertices of caps (patches, or outside the
 /// outermost voxel centres of phi) and of open rims (there, and at `ports`) stay in their planes.

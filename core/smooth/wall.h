@@ -28,6 +28,8 @@ class Wall {
     // A hair less: offsets are distances to first order.
     return 0.98 * boundUnits * unitMm();
   }
+  /// The least cosine between the wall's normals where a vertex lay and where it may slide to.
+  [[nodiscard]] virtual double leastTurn() const { return -1.0; }
 
  protected:
   Wall() = default;
@@ -61,6 +63,9 @@ class MeshWall : public Wall {
   [[nodiscard]] double offsetLimitMm(double boundUnits) const override {
     return 0.5 * Wall::offsetLimitMm(boundUnits);
   }
+  /// Some 8 degrees: between its vertices a mesh says little of the wall, and those of a thin
+  /// vessel would cut it off.
+  [[nodiscard]] double leastTurn() const override { return 0.99; }
 
  private:
   const TriMesh& mesh_;

@@ -5,158 +5,278 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/triangle_shape.h"
 
 namespace angiomesh {
+namespace {
 
-TriMesh WallSmoother::run(const Progress& progress) {
-  const std::vector<double> before = wallOffsets(progress);
+constexpr std::size_t blockSize = 2048;
+/// Rounds of averaging over neighbours, for what belongs to a place rather than to a vertex: the
+/// triangles that meet in a vertex before do not meet there after.
+constexpr int kSpreads = 8;
+
+/// Of each vertex the mean length of its edges, evened out over the vertices around.
+std::vector<double> edgeLengths(const TriMesh& mesh) {
+  const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
+  std::vector<double> lengths(mesh.points.size(), 0.0), sums(lengths.size());
+  std::vector<double> counts(lengths.size());
+  for (int round = 0; round <= kSpreads; ++round) {
+    std::fill(sums.begin(), sums.end(), 0.0);
+    std::fill(counts.begin(), counts.end(), 0.0);
+    for (std::size_t i = 0; i < sides.size(); i = edgeRunEnd(sides, i)) {
+      const std::uint32_t a = sides[i].low, b = sides[i].high;
+      const double length = (mesh.points[a] - mesh.points[b]).norm();
+      sums[a] += round == 0 ? length : lengths[b];
+      sums[b] += round == 0 ? length : lengths[a];
+      counts[a] += 1.0;
+      counts[b] += 1.0;
+    }
+    for (std::size_t v = 0; v < lengths.size(); ++v) {
+      const double mean = counts[v] > 0.0 ? sums[v] / counts[v] : 0.0;
+      lengths[v] = round == 0 ? mean : 0.5 * (lengths[v] + mean);
+    }
+  }
+  return lengths;
+}
+
+}  // namespace
+
+WallGround::WallGround(const Wall& wall, const WallPlaces& places)
+    : wall_(wall),
+      places_(places),
+      sizes_(edgeLengths(places.mesh.mesh)),
+      normals_(places.mesh.mesh.points.size()) {
+  parallelFor(0, normals_.size(), blockSize, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v)
+      normals_[v] = wall_.at(places_.mesh.mesh.points[v]).normal;
+  });
+}
+
+bool WallGround::allows(std::uint32_t vertex, const Vector3d& normal) const {
+  return !places_.mesh.place[vertex].wall || normal.dot(normals_[vertex]) >= wall_.leastTurn();
+}
+
+Eigen::Vector3d WallGround::along(const Place& place, const Vector3d& normal,
+                                  const Vector3d& step) const {
+  if (place.planes() == 0) return step - step.dot(normal) * normal;
+  const Vector3d& plane = planeNormal(place.firstPlane());
+  if (plane.isZero()) return step;
+  if (!place.wall) return step - step.dot(plane) * plane;
+  const Vector3d line = normal.cross(plane);
+  const double square = line.squaredNorm();
+  if (square < 1e-4) return Vector3d::Zero();
+  return step.dot(line) / square * line;
+}
+
+Eigen::Vector3d WallGround::toWall(const Place& place, const Wall::Sample& s, double offset) const {
+  Vector3d way = s.normal;
+  if (place.planes() > 0) {
+    const Vector3d& plane = planeNormal(place.firstPlane());
+    way -= way.dot(plane) * plane;
+  }
+  const double share = way.squaredNorm();
+  if (share < 0.1) return Vector3d::Zero();
+  return (offset - s.offset) / share * way;
+}
+
+bool WallGround::land(const Place& place, Vector3d& point, Vector3d& normal, int steps) const {
+  const bool inPlane = place.planes() > 0;
+  if (!place.wall) {
+    normal = planeNormal(place.firstPlane());
+    return true;
+  }
+  const bool onLine = inPlane && planeNormal(place.firstPlane()).isZero();
+  for (int n = 0; n < steps; ++n) {
+    const Wall::Sample sample = wall_.at(point);
+    if (sample.normal.isZero()) return false;
+    normal = sample.normal;
+    if (onLine || std::abs(sample.offset) <= 1e-6 * wall_.unitMm()) break;
+    const Vector3d step = toWall(place, sample, 0.0);
+    if (step.isZero()) return false;
+    point += step;
+  }
+  return true;
+}
+
+WallSmoother::WallSmoother(const WallPlaces& places, const WallGround& ground, const Wall& wall,
+                           const SmoothParams& params, const Progress& progress)
+    : RemeshWorker(places.mesh, ground, progress, places.fixed, Edits::FlipsOnly),
+      places_(places),
+      wallGround_(ground),
+      wall_(wall),
+      params_(params),
+      points_(places.mesh.mesh.points),
+      normals_(points_.size(), Vector3d::Zero()) {
+  // Without a normal nothing can slide.
+  for (std::uint32_t v = 0; v < points_.size(); ++v)
+    if (mesh_.normal(v).isZero()) mesh_.lock(v);
+}
+
+TriMesh WallSmoother::run() {
+  const std::vector<double> before = wallOffsets();
+  constexpr int sweepsBetweenFlips = 5;
   const int sweeps = params_.iterations;
-  for (int i = 0; i < sweeps; ++i) {
-    relax(params_.lambda, progress);
+  for (int done = 0; done < sweeps; done += sweepsBetweenFlips) {
+    relax(std::min(sweepsBetweenFlips, sweeps - done), 0.01);
     // Even valences first, as they let the vertices spread; angles in the end.
-    if (i % 5 == 4) flipEdges(i + 10 < sweeps, progress);
-    progress.report(0.8 * (i + 1) / sweeps);
+    const bool early = done < 2 * sweepsBetweenFlips && done + 2 * sweepsBetweenFlips < sweeps;
+    if (flipEdges(early ? FlipBy::Valence : FlipBy::Shape, false) == 0 && !early) break;
+    progress_.report(0.7 * std::min(done + sweepsBetweenFlips, sweeps) / sweeps);
   }
-  refreshNormals();
-  for (int i = 0; i < 6; ++i) {
-    if (improveWorst(progress) == 0) break;
-    flipEdges(false, progress);
-  }
-  progress.report(0.9);
-  for (int i = 0; i < 3; ++i) relax(0.0, progress);
-  refreshNormals();
-  std::vector<double> given(points_.size(), 0.0);
-  for (int i = 0; i < 2; ++i) restoreOffsets(before, given, progress);
-  enforceBound(progress);
-  return {points_, edges_.triangles(), patch_};
-}
-
-int WallSmoother::excess(std::uint32_t v, int change) const {
-  return std::abs(edges_.valence(v) + change - (edges_.onRim(v) ? 4 : 6));
-}
-
-// Whether flipping h makes a better pair of triangles on the same surface.
-bool WallSmoother::worthFlipping(std::uint32_t h, bool byValence) const {
-  const std::uint32_t g = edges_.twin(h);
-  if (!patch_.empty() && patch_[h / 3] != patch_[g / 3]) return false;
-  const std::uint32_t a = edges_.origin(h), b = edges_.origin(g);
-  const std::uint32_t c = edges_.origin(HalfEdges::previous(h));
-  const std::uint32_t d = edges_.origin(HalfEdges::previous(g));
-  for (const std::uint32_t v : {a, b, c, d}) {
-    if (freedom_[v].fixed) return false;
-  }
-  const Corners s{a, b, c}, t{b, a, d}, u{a, d, c}, w{d, b, c};
-  const bool inCap = inOneCap(s);
-  if (inOneCap(t) != inCap || inOneCap(u) != inCap || inOneCap(w) != inCap) return false;
-
-  const Fitness fs = fitness(s, points_), ft = fitness(t, points_);
-  const Fitness fu = fitness(u, points_), fw = fitness(w, points_);
-  const double sharpBefore = std::max(fs.sharpness, ft.sharpness);
-  const double sharpAfter = std::max(fu.sharpness, fw.sharpness);
-  if (byValence) {
-    const int now = excess(a, 0) + excess(b, 0) + excess(c, 0) + excess(d, 0);
-    const int then = excess(a, -1) + excess(b, -1) + excess(c, 1) + excess(d, 1);
-    if (then > now || sharpAfter > std::max(0.95, sharpBefore)) return false;
-    if (then == now && sharpAfter > sharpBefore - 0.01) return false;
-  } else if (sharpAfter > sharpBefore - 1e-3) {
-    return false;
-  }
-  const double agreeBefore = std::min(fs.agreement, ft.agreement);
-  const double agreeAfter = std::min(fu.agreement, fw.agreement);
-  if (agreeAfter < std::min(0.7, agreeBefore)) return false;
-  const auto bend = [&](const Corners& p, const Corners& q) {
-    return unitNormal(points_[p[0]], points_[p[1]], points_[p[2]])
-        .dot(unitNormal(points_[q[0]], points_[q[1]], points_[q[2]]));
-  };
-  return bend(u, w) >= std::min(0.85, bend(s, t));
-}
-
-void WallSmoother::flipEdges(bool byValence, const Progress& progress) {
-  const auto count = static_cast<std::uint32_t>(3 * edges_.triangles().size());
-  for (std::uint32_t h = 0; h < count; ++h) {
-    if (h % 16384 == 0) progress.check();
-    const std::uint32_t g = edges_.twin(h);
-    if (g == HalfEdges::none || g < h) continue;
-    if (worthFlipping(h, byValence) && edges_.canFlip(h)) edges_.flip(h);
-  }
-}
-
-// The worst of the triangles around v if it were at `place`.
-WallSmoother::Fitness WallSmoother::around(std::uint32_t v, const Ring& ring, std::size_t n,
-                                           const Vector3d& place, const Vector3d& normal) const {
-  Fitness worst;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t a = ring[i], b = ring[(i + 1) % n];
-    const Vector3d m = unitNormal(place, points_[a], points_[b]);
-    double agreement = m.dot(normal);
-    if (!inOneCap({v, a, b})) {
-      for (const std::uint32_t u : {a, b}) {
-        if (!freedom_[u].cap) agreement = std::min(agreement, m.dot(normals_[u]));
-      }
-    }
-    worst.agreement = std::min(worst.agreement, agreement);
-    worst.sharpness = std::max(worst.sharpness, largestCosine(place, points_[a], points_[b]));
-  }
-  return worst;
-}
-
-// Looks about v, along the wall, for the place where the worst triangle around it is best.
-bool WallSmoother::improve(std::uint32_t v) {
-  if (freedom_[v].fixed || edges_.onRim(v)) return false;
-  const Surroundings s = surroundings(v);
-  if (s.count == 0 || (freedom_[v].cap && !s.insideCap)) return false;
-  Ring ring{};
-  const std::size_t n = ringOf(v, ring);
-  Vector3d normal = s.insideCap ? freedom_[v].planeNormal : normals_[v];
-  if (normal.isZero()) return false;
-  Fitness best = around(v, ring, n, points_[v], normal);
-  const double reach = 0.5 * wall_.offsetLimitMm(params_.wallBoundVoxels);
-  bool moved = false;
-  double step = 0.25 * (points_[ring[0]] - points_[v]).norm();
-  for (int round = 0; round < 4; ++round, step *= 0.5) {
-    const Vector3d from = points_[v];
-    const Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
-    for (int k = 0; k < 8; ++k) {
-      static constexpr double half = 0.70710678118654752;
-      static constexpr double turn[8][2] = {{1, 0},  {half, half},   {0, 1},  {-half, half},
-                                            {-1, 0}, {-half, -half}, {0, -1}, {half, -half}};
-      Vector3d place = from + step * (turn[k][0] * x + turn[k][1] * y);
-      Vector3d there = normal;
-      Fitness f = around(v, ring, n, place, there);
-      if (f.sharpness >= best.sharpness - 1e-4) continue;
-      if (!s.insideCap) {
-        for (int newton = 0; newton < 2; ++newton) place += toWall(v, wall_.at(place), 0.0);
-        const Wall::Sample reached = wall_.at(place);
-        if (std::abs(reached.offset) > reach) continue;
-        there = reached.normal;
-        f = around(v, ring, n, place, there);
-      }
-      if (f.sharpness >= best.sharpness - 1e-4) continue;
-      if (f.agreement < std::min(0.6, best.agreement)) continue;
-      best = f;
-      points_[v] = place;
-      normals_[v] = there;
-      moved = true;
-    }
-    normal = s.insideCap ? normal : normals_[v];
-  }
-  return moved;
-}
-
-// Works on the vertices of triangles with an angle below 33 degrees; returns how many moved.
-std::size_t WallSmoother::improveWorst(const Progress& progress) {
-  std::vector<char> bad(points_.size(), 0);
-  for (const Corners& t : edges_.triangles()) {
-    if (largestCosine(points_[t[0]], points_[t[1]], points_[t[2]]) < 0.8387) continue;
-    for (const std::uint32_t v : t) bad[v] = 1;
-  }
-  std::size_t count = 0;
+  repair();
+  finish();
+  progress_.report(0.9);
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    if (v % 1024 == 0) progress.check();
-    if (bad[v] != 0 && improve(v)) ++count;
+    points_[v] = mesh_.point(v);
+    normals_[v] = mesh_.normal(v);
   }
-  return count;
+  std::vector<double> given(points_.size(), 0.0);
+  for (int i = 0; i < 2; ++i) restoreOffsets(before, given);
+  enforceBound();
+  TriMesh result = places_.mesh.mesh;
+  result.points = points_;
+  for (std::uint32_t t = 0; t < result.triangles.size(); ++t) result.triangles[t] = corners(t);
+  return result;
+}
+
+WallSmoother::Fitness WallSmoother::fitness(std::uint32_t t,
+                                            const std::vector<Vector3d>& at) const {
+  const Corners c = corners(t);
+  const Vector3d n = unitNormal(at[c[0]], at[c[1]], at[c[2]]);
+  Fitness f;
+  f.sharpness = largestCosine(at[c[0]], at[c[1]], at[c[2]]);
+  if (mesh_.patch(t) > 0) {
+    f.agreement = n.dot(wallGround_.planeNormal(mesh_.patch(t) - 1));
+    return f;
+  }
+  for (const std::uint32_t v : c)
+    if (mesh_.place(v).wall) f.agreement = std::min(f.agreement, n.dot(normals_[v]));
+  return f;
+}
+
+// Takes the new places except where a triangle would turn away from the wall or lose its shape: its
+// corners stay.
+void WallSmoother::accept(std::vector<Vector3d>& moved, const Limits& limits) {
+  const std::size_t count = places_.mesh.mesh.triangles.size();
+  std::vector<char> bad(count);
+  bool any = true;
+  while (any) {
+    parallelFor(0, count, blockSize, [&](std::size_t first, std::size_t last) {
+      progress_.check();
+      for (std::size_t i = first; i < last; ++i) {
+        bad[i] = 0;
+        const auto t = static_cast<std::uint32_t>(i);
+        const Corners c = corners(t);
+        if (moved[c[0]] == points_[c[0]] && moved[c[1]] == points_[c[1]] &&
+            moved[c[2]] == points_[c[2]])
+          continue;
+        const Fitness after = fitness(t, moved);
+        const bool turned = after.agreement < limits.agreement;
+        const bool thin = after.sharpness > limits.sharpness;
+        if (!turned && !thin) continue;
+        const Fitness now = fitness(t, points_);
+        if ((turned && after.agreement < now.agreement) ||
+            (thin && after.sharpness > now.sharpness))
+          bad[i] = 1;
+      }
+    });
+    any = false;
+    for (std::uint32_t t = 0; t < count; ++t) {
+      if (bad[t] == 0) continue;
+      any = true;
+      for (const std::uint32_t v : corners(t)) moved[v] = points_[v];
+    }
+  }
+  points_.swap(moved);
+}
+
+// Mean signed distance of the triangles around each vertex from the wall. The mean over the middles
+// of the edges integrates a quadratic exactly: it sees the chords cut the curve.
+std::vector<double> WallSmoother::wallOffsets() const {
+  const std::size_t count = places_.mesh.mesh.triangles.size();
+  std::vector<double> volume(count), area(count);
+  parallelFor(0, count, blockSize, [&](std::size_t first, std::size_t last) {
+    progress_.check();
+    for (std::size_t i = first; i < last; ++i) {
+      const Corners c = corners(static_cast<std::uint32_t>(i));
+      if (places_.offWall[c[0]] != 0 || places_.offWall[c[1]] != 0 || places_.offWall[c[2]] != 0)
+        continue;
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+        sum += wall_.at(0.5 * (points_[c[k]] + points_[c[(k + 1) % 3]])).offset / 3.0;
+      area[i] = (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]).norm();
+      volume[i] = area[i] * sum;
+    }
+  });
+  std::vector<double> volumes(points_.size(), 0.0), areas(points_.size(), 0.0);
+  for (std::uint32_t t = 0; t < count; ++t)
+    for (const std::uint32_t v : corners(t)) {
+      volumes[v] += volume[t];
+      areas[v] += area[t];
+    }
+  for (int round = 0; round < kSpreads; ++round) {
+    spread(volumes);
+    spread(areas);
+  }
+  for (std::size_t v = 0; v < volumes.size(); ++v)
+    volumes[v] = areas[v] > 0.0 ? volumes[v] / areas[v] : 0.0;
+  return volumes;
+}
+
+void WallSmoother::spread(std::vector<double>& values) const {
+  std::vector<double> next = values;
+  parallelFor(0, values.size(), blockSize, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto v = static_cast<std::uint32_t>(i);
+      if (!mesh_.livesVertex(v)) continue;
+      const Ring ring = mesh_.ring(v);
+      double sum = 0.0;
+      for (std::uint32_t k = 0; k < ring.count; ++k) sum += values[ring.vertex[k]];
+      next[v] = 0.5 * values[v] + 0.5 * sum / ring.count;
+    }
+  });
+  values.swap(next);
+}
+
+// Moves the vertices off the wall by what brings back the volume that the mesh enclosed before,
+// place by place, as far as the bound allows.
+void WallSmoother::restoreOffsets(const std::vector<double>& before, std::vector<double>& given) {
+  const std::vector<double> now = wallOffsets();
+  const double bound = wall_.offsetLimitMm(params_.wallBoundVoxels);
+  std::vector<Vector3d> moved = points_;
+  parallelFor(0, points_.size(), blockSize, [&](std::size_t first, std::size_t last) {
+    progress_.check();
+    for (std::size_t i = first; i < last; ++i) {
+      const auto v = static_cast<std::uint32_t>(i);
+      if (!hasOffset(v)) continue;
+      given[v] = std::clamp(given[v] + before[v] - now[v], -bound, bound);
+      const Wall::Sample s = wall_.at(points_[v]);
+      if (!s.normal.isZero()) moved[v] += wallGround_.toWall(mesh_.place(v), s, given[v]);
+    }
+  });
+  accept(moved, {});
+}
+
+// Vertices that had to stay back for the sake of a triangle's shape go within the bound after all
+// unless the triangle would fold over.
+void WallSmoother::enforceBound() {
+  const double bound = wall_.offsetLimitMm(params_.wallBoundVoxels);
+  for (int round = 0; round < 4; ++round) {
+    std::vector<Vector3d> moved = points_;
+    parallelFor(0, points_.size(), blockSize, [&](std::size_t first, std::size_t last) {
+      progress_.check();
+      for (std::size_t i = first; i < last; ++i) {
+        const auto v = static_cast<std::uint32_t>(i);
+        if (!hasOffset(v)) continue;
+        const Wall::Sample s = wall_.at(points_[v]);
+        if (s.normal.isZero() || std::abs(s.offset) <= 1.01 * bound) continue;
+        moved[v] += wallGround_.toWall(mesh_.place(v), s, std::clamp(s.offset, -bound, bound));
+      }
+    });
+    accept(moved, {0.1, 0.9998});
+  }
 }
 
 }  // namespace angiomesh

@@ -95,7 +95,7 @@ const std::map<std::string, std::string> kMayInclude{
     {"core/cuts", "base image field mesh distance centreline openings contour"},
     {"core/front", "base field mesh openings sizing contour"},
     {"core/remesh", "base field mesh openings sizing contour"},
-    {"core/smooth", "base field mesh openings"},
+    {"core/smooth", "base field mesh openings contour remesh"},
     {"core/surface", "base field mesh openings sizing contour cuts front remesh"},
     {"core/quality", "base image field mesh sizing phantom"},
     {"core/parameters",

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/contour/marching_cubes.h"
-#include "core/mesh/half_edges.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/self_intersection.h"
 #include "core/mesh/triangle_tree.h"
 #include "core/quality/mesh_quality.h"
@@ -269,11 +269,9 @@ class TestSmoothing : public QObject {
     const Scene scene = tubeScene(3.0, SurfaceBorder::Open);
     const Geometry& g = scene.phi.geometry;
     const TriMesh smooth = keepWallSmooth(scene.mesh, {}, scene.field.get());
-    const HalfEdges edges(smooth);
     int rim = 0;
-    for (std::uint32_t v = 0; v < smooth.points.size(); ++v) {
-      const double k = g.toIndex(smooth.points[v]).z();
-      if (!edges.onRim(v)) continue;
+    for (const RimEdge& edge : rimEdges(smooth)) {
+      const double k = g.toIndex(smooth.points[edge.from]).z();
       QVERIFY(std::abs(k) < 1e-9 || std::abs(k - (g.size[2] - 1)) < 1e-9);
       ++rim;
     }
@@ -325,33 +323,6 @@ class TestSmoothing : public QObject {
     wrong.triangles.push_back({0, 1, 99});
     QVERIFY_EXCEPTION_THROWN(keepWallSmooth(wrong, {}), InputError);
     QVERIFY_EXCEPTION_THROWN(taubinSmooth(wrong, {}), InputError);
-  }
-
-  void flipsKeepTheAdjacency() {
-    const TriMesh mesh = shapes::icosphere(2);
-    HalfEdges edges(mesh);
-    int flipped = 0;
-    for (std::uint32_t n = 0; n < 400; ++n) {
-      const auto h = static_cast<std::uint32_t>(randomBits(3, n) % (3 * mesh.triangles.size()));
-      if (!edges.canFlip(h)) continue;
-      edges.flip(h);
-      ++flipped;
-    }
-    QVERIFY(flipped > 200);
-    const MeshQuality q = measureQuality({mesh.points, edges.triangles()});
-    QVERIFY(q.closed);
-    QCOMPARE(q.euler, 2);
-    const HalfEdges fresh({mesh.points, edges.triangles()});
-    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-      QVERIFY(!fresh.irregular(v));
-      QCOMPARE(edges.valence(v), fresh.valence(v));
-    }
-    for (std::uint32_t h = 0; h < 3 * mesh.triangles.size(); ++h) {
-      QCOMPARE(edges.twin(h), fresh.twin(h));
-    }
-    // A tetrahedron has every edge already.
-    const HalfEdges tetrahedron(shapes::tetrahedron());
-    for (std::uint32_t h = 0; h < 12; ++h) QVERIFY(!tetrahedron.canFlip(h));
   }
 
   void threadsDoNotMatter() {
