@@ -65,6 +65,11 @@ double portableLog(double x) {
   return exponent * kLn2High + (2.0 * s * sum + exponent * kLn2Low);
 }
 
+double portableCubeRoot(double x) {
+  const double root = portableExp(portableLog(x) / 3.0);
+  return root - (root * root * root - x) / (3.0 * root * root);
+}
+
 double portableCosTurns(double x) {
   const double turns = std::fabs(x - std::floor(x + 0.5));  // 0 .. 1/2
   if (turns > 0.375) return -cosineSeries((0.5 - turns) * kTwoPi);

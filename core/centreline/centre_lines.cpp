@@ -175,8 +175,8 @@ void CentreLines::cover(std::uint32_t number) {
     const int rj = static_cast<int>(radius / spacing[1]);
     for (int dk = -rk; dk <= rk; ++dk)
       for (int dj = -rj; dj <= rj; ++dj) {
-        const double rest =
-            radius * radius - std::pow(dk * spacing[2], 2) - std::pow(dj * spacing[1], 2);
+        const double y = dj * spacing[1], z = dk * spacing[2];
+        const double rest = radius * radius - z * z - y * y;
         if (rest < 0.0) continue;
         const int ri = static_cast<int>(std::sqrt(rest) / spacing[0]);
         set_.forRow(p[0] - ri, p[0] + ri, p[1] + dj, p[2] + dk, [&](std::size_t n, int) {

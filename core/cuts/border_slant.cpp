@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/cuts/border_slant.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <unordered_set>
 
@@ -12,6 +12,7 @@
 #include "core/centreline/vessel_at.h"
 #include "core/cuts/clip_reference.h"
 #include "core/image/voxels.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/openings/cut_away.h"
 #include "core/openings/section.h"
 
@@ -49,8 +50,8 @@ BorderSlant slantOf(const Port& port, const Section& section) {
   slant.centreLps = section.centreLps;
   slant.sectionAreaMm2 = section.areaMm2;
   slant.areaRatio = port.areaMm2 / section.areaMm2;
-  const double cosine = std::clamp(slant.axisLps.dot(port.normalLps), -1.0, 1.0);
-  slant.angleDeg = std::acos(cosine) * 180.0 / M_PI;
+  slant.angleDeg =
+      angleDegrees(slant.axisLps.cross(port.normalLps).norm(), slant.axisLps.dot(port.normalLps));
   return slant;
 }
 

@@ -4,7 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/base/exact_math.h"
 #include "core/front/fill_loop.h"
 #include "core/mesh/triangle_shape.h"
 
@@ -54,7 +56,8 @@ void AdvancingFront::refresh(std::uint32_t id) {
   }
   const double length = (vertices_[e.to].point - vertices_[e.from].point).norm();
   const double wanted = 0.5 * (vertices_[e.from].length + vertices_[e.to].length);
-  push(id, Class::Free, std::fabs(std::log2(std::max(length, 1e-300) / wanted)));
+  const double octaves = std::numbers::log2e * portableLog(std::max(length, 1e-300) / wanted);
+  push(id, Class::Free, std::fabs(octaves));
 }
 
 void AdvancingFront::startAt(const Triangle& triangle) {

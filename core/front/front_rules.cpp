@@ -18,6 +18,9 @@ using Eigen::Vector3d;
 // triangles with no angle much below 30 degrees.
 constexpr double kClearOfVertex = 0.72, kClearOfEdge = 0.5, kEdgeClearOfVertex = 0.45;
 constexpr double kClearOfMesh = 0.6;
+// Tangents of half a corner: from 1.5 to 2.7 radians there is room for two triangles.
+constexpr double kLeastForTwo = 0.9315964599440725, kMostForTwo = 4.455221759562705;
+constexpr double kOfEvenTriangle = 1.7320508075688772;
 
 double squaredDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d ab = b - a;
@@ -140,14 +143,14 @@ void FrontRules::collect(const Frame& frame, const Vector3d& centre, double radi
   }
 }
 
-// The angle of the unmeshed sector between the front edges in -> v -> out, radians.
-double FrontRules::cornerAngle(std::uint32_t in, std::uint32_t out) const {
+// The tangent of half the angle of the unmeshed sector between the front edges in -> v -> out;
+// negative where that is more than a half turn.
+double FrontRules::halfCornerTangent(std::uint32_t in, std::uint32_t out) const {
   const FrontPoint& v = vertices_[edges_[out].from];
   const Vector3d z = vertices_[edges_[out].to].point - v.point;
   const Vector3d y = vertices_[edges_[in].from].point - v.point;
   const double sine = z.cross(y).dot(v.normal), cosine = z.dot(y);
-  const double angle = std::atan2(sine, cosine);
-  return angle < 0.0 ? angle + 2.0 * M_PI : angle;
+  return (std::sqrt(sine * sine + cosine * cosine) - cosine) / sine;
 }
 
 // Both new edges as long as wanted at their ends; where a corner of the front leaves room for
@@ -170,11 +173,11 @@ ApexWish FrontRules::wishFor(const Frame& frame, std::uint32_t id) const {
     sa = bounded(0.5 * (a.length + there));
     sb = bounded(0.5 * (b.length + there));
   }
-  const auto share = [](double corner) {
-    return corner > 1.5 && corner < 2.7 ? 0.5 * corner : M_PI / 3.0;
+  const auto share = [](double tangent) {
+    return tangent > kLeastForTwo && tangent < kMostForTwo ? tangent : kOfEvenTriangle;
   };
-  const double ta = std::tan(std::min(share(cornerAngle(e.previous, id)), 1.35));
-  const double tb = std::tan(std::min(share(cornerAngle(id, e.next)), 1.35));
+  const double ta = share(halfCornerTangent(e.previous, id));
+  const double tb = share(halfCornerTangent(id, e.next));
   const double along = base * tb / (ta + tb);
   const double height = along * ta;
   wish.along = 0.5 * (wish.along + along);

@@ -69,7 +69,7 @@ class FrontRules {
   void collect(const Frame& frame, const Eigen::Vector3d& centre, double radius, double spacing,
                bool relaxed);
   [[nodiscard]] ApexWish wishFor(const Frame& frame, std::uint32_t id) const;
-  [[nodiscard]] double cornerAngle(std::uint32_t in, std::uint32_t out) const;
+  [[nodiscard]] double halfCornerTangent(std::uint32_t in, std::uint32_t out) const;
   [[nodiscard]] bool clearAround(const Edge& e, const FrontPoint& apex) const;
   [[nodiscard]] bool meshedAt(const FrontPoint& place) const;
   [[nodiscard]] bool legal(const Frame& frame, std::uint32_t id, std::uint32_t apex,

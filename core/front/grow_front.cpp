@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/exact_math.h"
 #include "core/base/parallel.h"
 #include "core/front/advancing_front.h"
 #include "core/front/border_curves.h"
@@ -113,8 +114,9 @@ class Wall {
   bool startFrom(const FrontPoint& seed) {
     const Vector3d n = seed.normal;
     const Vector3d side = n.unitOrthogonal();
-    for (const double turn : {0.0, 0.7, 1.4, 2.1}) {
-      const Vector3d u = std::cos(turn) * side + std::sin(turn) * n.cross(side);
+    for (const double radians : {0.0, 0.7, 1.4, 2.1}) {
+      const double turns = radians / (2.0 * M_PI);
+      const Vector3d u = portableCosTurns(turns) * side + portableSinTurns(turns) * n.cross(side);
       FrontPoint second, third;
       // The wished corner of a base that has no other side yet: along the tangent.
       FrontPoint ahead = seed;

@@ -9,13 +9,13 @@
 
 #include "core/base/error.h"
 #include "core/mesh/mesh_edges.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/mesh/triangle_tree.h"
 
 namespace angiomesh {
 namespace {
 
 constexpr std::size_t kChords = 500;
-constexpr double kPi = 3.14159265358979323846;
 
 /// The triangles of the component that encloses the largest volume.
 std::vector<std::uint32_t> largestComponent(const TriMesh& mesh) {
@@ -88,10 +88,11 @@ double windingNumber(const TriMesh& mesh, const Eigen::Vector3d& point) {
     b -= point;
     c -= point;
     const double na = a.norm(), nb = b.norm(), nc = c.norm();
-    sum += 2.0 * std::atan2(a.dot(b.cross(c)),
-                            na * nb * nc + a.dot(b) * nc + b.dot(c) * na + c.dot(a) * nb);
+    const double y = a.dot(b.cross(c));
+    const double x = na * nb * nc + a.dot(b) * nc + b.dot(c) * na + c.dot(a) * nb;
+    sum += std::copysign(angleDegrees(std::fabs(y), x), y);  // half the solid angle
   }
-  return sum / (4.0 * kPi);
+  return sum / 360.0;
 }
 
 }  // namespace

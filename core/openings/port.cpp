@@ -8,15 +8,15 @@
 #include "core/base/formatted.h"
 #include "core/mesh/flat_area.h"
 #include "core/mesh/mesh_edges.h"
+#include "core/mesh/triangle_shape.h"
 
 namespace angiomesh {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // A rim is a polygon: of twelve sides it holds 4.5 % less than its circle, and smoothing gives that
 // back.
 constexpr double kLargestShare = 0.1;
-const double kLeastCosine = std::cos(2.0 * kPi / 180.0);
+constexpr double kLargestTurn = 2.0;  // degrees
 
 /// The rims are in a port's plane to this share of its diameter, what single precision leaves.
 constexpr double kHair = 1e-4;
@@ -90,6 +90,8 @@ std::vector<std::string> portFaults(const std::vector<Port>& expected, const Tri
   std::vector<std::string> faults;
   for (std::size_t n = 0; n < expected.size(); ++n) {
     const Port &was = expected[n], &is = found[n];
+    const double turn =
+        angleDegrees(is.normalLps.cross(was.normalLps).norm(), is.normalLps.dot(was.normalLps));
     std::string text;
     if (!(is.areaMm2 > 0.0))
       text = "is not there any more";
@@ -98,9 +100,8 @@ std::vector<std::string> portFaults(const std::vector<Port>& expected, const Tri
     else if ((is.centreLps - was.centreLps).norm() > kLargestShare * was.equivalentDiameterMm())
       text = formatted("has its centre %.3g mm from where it was",
                        (is.centreLps - was.centreLps).norm());
-    else if (is.normalLps.dot(was.normalLps) < kLeastCosine)
-      text = formatted("has turned by %.2f degrees",
-                       std::acos(std::min(1.0, is.normalLps.dot(was.normalLps))) * 180.0 / kPi);
+    else if (turn > kLargestTurn)
+      text = formatted("has turned by %.2f degrees", turn);
     if (!text.empty()) faults.push_back("the port '" + was.name + "' " + text);
   }
   return faults;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/exact_math.h"
 #include "core/base/random.h"
 #include "core/phantom/rasterise.h"
 #include "core/phantom/vessel_growth.h"

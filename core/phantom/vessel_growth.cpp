@@ -413,11 +413,6 @@ class Growth {
 
 }  // namespace
 
-double portableCubeRoot(double x) {
-  const double root = portableExp(portableLog(x) / 3.0);
-  return root - (root * root * root - x) / (3.0 * root * root);
-}
-
 double vesselVolume(const std::vector<VesselNode>& nodes, double radiusOfUnitFlow) {
   double sum = 0.0;
   for (const VesselNode& n : nodes)

@@ -9,9 +9,6 @@
 
 namespace angiomesh {
 
-/// Cube root of x > 0, the same bits on every machine.
-double portableCubeRoot(double x);
-
 /// A point of the tree and the vessel that leads to it from its parent.
 struct VesselNode {
   Eigen::Vector3d position;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/exact_math.h"
 #include "core/base/large_pages.h"
 #include "core/sizing/guidance_samples.h"
 
@@ -98,7 +99,7 @@ void addSmooth(ExpectedSurface& expected, const SplineField& field, const Sizing
     if (!part.kept) continue;
     ++expected.parts;
     const double before = expected.smoothTriangles;
-    double radius = std::cbrt(0.75 * part.volumeMm3 / M_PI);
+    double radius = portableCubeRoot(0.75 * part.volumeMm3 / M_PI);
     int tips = 2;
     if (part.measure && part.measure->meanRadiusMm > 0.0) {
       for (const VesselPiece& piece : part.measure->pieces)
@@ -231,7 +232,8 @@ std::vector<std::string> warningsOf(const ExpectedSurface& expected) {
 std::string aboutSoMany(double count) {
   if (count >= 999500.0)
     return "about " + text(count < 9.95e6 ? "%.1f" : "%.0f", 1e-6 * count) + " million";
-  const double unit = count < 100.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(count)) - 1.0);
+  double unit = 1.0;
+  while (count >= 100.0 * unit) unit *= 10.0;
   std::string digits = text("%.0f", std::round(count / unit) * unit);
   if (digits.size() > 3) digits.insert(digits.size() - 3, ",");
   return "about " + digits;

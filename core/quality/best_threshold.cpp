@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/exact_math.h"
 #include "core/base/parallel.h"
 
 namespace angiomesh {
@@ -52,7 +53,8 @@ BigVector<float> gaussian(const Volume<float>& image, double sigma) {
   std::vector<double> weight(static_cast<std::size_t>(reach) + 1);
   double sum = 0.0;
   for (int m = -reach; m <= reach; ++m)
-    sum += weight[static_cast<std::size_t>(std::abs(m))] = std::exp(-0.5 * m * m / (sigma * sigma));
+    sum += weight[static_cast<std::size_t>(std::abs(m))] =
+        portableExp(-0.5 * m * m / (sigma * sigma));
   BigVector<float> from = image.voxels;
   BigVector<float> to(from.size());
   std::size_t stride = 1;

@@ -378,7 +378,7 @@ IdealLength::IdealLength(const SplineField& field, const SizingParams& params) {
   shortest_ = 0.02 * g.voxelMm();
   const Eigen::Vector3d size(g.size[0], g.size[1], g.size[2]);
   longest_ = std::max(g.spacing.cwiseProduct(size).norm(), shortest_);
-  resolved_ = params.edgeMinVoxels.value_or(0.0) * std::cbrt(g.spacing.prod());
+  resolved_ = params.edgeMinVoxels.value_or(0.0) * portableCubeRoot(g.voxelVolumeMm3());
   edgeMin_ = std::max(params.edgeMinMm.value_or(shortest_), shortest_);
   edgeMax_ = std::min(params.edgeMaxMm.value_or(longest_), longest_);
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/parallel.h"
 #include "core/field/cell_bounds.h"
+#include "core/mesh/triangle_shape.h"
 #include "core/mesh/triangle_tree.h"
 
 namespace angiomesh {
@@ -170,11 +170,11 @@ class FacingCheck {
   // Measures at a point of the region. False where the field turns away.
   bool measure(const Vector3d& point, const Region& r, TurnedFace& face) const {
     const Vector3d gradient = field_.at(point).gradient;
-    const double length = gradient.norm();
-    const double cosine = length > 1e-12 ? gradient.dot(r.normal) / length : 0.0;
+    const bool flat = !(gradient.norm() > 1e-12);
+    const double cosine = gradient.dot(r.normal);
     face.degrees =
-        std::max(face.degrees, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi);
-    return cosine > 0.0;
+        std::max(face.degrees, flat ? 90.0 : angleDegrees(gradient.cross(r.normal).norm(), cosine));
+    return !flat && cosine > 0.0;
   }
 
   // Divides the region's box, but for what is too far from the triangle, until a bound over each

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/exact_math.h"
 #include "core/topology/voxel_topology.h"
 
 namespace angiomesh {
@@ -289,7 +290,7 @@ class Growth {
 
 std::vector<Handle> handlesOf(const Volume<float>& phi, const Progress& progress) {
   std::vector<Handle> handles = Growth(phi).find(progress);
-  const double voxel = std::cbrt(phi.geometry.voxelVolumeMm3());
+  const double voxel = portableCubeRoot(phi.geometry.voxelVolumeMm3());
   for (Handle& handle : handles)
     if (!handle.lengthIsLeast && handle.lengthMm < 8.0 * voxel)
       handle.kind = HandleKind::Hole;

@@ -51,7 +51,8 @@ Volume<float> blockMeans(const Volume<float>& image) {
 /// Squared distances in mm between centres, to the nearest block that is not inside, as far as the
 /// reach; blocks beyond the border do not count. Axis by axis (Saito and Toriwaki 1994).
 std::vector<float> squaredDepth(const std::vector<char>& inside, const Geometry& g) {
-  const auto far = static_cast<float>(std::pow(kReachBlocks * g.spacing.minCoeff(), 2));
+  const double reach = kReachBlocks * g.spacing.minCoeff();
+  const auto far = static_cast<float>(reach * reach);
   std::vector<float> from(inside.size()), to(inside.size());
   for (std::size_t n = 0; n < inside.size(); ++n) from[n] = inside[n] != 0 ? far : 0.0F;
   std::size_t stride = 1;

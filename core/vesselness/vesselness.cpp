@@ -90,16 +90,16 @@ std::vector<double> scalesMm(const VesselnessParams& params, const Geometry& geo
                          std::to_string(low) + " mm)",
                      "vesselness.sigmaMaxMm", "make it at least vesselness.sigmaMinMm");
   int count = 1;
-  const double ratio = std::log(high / low);
+  const double ratio = portableLog(high / low);
   if (params.scales) {
     count = *params.scales;
   } else if (ratio > 1e-9) {
-    const double log15 = std::log(1.5);
+    const double log15 = portableLog(1.5);
     const double difference = (high - low) / geometry.voxelMm();
     // The small amount keeps a ratio of exactly 1.5^n at n.
     count = params.scaleRule == ScaleRule::Ratio
                 ? static_cast<int>(std::ceil(ratio / log15 - 1e-9)) + 1
-                : std::max(2, static_cast<int>(std::ceil(std::log(difference) / log15 - 1e-9)));
+                : std::max(2, static_cast<int>(std::ceil(portableLog(difference) / log15 - 1e-9)));
   }
   std::vector<double> scales;
   for (int i = 0; i < count; ++i)

@@ -16,17 +16,47 @@ class TestBase : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  // Against the library in long double, at even steps and at random.
   void portableMathAgreesWithTheLibrary() {
-    for (double x = -700.0; x < 700.0; x += 0.37)
-      QVERIFY(std::fabs(portableExp(x) / std::exp(x) - 1.0) < 1e-13);
-    QCOMPARE(portableExp(0.0), 1.0);
-    for (double x = 1e-12; x < 1e12; x *= 1.37)
-      QVERIFY(std::fabs(portableLog(x) - std::log(x)) <
-              1e-14 * std::max(1.0, std::fabs(std::log(x))));
-    for (double x = -3.0; x < 3.0; x += 0.0137) {
-      QVERIFY(std::fabs(portableCosTurns(x) - std::cos(2.0 * M_PI * x)) < 1e-14);
-      QVERIFY(std::fabs(portableSinTurns(x) - std::sin(2.0 * M_PI * x)) < 1e-14);
+    const auto everywhere = [](double from, double to, auto agrees) {
+      const int n = 100000;
+      for (int i = 0; i < n; ++i)
+        for (const double t : {(i + 0.5) / n, randomUniform(11, static_cast<std::uint64_t>(i))})
+          if (!agrees(from + t * (to - from))) return false;
+      return true;
+    };
+    const auto ulps = [](double got, long double wanted) {
+      return std::fabs(got - wanted) / std::ldexp(1.0L, std::ilogb(wanted) - 52);
+    };
+    const long double turn = 2.0L * std::acos(-1.0L);
+    const auto exponential = [&](double x) {
+      return ulps(portableExp(x), std::exp(1.0L * x)) < 1.5L;
+    };
+    QVERIFY(everywhere(-700.0, 700.0, exponential));
+    QVERIFY(everywhere(-1.0, 1.0, exponential));
+    const auto logarithm = [&](double x) {
+      return ulps(portableLog(x), std::log(1.0L * x)) < 3.0L;
+    };
+    const auto root = [&](double x) {
+      return ulps(portableCubeRoot(x), std::cbrt(1.0L * x)) < 1.0L;
+    };
+    for (const double most : {2.0, 1e-300, 1e-3, 1e3, 1e300}) {
+      QVERIFY(everywhere(0.01 * most, most, logarithm));
+      QVERIFY(everywhere(0.01 * most, most, root));
     }
+    QVERIFY(everywhere(0.9, 1.1, logarithm));
+    for (const double reach : {0.2, 3.0, 1e6})
+      QVERIFY(everywhere(-reach, reach, [&](double x) {
+        const long double angle = turn * (x - std::floor(1.0L * x));
+        const long double rounding = std::fabs((x - 0.25) - (x - 0.25L));
+        return std::fabs(portableCosTurns(x) - std::cos(angle)) < 2.5e-16L &&
+               std::fabs(portableSinTurns(x) - std::sin(angle)) < 2.5e-16L + turn * rounding;
+      }));
+    QCOMPARE(portableExp(0.0), 1.0);
+    QCOMPARE(portableLog(1.0), 0.0);
+    QCOMPARE(portableSinTurns(0.0), 0.0);
+    QCOMPARE(portableCosTurns(0.25), 0.0);
+    for (const double x : {0.25, 0.3, 0.5, 3.0}) QCOMPARE(portableCubeRoot(x * x * x), x);
   }
 
   void normalNumbersHaveTheMomentsOfTheNormalDistribution() {
