@@ -71,7 +71,7 @@ TriMesh PanelMaker::surface(const PanelRecipe& recipe, const Progress& progress)
   if (recipe.marchingCubes) return marchingCubes(phi_, SurfaceBorder::Open, progress);
   SizingParams sizing = recipe.sizing;
   if (!recipe.gradation) {
-    sizing.curvatureRelax *= sizing.etaCompensated ? 1.0 : sizing.etaInverse;
+    sizing.curvatureRelax *= sizing.startFactor();
     sizing.etaCompensated = true;
     sizing.etaInverse = noGradation;
   }

@@ -14,9 +14,6 @@
 namespace angiomesh {
 namespace {
 
-/// Of an equilateral triangle with edges of 1.
-const double kUnitTriangle = 0.25 * std::sqrt(3.0);
-
 /// The fronts' triangles are a little smaller than equilateral ones of the wanted edge: where they
 /// meet there is no room for whole ones.
 constexpr double kFrontExcess = 1.045;
@@ -70,11 +67,11 @@ double capTriangles(const SplineField& field, const GuidanceField& size, const C
           const double length = size.at(point);
           rim += pixel;
           rimLength += pixel * length;
-          triangles += pixel / (kUnitTriangle * length * length);
+          triangles += evenTriangles(pixel, length);
         }
       if (rim == 0.0) continue;
       const double length = rimLength / rim + 3.0 * voxel * size.slope();
-      triangles += deep / (kUnitTriangle * length * length);
+      triangles += evenTriangles(deep, length);
     }
   }
   return triangles;
@@ -84,15 +81,10 @@ double capTriangles(const SplineField& field, const GuidanceField& size, const C
 void addSmooth(ExpectedSurface& expected, const SplineField& field, const SizingParams& sizing,
                const std::vector<SegmentComponent>& components) {
   const IdealLength ideal(field, sizing);
-  const auto edgeAt = [&](double radius) {
-    double length = ideal.fromCurvature(1.0 / radius);
-    if (ideal.limitsByThickness()) length = std::min(length, ideal.fromThickness(2.0 * radius));
-    return ideal.limited(length);
-  };
   std::vector<std::pair<double, double>> edges;  // length and the area that has it
   const auto add = [&](double area, double radius) {
-    const double edge = edgeAt(radius);
-    expected.smoothTriangles += area / (kUnitTriangle * edge * edge);
+    const double edge = ideal.at(1.0 / radius, [&](double) { return 2.0 * radius; });
+    expected.smoothTriangles += evenTriangles(area, edge);
     edges.emplace_back(edge, area);
   };
   for (const SegmentComponent& part : components) {

@@ -2,7 +2,6 @@
 #include "core/quality/sizing_check.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -45,8 +44,7 @@ SizingCheck checkSizing(const TriMesh& mesh, const GuidanceField& wanted, const 
       const Eigen::Vector3d& a = mesh.points[mesh.triangles[t][0]];
       const Eigen::Vector3d& b = mesh.points[mesh.triangles[t][1]];
       const Eigen::Vector3d& c = mesh.points[mesh.triangles[t][2]];
-      const double g = wanted.at((a + b + c) / 3.0);
-      counts[t] = 0.5 * (b - a).cross(c - a).norm() / (0.25 * std::sqrt(3.0) * g * g);
+      counts[t] = evenTriangles(0.5 * (b - a).cross(c - a).norm(), wanted.at((a + b + c) / 3.0));
     }
   });
 

@@ -242,9 +242,8 @@ void GuidanceField::Data::estimate() {
     std::array<double, 2>& part = parts[first / grain];
     for (std::size_t s = first; s < last; ++s) {
       const Sample& sample = surface.samples[s];
-      const double g = at(sample.point);
       part[0] += sample.areaMm2;
-      part[1] += sample.areaMm2 / (0.25 * std::sqrt(3.0) * g * g);
+      part[1] += evenTriangles(sample.areaMm2, at(sample.point));
     }
   });
   for (const std::array<double, 2>& part : parts) {

@@ -14,11 +14,14 @@
 namespace angiomesh {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double turn = 2.0 * 3.14159265358979323846;
 constexpr int brickCells = 8;
-/// The chord of 0.8 radian of a circle of radius 1: longer edges would cut sharp bends off, however
-/// small these are.
-constexpr double kSharpestTurn = 0.7788366846173010;
+
+/// Eq. 4.1 for a curvature of 1: the chord of a part of a circle.
+double chordOf(double turns) { return 2.0 * portableSinTurns(0.5 * turns); }
+
+/// Of 0.8 radian: longer edges would cut sharp bends off, however small these are.
+const double kSharpestTurn = chordOf(0.8 / turn);
 
 /// The lattice of bricks of 8^3 cells.
 struct Bricks {
@@ -238,11 +241,10 @@ class Sampler {
 
   [[nodiscard]] GuidanceField::Sample at(const Eigen::Vector3d& x) const {
     const SplineField::SecondJet jet = field_.secondAt(x);
-    double length = ideal_.fromCurvature(principalCurvatures(jet).maximal());
-    if (ideal_.limitsByThickness())
-      length = std::min(length, ideal_.fromThickness(thickness(
-                                    x, jet.gradient, ideal_.thicknessThatMatters(length))));
-    return {x, ideal_.limited(length), patch_, 0.0};
+    const double length = ideal_.at(principalCurvatures(jet).maximal(), [&](double enough) {
+      return thickness(x, jet.gradient, enough);
+    });
+    return {x, length, patch_, 0.0};
   }
 
   /// The distance from a point of the zero set along the inward normal to the opposite sheet;
@@ -371,10 +373,8 @@ double zeroSetArea(const std::array<double, 8>& corner, const Eigen::Matrix3d& i
 
 IdealLength::IdealLength(const SplineField& field, const SizingParams& params) {
   const Geometry& g = field.geometry();
-  const double start = params.etaCompensated ? 1.0 : params.etaInverse;
-  chord_ = start * 2.0 * portableSinTurns(params.rho / (4.0 * pi)) *
-           std::max(params.curvatureRelax, 0.0);
-  if (params.edgesAround > 1) around_ = portableSinTurns(0.5 / params.edgesAround);
+  chord_ = params.startFactor() * chordOf(params.rho / turn) * std::max(params.curvatureRelax, 0.0);
+  if (params.edgesAround > 1) around_ = 0.5 * chordOf(1.0 / params.edgesAround);
   shortest_ = 0.02 * g.voxelMm();
   const Eigen::Vector3d size(g.size[0], g.size[1], g.size[2]);
   longest_ = std::max(g.spacing.cwiseProduct(size).norm(), shortest_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -21,20 +22,22 @@ class IdealLength {
  public:
   IdealLength(const SplineField& field, const SizingParams& params);
 
-  /// After the factor 1/eta and the limit edgeMinVoxels, before thickness and the limits edgeMinMm
-  /// and edgeMaxMm, mm.
+  /// After the factor 1/eta and all limits, mm. `thickness(enough)`, of the vessel there, is asked
+  /// for where it may limit; from `enough` on it does not.
+  template <class Thickness>
+  [[nodiscard]] double at(double kappaMax, Thickness thickness) const {
+    const double length = fromCurvature(kappaMax);
+    return limited(around_ > 0.0 ? std::min(length, around_ * thickness(length / around_))
+                                 : length);
+  }
+  /// As at(), before thickness and the limits edgeMinMm and edgeMaxMm.
   [[nodiscard]] double fromCurvature(double kappaMax) const;
-  /// The edge of which `edgesAround` go round a tube as thick as `thicknessMm`.
-  [[nodiscard]] double fromThickness(double thicknessMm) const { return around_ * thicknessMm; }
-  [[nodiscard]] bool limitsByThickness() const { return around_ > 0.0; }
-  /// The sheet need not be followed further than this to know that it does not limit `lengthMm`.
-  [[nodiscard]] double thicknessThatMatters(double lengthMm) const { return lengthMm / around_; }
   [[nodiscard]] double limited(double lengthMm) const;
   [[nodiscard]] double longest() const { return longest_; }
 
  private:
   double chord_ = 0.0;   ///< length at a curvature of 1/mm
-  double around_ = 0.0;  ///< sin(pi / edgesAround), 0 without that limit
+  double around_ = 0.0;  ///< length in a tube 1 mm thick, 0 without the limit edgesAround
   double shortest_ = 0.0, longest_ = 0.0;
   double resolved_ = 0.0;  ///< curvature asks for no shorter edge, but in sharp bends
   double edgeMin_ = 0.0, edgeMax_ = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 namespace angiomesh {
@@ -17,6 +18,9 @@ struct SizingParams {
   std::optional<double> edgeMinVoxels = 0.4;
   std::optional<double> edgeMinMm, edgeMaxMm;
 
+  /// What the ideal length is multiplied by (eqs. 4.2 and 4.4).
+  [[nodiscard]] double startFactor() const { return etaCompensated ? 1.0 : etaInverse; }
+
   /// As the thesis has it: curvature alone, 1/eta shortens the edges too.
   static SizingParams printed(double rho = 0.4) {
     SizingParams params;
@@ -29,5 +33,10 @@ struct SizingParams {
 
   bool operator==(const SizingParams&) const = default;
 };
+
+/// How many equilateral triangles cover an area.
+inline double evenTriangles(double areaMm2, double edgeMm) {
+  return areaMm2 / (0.25 * std::sqrt(3.0) * edgeMm * edgeMm);
+}
 
 }  // namespace angiomesh
