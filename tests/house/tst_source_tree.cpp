@@ -320,6 +320,41 @@ class TestSourceTree : public QObject {
                    });
   }
 
+  void resultsDoNotDependOnTheProcessor() {
+    // The C library takes these by processor, and what they give differs: see
+    // core/base/exact_math.h. Here only the words of a message depend on them, or a file of
+    // settings.
+    std::set<std::string> excepted{"io/dicom/dicom_geometry.cpp", "io/mesh/mesh_io.cpp",
+                                   "io/vessel/openfoam_case.cpp", "io/volume/geometry_check.cpp",
+                                   "io/volume/nifti_header.cpp"};
+    static const std::regex call(
+        R"(\b(a?(sin|cos|tan)h?|atan2|exp(2|m1)?|log(2|10|1p)?|pow|cbrt|hypot|erfc?|[tl]gamma)[fl]?\s*\(|)"
+        R"(AngleAxis|eulerAngles|slerp|computeDirect|std::(polar|arg|\w+_distribution))");
+    static const std::regex words("\"(\\\\.|[^\"\\\\])*\"|//.*");
+    verifyFiles(
+        "results depend on a function that depends on the processor", [&](const SourceFile& file) {
+          return file.isCpp() && (file.in("core") || file.in("io")) &&
+                 std::any_of(file.lines.begin(), file.lines.end(),
+                             [](const std::string& line) {
+                               return std::regex_search(std::regex_replace(line, words, ""), call);
+                             }) &&
+                 excepted.erase(file.path) == 0;
+        });
+    for (const std::string& path : excepted)
+      QVERIFY2(false, (path + " is excepted for nothing").c_str());
+    // What is compiled for more than one processor has a build without, to compare with.
+    const auto plain = std::find_if(files_.begin(), files_.end(), [](const SourceFile& file) {
+      return file.path == "tests/app/CMakeLists.txt";
+    });
+    QVERIFY(plain != files_.end());
+    verifyIncludes("not built for angiomesh-cli-plain", [&](const Include& include) {
+      return include.name == "core/base/simd.h" &&
+             std::none_of(plain->lines.begin(), plain->lines.end(), [&](const std::string& line) {
+               return line.find(include.file->path) != std::string::npos;
+             });
+    });
+  }
+
   void filesAreOfReadableLength() {
     verifyFiles("a file has at most 600 lines",
                 [](const SourceFile& file) { return file.lines.size() > 600; });
