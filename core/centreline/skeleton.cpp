@@ -3,7 +3,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/centreline/branch_line.h"

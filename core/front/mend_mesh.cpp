@@ -2,7 +2,6 @@
 #include "core/front/mend_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 

@@ -2,7 +2,6 @@
 #include "core/phantom/phantom.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <numeric>
 #include <optional>

@@ -3,7 +3,6 @@
 #include "core/mesh/mesh_faults.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "core/base/parallel.h"

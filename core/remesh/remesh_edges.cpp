@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/remesh/remesh_edges.h"
 
-#include <cmath>
-
 #include "core/base/parallel.h"
 #include "core/mesh/triangle_shape.h"
 #include "core/remesh/remesh_shape.h"

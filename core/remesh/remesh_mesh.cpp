@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/remesh/remesh_mesh.h"
 
-#include <utility>
-
-#include <cmath>
-
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/mesh/mesh_edges.h"

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <bit>
-#include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/remesh/remesh_shape.h"

@@ -2,7 +2,6 @@
 #include "core/remesh/remesh_worker.h"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 
 #include "core/base/parallel.h"

@@ -2,7 +2,6 @@
 #include "core/smooth/smoothing.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <algorithm>
 #include <optional>
 
 #include "core/base/parallel.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/vesselness/gauss_kernel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

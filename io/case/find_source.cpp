@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <system_error>
-#include <utility>
 
 #include "core/base/error.h"
 #include "io/scan/label_image.h"

@@ -2,7 +2,6 @@
 #include "io/dicom/dicom.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "core/base/error.h"

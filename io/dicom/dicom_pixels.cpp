@@ -13,7 +13,6 @@
 #include <cstring>
 #include <functional>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <system_error>
 #include <utility>

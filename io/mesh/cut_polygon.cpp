@@ -2,7 +2,6 @@
 #include "io/mesh/cut_polygon.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <cstddef>
 
 #include "core/mesh/predicates.h"

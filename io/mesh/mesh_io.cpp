@@ -2,7 +2,6 @@
 #include "io/mesh/mesh_io.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -18,8 +18,6 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <algorithm>
-#include <array>
 #include <exception>
 
 #include "core/base/error.h"

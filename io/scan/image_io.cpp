@@ -2,7 +2,6 @@
 #include "io/scan/image_io.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <mutex>
 #include <new>
