@@ -23,7 +23,8 @@ constexpr double kMostCut = 0.3;
 /// The line at equal steps of about `stepMm`, its ends kept.
 Polyline resampled(const Polyline& line, double stepMm) {
   const double length = lengthOf(line);
-  const auto steps = std::max<std::size_t>(1, static_cast<std::size_t>(length / stepMm + 0.5));
+  const auto steps =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(length / stepMm + 0.5)));
   Polyline result{line.front()};
   std::size_t at = 1;
   double before = 0.0;

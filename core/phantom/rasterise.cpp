@@ -182,7 +182,7 @@ PartialVolumes::Cells cellShares(const Shape& shape, const std::vector<int>& sol
         share += shareInside(moved, extent) / 8.0;
       }
     }
-    shares[n] = static_cast<std::uint8_t>(255.0 * share + 0.5);
+    shares[n] = static_cast<std::uint8_t>(std::floor(255.0 * share + 0.5));
   }
   return shares;
 }

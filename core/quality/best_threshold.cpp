@@ -49,7 +49,7 @@ BestThreshold bestOf(const BigVector<float>& values, const Volume<std::uint8_t>&
 /// A sampled Gaussian out to four sigma along each axis, values clamped at the border: what image
 /// tools have, and at these widths a little better than the discrete one of Lindeberg.
 BigVector<float> gaussian(const Volume<float>& image, double sigma) {
-  const int reach = static_cast<int>(4.0 * sigma + 0.5);
+  const int reach = static_cast<int>(std::floor(4.0 * sigma + 0.5));
   std::vector<double> weight(static_cast<std::size_t>(reach) + 1);
   double sum = 0.0;
   for (int m = -reach; m <= reach; ++m)
