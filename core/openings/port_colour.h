@@ -7,7 +7,7 @@
 namespace angiomesh {
 
 /// RGB, 0..1, of ports by numbers, repeating: told apart from the wall and, by most, from each
-/// other (after Okabe & Ito 2008, "Color universal design").
+/// other (the palette of Okabe & Ito 2008).
 std::array<double, 3> portColour(std::size_t number);
 
 }  // namespace angiomesh
