@@ -11,10 +11,29 @@
 #include "core/mesh/triangle_shape.h"
 
 namespace angiomesh {
+namespace {
+
+constexpr double kRoom = 1.05;        ///< of the triangles that are expected
+constexpr double kShapeSteps = 20.0;  ///< so many for a factor of 2 in length
+/// Lengths may grow by at least so much per mm, however slowly the sizes do.
+constexpr double kLeastGrowth = 0.2;
+/// How far a free triangle looks for the fronts, of the longest length about it: as far as what its
+/// corner and sides have to be clear of.
+constexpr double kFreeReach = 1.8;
+// How far a connection looks, and the second time, of the longest length about it, from a place so
+// far ahead of the base.
+constexpr double kConnectionReach = 1.5, kRelaxedReach = 3.0, kAhead = 0.4;
+/// A candidate lower than this over the base, of its length, makes no triangle.
+constexpr double kLeastRise = 1e-9;
+/// The least cosine between the triangles after a flip and those before.
+constexpr double kFlipAgreement = 0.5;
+constexpr double kFlipGain = 1e-9;  ///< of a cosine, so that no edge flips to and fro
+
+}  // namespace
 
 void AdvancingFront::expect(double triangles) {
   constexpr double most = 1 << 25;
-  const auto count = static_cast<std::size_t>(std::clamp(1.05 * triangles, 0.0, most));
+  const auto count = static_cast<std::size_t>(std::clamp(kRoom * triangles, 0.0, most));
   triangles_.reserve(count);
   origins_.reserve(count);
   const std::size_t vertices = count / 2;
@@ -30,9 +49,8 @@ void AdvancingFront::push(std::uint32_t id, Class kind, double shape) {
   Edge& e = edges_[id];
   e.kind = kind;
   ++e.stamp;
-  // Shapes are told apart in steps of a twentieth; equal ones go by age, so that the front stays
-  // round.
-  const auto rank = static_cast<std::uint64_t>(std::clamp(20.0 * shape, 0.0, 1e6));
+  // Shapes are told apart in steps; equal ones go by age, so that the front stays round.
+  const auto rank = static_cast<std::uint64_t>(std::clamp(kShapeSteps * shape, 0.0, 1e6));
   const std::uint64_t key = (static_cast<std::uint64_t>(kind) << 60U) | (rank << 32U) |
                             static_cast<std::uint64_t>(age_++);
   if (heap_.size() > 4 * (edges_.size() - freeEdges_.size()) + 4096) dropVoid();
@@ -110,7 +128,7 @@ bool AdvancingFront::tryFree(std::uint32_t id) {
   if (!surface_.turn(vertices_[e.from], vertices_[e.to], wish, apex)) return false;
   // Sizes grow along the front no faster than they may, also from a rim that is finer than the
   // wall.
-  const double growth = std::max(surface_.slope(), 0.2);
+  const double growth = std::max(surface_.slope(), kLeastGrowth);
   for (const std::uint32_t v : {e.from, e.to})
     apex.length = std::min(apex.length,
                            vertices_[v].length + growth * (apex.point - vertices_[v].point).norm());
@@ -118,7 +136,7 @@ bool AdvancingFront::tryFree(std::uint32_t id) {
       (vertices_[e.from].point + vertices_[e.to].point + apex.point) / 3.0;
   const double reach = std::max({apex.length, wish.height, vertices_[e.from].length});
   const double spacing = std::min({spacing_[e.from], spacing_[e.to], apex.length});
-  collect(frame, centre, 1.8 * reach, spacing, false);
+  collect(frame, centre, kFreeReach * reach, spacing, false);
   if (!clearAround(e, apex)) return false;
   if (!legal(frame, id, none, frame.flat(apex.point), false)) return false;
   if (meshedAt(apex)) return false;
@@ -139,15 +157,15 @@ bool AdvancingFront::tryConnection(std::uint32_t id, bool relaxed) {
     Eigen::Vector2d at;
   };
   std::vector<Candidate> candidates;
-  for (const double reach : {1.5, 3.0}) {
-    if (reach > 2.0 && !relaxed) break;
-    collect(frame, 0.5 * (a + b) + 0.4 * wanted * frame.v, reach * wanted,
+  for (const double reach : {kConnectionReach, kRelaxedReach}) {
+    if (reach == kRelaxedReach && !relaxed) break;
+    collect(frame, 0.5 * (a + b) + kAhead * wanted * frame.v, reach * wanted,
             std::min(spacing_[e.from], spacing_[e.to]), relaxed);
     const Eigen::Vector2d a2 = frame.flat(a), b2 = frame.flat(b);
     candidates.clear();
     for (const Near& near : near_) {
       if (near.vertex == e.from || near.vertex == e.to) continue;
-      if (near.at.y() <= 1e-9 * length) continue;
+      if (near.at.y() <= kLeastRise * length) continue;
       // The vertex that sees the base under the largest angle has an empty circumcircle.
       const Eigen::Vector2d p = (a2 - near.at).normalized(), q = (b2 - near.at).normalized();
       candidates.push_back({p.dot(q), near.vertex, near.at});
@@ -242,11 +260,12 @@ bool AdvancingFront::flip(std::uint32_t from, std::uint32_t to) {
   const auto& d = vertices_[q].point;
   const double before = std::max(largestCosine(a, b, c), largestCosine(b, a, d));
   const double after = std::max(largestCosine(a, d, c), largestCosine(d, b, c));
-  if (!(after < before - 1e-9)) return false;
+  if (!(after < before - kFlipGain)) return false;
   const Eigen::Vector3d n1 = (b - a).cross(c - a), n2 = (a - b).cross(d - b);
   const Eigen::Vector3d m1 = (d - a).cross(c - a), m2 = (b - d).cross(c - d);
   const Eigen::Vector3d n = n1 + n2;
-  if (m1.dot(n) <= 0.5 * m1.norm() * n.norm() || m2.dot(n) <= 0.5 * m2.norm() * n.norm())
+  if (m1.dot(n) <= kFlipAgreement * m1.norm() * n.norm() ||
+      m2.dot(n) <= kFlipAgreement * m2.norm() * n.norm())
     return false;
   used_.set(from, to, none);
   used_.set(to, from, none);

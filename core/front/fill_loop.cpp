@@ -11,6 +11,9 @@ namespace {
 
 // The work grows with the third power.
 constexpr std::size_t kLongestLoop = 256;
+/// How much a triangle that turns away from the normals weighs more than its area; and what keeps
+/// one without an angle from weighing all.
+constexpr double kFoldWeight = 20.0, kSharpest = 1.001;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 double weightOf(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
@@ -18,7 +21,8 @@ double weightOf(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
   const double area = normal.norm();
   if (!(area > 0.0)) return kNever;
   const double fold = 1.0 - normal.dot(a.normal + b.normal + c.normal) / (3.0 * area);
-  return area * (1.0 + 20.0 * fold * fold) / (1.001 - largestCosine(a.point, b.point, c.point));
+  return area * (1.0 + kFoldWeight * fold * fold) /
+         (kSharpest - largestCosine(a.point, b.point, c.point));
 }
 
 }  // namespace

@@ -18,6 +18,29 @@ using Eigen::Vector3d;
 // triangles with no angle much below 30 degrees.
 constexpr double kClearOfVertex = 0.72, kClearOfEdge = 0.5, kEdgeClearOfVertex = 0.45;
 constexpr double kClearOfMesh = 0.6;
+/// New edges are at most so many times longer than those they start from.
+constexpr double kLongerThanBase = 1.3;
+
+/// What is on one sheet of the surface: the least cosine between normals, and the largest sine of
+/// the way out of the base's plane. Relaxed is what is asked for where nothing else is left: a bend
+/// by a little more than a right angle, any way out.
+struct SheetLimits {
+  double agreement, steepness;
+};
+constexpr SheetLimits kSheet{0.2, 0.7}, kRelaxedSheet{-0.1, 1.2};
+/// The least cosine between a new triangle and the normals at its corners.
+constexpr double kTriangleAgreement = 0.3, kRelaxedTriangleAgreement = -0.2;
+
+// Vertices lie closer than wanted by up to this share, as edges differ in length.
+constexpr double kClosest = 0.7;
+// Of the radius of a search: bounds its work where sizes may change at any rate.
+constexpr double kFinestShare = 0.05;
+
+// The corner that is wished for: its sides are at most so many times longer or shorter than the
+// base; its foot stays off the base's ends, and its height is half the base at least, so that no
+// angle comes to be obtuse; the even share of a corner moves the height by less than a third.
+constexpr double kSideToBase = 1.6, kFootOffEnds = 0.1, kLeastHeight = 0.5;
+constexpr double kLowered = 0.7, kRaised = 1.3;
 // Tangents of half a corner: from 1.5 to 2.7 radians there is room for two triangles.
 constexpr double kLeastForTwo = 0.9315964599440725, kMostForTwo = 4.455221759562705;
 constexpr double kOfEvenTriangle = 1.7320508075688772;
@@ -120,15 +143,14 @@ void FrontRules::collect(const Frame& frame, const Vector3d& centre, double radi
   nearEdges_.clear();
   seen_.resize(vertices_.size(), 0);
   ++collected_;
-  const double agreement = relaxed ? -0.1 : 0.2;
-  const double steepness = relaxed ? 1.2 : 0.7;
-  // The last term bounds the work where sizes may change at any rate.
-  const double shortest = std::max(0.7 * (spacing - surface_.slope() * radius), 0.05 * radius);
+  const SheetLimits& sheet = relaxed ? kRelaxedSheet : kSheet;
+  const double shortest =
+      std::max(kClosest * (spacing - surface_.slope() * radius), kFinestShare * radius);
   grid_.forEachNear(centre, radius, shortest, [&](std::uint32_t id) {
     const FrontPoint& p = vertices_[id];
-    if (p.normal.dot(frame.n) < agreement) return;
+    if (p.normal.dot(frame.n) < sheet.agreement) return;
     const Vector3d d = p.point - frame.origin;
-    if (std::fabs(d.dot(frame.n)) > steepness * d.norm()) return;
+    if (std::fabs(d.dot(frame.n)) > sheet.steepness * d.norm()) return;
     seen_[id] = collected_;
     near_.push_back({id, frame.flat(p.point)});
   });
@@ -161,13 +183,16 @@ ApexWish FrontRules::wishFor(const Frame& frame, std::uint32_t id) const {
   const FrontPoint& b = vertices_[e.to];
   const Vector3d ab = b.point - a.point;
   const double base = ab.norm();
-  const auto bounded = [base](double s) { return std::clamp(s, base / 1.6, 1.6 * base); };
+  const auto bounded = [base](double s) {
+    return std::clamp(s, base / kSideToBase, kSideToBase * base);
+  };
   double sa = bounded(a.length), sb = bounded(b.length);
   ApexWish wish;
   for (int round = 0; round < 2; ++round) {
-    wish.along =
-        std::clamp((base * base + sa * sa - sb * sb) / (2.0 * base), 0.1 * base, 0.9 * base);
-    wish.height = std::sqrt(std::max(sa * sa - wish.along * wish.along, 0.25 * base * base));
+    wish.along = std::clamp((base * base + sa * sa - sb * sb) / (2.0 * base), kFootOffEnds * base,
+                            (1.0 - kFootOffEnds) * base);
+    wish.height = std::sqrt(
+        std::max(sa * sa - wish.along * wish.along, kLeastHeight * kLeastHeight * base * base));
     if (round == 1) break;
     const double there = surface_.lengthAt(a.point + wish.along * frame.u + wish.height * frame.v);
     sa = bounded(0.5 * (a.length + there));
@@ -181,12 +206,14 @@ ApexWish FrontRules::wishFor(const Frame& frame, std::uint32_t id) const {
   const double along = base * tb / (ta + tb);
   const double height = along * ta;
   wish.along = 0.5 * (wish.along + along);
-  wish.height = 0.5 * (wish.height + std::clamp(height, 0.7 * wish.height, 1.3 * wish.height));
+  wish.height =
+      0.5 * (wish.height + std::clamp(height, kLowered * wish.height, kRaised * wish.height));
   return wish;
 }
 
 bool FrontRules::clearAround(const Edge& e, const FrontPoint& apex) const {
-  const double g = std::min(apex.length, 1.3 * (apex.point - vertices_[e.from].point).norm());
+  const double g =
+      std::min(apex.length, kLongerThanBase * (apex.point - vertices_[e.from].point).norm());
   const double vertexLimit = kClearOfVertex * kClearOfVertex * g * g;
   const double edgeLimit = kClearOfEdge * kClearOfEdge * g * g;
   const double sideLimit = kEdgeClearOfVertex * kEdgeClearOfVertex * g * g;
@@ -211,10 +238,11 @@ bool FrontRules::clearAround(const Edge& e, const FrontPoint& apex) const {
 // must be meshed already.
 bool FrontRules::meshedAt(const FrontPoint& place) const {
   const double radius = kClearOfMesh * place.length;
-  const double shortest = place.length * std::max(0.7 * (1.0 - surface_.slope()), 0.05);
+  const double shortest =
+      place.length * std::max(kClosest * (1.0 - surface_.slope()), kFinestShare);
   bool meshed = false;
   all_.forEachNear(place.point, radius, shortest, [&](std::uint32_t id) {
-    meshed = meshed || vertices_[id].normal.dot(place.normal) > 0.2;
+    meshed = meshed || vertices_[id].normal.dot(place.normal) > kSheet.agreement;
   });
   return meshed;
 }
@@ -259,7 +287,7 @@ bool FrontRules::legal(const Frame& frame, std::uint32_t id, std::uint32_t apex,
     const Vector3d normal = (vertices_[e.to].point - vertices_[e.from].point)
                                 .cross(vertices_[apex].point - vertices_[e.from].point)
                                 .normalized();
-    const double limit = relaxed ? -0.2 : 0.3;
+    const double limit = relaxed ? kRelaxedTriangleAgreement : kTriangleAgreement;
     for (const std::uint32_t v : {e.from, e.to, apex})
       if (normal.dot(vertices_[v].normal) < limit) return false;
   }
