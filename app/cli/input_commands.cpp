@@ -9,6 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/session/options.h"
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/phantom/truth_json.h"
 #include "io/dicom/dicom.h"
 #include "io/file/files.h"
@@ -263,11 +264,9 @@ void addInfo(CLI::App& program, Session& session) {
 void addPhantom(CLI::App& program, Session& session) {
   auto options = std::make_shared<PhantomOptions>();
   PhantomParams& params = options->params;
-  std::string kinds;
-  for (const std::string& name : phantomKindNames()) kinds += (kinds.empty() ? "" : ", ") + name;
   CLI::App* command =
       program.add_subcommand("phantom", "Make a synthetic image whose truth is known");
-  command->add_option("KIND", options->kind, kinds)->required();
+  command->add_option("KIND", options->kind, joined(phantomKindNames()))->required();
   command->add_option("-o,--output", options->output, "Folder to write")->required();
   command->add_option("--size", options->size, "Voxels: N or x,y,z");
   command->add_option("--spacing", options->spacing, "mm: one length or x,y,z");

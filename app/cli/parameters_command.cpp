@@ -18,7 +18,7 @@ std::string allowed(const Field& field) {
     case FieldKind::Boolean:
       return "true, false";
     case FieldKind::Choice:
-      for (const std::string& choice : field.choices) text += (text.empty() ? "" : ", ") + choice;
+      text = joined(field.choices);
       break;
     case FieldKind::Integer:
     case FieldKind::Real:

@@ -11,6 +11,7 @@
 #include "app/session/summary.h"
 #include "app/session/wall_text.h"
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/field/spline_field.h"
 #include "core/field/wall_field.h"
 #include "core/parameters/field.h"
@@ -29,12 +30,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const QualityGate& findGate(const std::string& name) {
-  std::string known;
-  for (const QualityGate& gate : qualityGates()) {
+  for (const QualityGate& gate : qualityGates())
     if (name == gate.name) return gate;
-    known += (known.empty() ? "" : ", ") + std::string(gate.name);
-  }
-  throw InputError("no gate is called '" + name + "'", "--gate", "use one of " + known);
+  throw InputError("no gate is called '" + name + "'", "--gate",
+                   "use one of " + joined(qualityGates(), ", ", &QualityGate::name));
 }
 
 struct QualityOptions {
@@ -159,10 +158,8 @@ int quality(const QualityOptions& options, const Progress& progress) {
     if (accuracy) printWallAccuracy(*accuracy, truth->grid().voxelMm());
   }
   if (failed.empty()) return Done;
-  std::string list;
-  for (const std::string& failure : failed) list += (list.empty() ? "" : ", ") + failure;
-  printError("the mesh fails the gate '" + options.gate + "' (" + list + "), " + options.mesh +
-             ": repair or remesh it");
+  printError("the mesh fails the gate '" + options.gate + "' (" + joined(failed) + "), " +
+             options.mesh + ": repair or remesh it");
   return GateFailed;
 }
 

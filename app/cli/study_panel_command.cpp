@@ -71,11 +71,7 @@ std::string numberText(double value, int decimals) {
   return std::isnan(value) ? "" : formatted("%.*f", decimals, value);
 }
 
-std::string barText(const RowResult& result) {
-  std::string text;
-  for (const Bar& bar : result.row.bars) text += (text.empty() ? "" : "; ") + textOf(bar);
-  return text;
-}
+std::string barText(const RowResult& result) { return joined(result.row.bars, "; ", textOf); }
 
 /// "yes", or what is missed; empty without a bar.
 std::string reachedText(const RowResult& result) {

@@ -98,9 +98,7 @@ std::string numberText(double value, int decimals) {
 }
 
 std::string barText(const std::vector<SurfaceBar>& bars) {
-  std::string text;
-  for (const SurfaceBar& bar : bars) text += (text.empty() ? "" : "; ") + bar.what;
-  return text;
+  return joined(bars, "; ", &SurfaceBar::what);
 }
 
 std::string reachedText(const std::vector<SurfaceBar>& bars) {
@@ -229,10 +227,9 @@ void addStudySurface(CLI::App& study, Session& session) {
   CLI::App* command = study.add_subcommand(
       "surface", "The exported wall against the true one, on shapes, noises and point spreads");
   command->add_option("-o,--output", options->output, "Folder to write")->required();
-  std::string names;
-  for (const SurfaceShape& shape : surfaceShapes(1))
-    names += (names.empty() ? "" : ", ") + shape.name;
-  command->add_option("--shapes", options->shapes, "NAME,NAME: " + names + "; all unless given");
+  command->add_option(
+      "--shapes", options->shapes,
+      "NAME,NAME: " + joined(surfaceShapes(1), ", ", &SurfaceShape::name) + "; all unless given");
   command->add_option("--noise", options->noises, "Sigmas of the noise, of 255")
       ->capture_default_str();
   command->add_option("--psf", options->psfs, "Point spreads, as of `phantom`")

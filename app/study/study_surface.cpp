@@ -81,12 +81,11 @@ std::vector<SurfaceShape> chooseShapes(std::vector<SurfaceShape> shapes, const s
   for (std::string word; std::getline(words, word, ',');)
     if (!word.empty()) wanted.insert(word);
   if (wanted.empty()) return shapes;
-  std::string known;
-  for (const SurfaceShape& shape : shapes) known += (known.empty() ? "" : ", ") + shape.name;
   for (const std::string& word : wanted)
     if (std::none_of(shapes.begin(), shapes.end(),
                      [&](const SurfaceShape& shape) { return shape.name == word; }))
-      throw InputError("no shape is called '" + word + "'", "--shapes", "name some of " + known);
+      throw InputError("no shape is called '" + word + "'", "--shapes",
+                       "name some of " + joined(shapes, ", ", &SurfaceShape::name));
   std::erase_if(shapes, [&](const SurfaceShape& s) { return wanted.count(s.name) == 0; });
   return shapes;
 }

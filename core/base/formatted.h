@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 
 namespace angiomesh {
@@ -11,6 +12,17 @@ namespace angiomesh {
 
 /// The shortest text that reads back as the same number.
 std::string shortestText(double value);
+
+/// "a, b, c": of each of them its `text`, a member or a function.
+template <class Range, class Text = std::identity>
+std::string joined(const Range& all, const char* between = ", ", const Text& text = {}) {
+  std::string line;
+  for (const auto& each : all) {
+    if (!line.empty()) line += between;
+    line += std::invoke(text, each);
+  }
+  return line;
+}
 
 /// A place for a message: "L 12.3 P -4.5 S 67.8 mm".
 std::string placeText(const Eigen::Vector3d& pointLps);

@@ -165,8 +165,7 @@ std::string uncutText(const Vector3d& tip, const std::string& why) {
 
 std::vector<std::string> namePorts(const PortParams& params, std::vector<Port>& ports) {
   const std::set<std::string> cuts = cutNames(params.cuts);
-  std::string known;
-  for (const Port& port : ports) known += (known.empty() ? "" : ", ") + port.name;
+  const std::string known = joined(ports, ", ", &Port::name);
   const std::vector<Port> before = ports;
   std::vector<std::string> warnings;
   for (const std::string& text : params.names) {

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/base/json_text.h"
 
 namespace angiomesh {
@@ -30,21 +31,37 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-std::string numberText(double value) {
-  std::array<char, 40> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
-
 std::string rangeText(const Field& field) {
-  return numberText(field.minimum) + " to " + numberText(field.maximum) +
+  return shortestText(field.minimum) + " to " + shortestText(field.maximum) +
          (field.unit.empty() ? "" : " " + field.unit);
+}
+
+/// What the field takes: "a number from 0 to 1".
+std::string allowedText(const Field& field) {
+  std::string text;
+  switch (field.kind) {
+    case FieldKind::Boolean:
+      text = "true or false";
+      break;
+    case FieldKind::Integer:
+      text = "a whole number from " + rangeText(field);
+      break;
+    case FieldKind::Real:
+      text = "a number from " + rangeText(field);
+      break;
+    case FieldKind::Choice:
+      text = "one of " + joined(field.choices);
+      break;
+    case FieldKind::Numbers:
+      text = "numbers from " + rangeText(field) + " in groups of " + std::to_string(field.groupOf) +
+             ", separated by commas";
+      break;
+    case FieldKind::Texts:
+      text = field.form + ", separated by ';'";
+      break;
+  }
+  if (!field.emptyWord.empty()) text += ", or " + field.emptyWord;
+  return text;
 }
 
 [[noreturn]] void refuse(const Field& field, const std::string& value) {
@@ -167,33 +184,6 @@ bool contradict(const Parameters& params, const Field& lower, const Field& upper
 
 }  // namespace
 
-std::string allowedText(const Field& field) {
-  std::string text;
-  switch (field.kind) {
-    case FieldKind::Boolean:
-      text = "true or false";
-      break;
-    case FieldKind::Integer:
-      text = "a whole number from " + rangeText(field);
-      break;
-    case FieldKind::Real:
-      text = "a number from " + rangeText(field);
-      break;
-    case FieldKind::Choice:
-      text = "one of " + joined(field.choices);
-      break;
-    case FieldKind::Numbers:
-      text = "numbers from " + rangeText(field) + " in groups of " + std::to_string(field.groupOf) +
-             ", separated by commas";
-      break;
-    case FieldKind::Texts:
-      text = field.form + ", separated by ';'";
-      break;
-  }
-  if (!field.emptyWord.empty()) text += ", or " + field.emptyWord;
-  return text;
-}
-
 const Field& findField(std::string_view key) {
   const auto& fields = parameterFields();
   const auto found =
@@ -272,17 +262,13 @@ std::string fieldText(const FieldValue& value, const Field& field) {
         } else if constexpr (std::is_same_v<T, std::int64_t>) {
           return std::to_string(v);
         } else if constexpr (std::is_same_v<T, double>) {
-          return numberText(v);
+          return shortestText(v);
         } else if constexpr (std::is_same_v<T, std::string>) {
           return v;
         } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-          std::string text;
-          for (const std::string& x : v) text += (text.empty() ? "" : ";") + x;
-          return text;
+          return joined(v, ";");
         } else {
-          std::string text;
-          for (const double x : v) text += (text.empty() ? "" : ",") + numberText(x);
-          return text;
+          return joined(v, ",", shortestText);
         }
       },
       value);

@@ -19,6 +19,10 @@ using FieldValue = std::variant<std::monostate, bool, std::int64_t, double, std:
                                 std::vector<double>, std::vector<std::string>>;
 enum class FieldKind { Boolean, Integer, Real, Choice, Numbers, Texts };
 
+/// Why a field has no effect with these parameters, as a clause: "it is used only with ..."; ""
+/// when it has one.
+using IdleReason = std::function<std::string(const Parameters&)>;
+
 /// What a form knows of an image, and of results made of it.
 struct FieldContext {
   double voxelMm = 1.0;
@@ -62,9 +66,7 @@ struct Field {
   std::function<std::array<double, 2>(const FieldContext&)> slider;
   /// Where a field that was empty begins when it gets a value; empty: in the middle.
   std::function<double(const Parameters&, const FieldContext&)> suggestion;
-  /// Why the field has no effect with these parameters, as a clause: "it is used only with ..."; ""
-  /// when it has one, or when not set.
-  std::function<std::string(const Parameters&)> idle;
+  IdleReason idle;  ///< empty: it always has an effect
   std::function<FieldValue(const Parameters&)> get;
   std::function<void(Parameters&, const FieldValue&)>
       put;  ///< stores without checking: use setField()
@@ -85,9 +87,6 @@ void setField(Parameters& params, std::string_view key, const FieldValue& value)
 void setFieldFromText(Parameters& params, std::string_view key, std::string_view text);
 
 std::string fieldText(const FieldValue& value, const Field& field);
-
-/// What the field takes: "a number from 0 to 1".
-std::string allowedText(const Field& field);
 
 std::array<double, 2> sliderRange(const Field& field, const FieldContext& context);
 FieldValue suggestedValue(const Field& field, const Parameters& params,

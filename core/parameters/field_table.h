@@ -12,7 +12,8 @@
 namespace angiomesh {
 
 /// What a slider's ends are given in.
-enum class SliderUnit { Value, Voxel, Window };
+/// Level: windows above the level.
+enum class SliderUnit { Value, Voxel, Window, Level };
 
 /// A field while it is described; each call returns the row.
 class Row {
@@ -39,18 +40,23 @@ class Row {
     field_.strictlyAbove = true;
     return notBelow(key);
   }
-  Row& idle(std::function<std::string(const Parameters&)> why) {
-    return set(field_.idle, std::move(why));
+  /// Besides what makes its section idle.
+  Row& idle(const IdleReason& why) {
+    return set(field_.idle, [section = field_.idle, why](const Parameters& p) {
+      const std::string of = section ? section(p) : "";
+      return of.empty() ? why(p) : of;
+    });
   }
   Row& suggest(std::function<double(const Parameters&, const FieldContext&)> value) {
     return set(field_.suggestion, std::move(value));
   }
   Row& slider(double low, double high, SliderUnit unit = SliderUnit::Value) {
     return set(field_.slider, [low, high, unit](const FieldContext& c) {
-      const double one = unit == SliderUnit::Voxel    ? c.voxelMm
-                         : unit == SliderUnit::Window ? c.window
-                                                      : 1.0;
-      return std::array<double, 2>{low * one, high * one};
+      const double one = unit == SliderUnit::Voxel   ? c.voxelMm
+                         : unit == SliderUnit::Value ? 1.0
+                                                     : c.window;
+      const double zero = unit == SliderUnit::Level ? c.level : 0.0;
+      return std::array<double, 2>{zero + low * one, zero + high * one};
     });
   }
   Row& slider(std::function<std::array<double, 2>(const FieldContext&)> ends) {
@@ -73,10 +79,11 @@ enum class ReadOf { Scans, All };
 /// Collects the fields; each add...() names a member by a function Parameters& -> member&.
 class FieldTable {
  public:
-  /// The rows that follow belong to this step.
-  void begin(Step step, ReadOf images) {
+  /// The rows that follow belong to this step, and have no effect where `idle` gives a reason.
+  void begin(Step step, ReadOf images, IdleReason idle = {}) {
     step_ = step;
     images_ = images;
+    idle_ = std::move(idle);
   }
 
   template <class M>
@@ -199,6 +206,7 @@ class FieldTable {
     field.maximum = maximum;
     field.unit = unit;
     field.help = help;
+    field.idle = idle_;
     fields_.push_back(std::move(field));
     return fields_.back();
   }
@@ -248,6 +256,7 @@ class FieldTable {
   std::deque<Field> fields_;
   Step step_ = Step::Preprocess;
   ReadOf images_ = ReadOf::All;
+  IdleReason idle_;
 };
 
 /// The member of the parameters that a field stores, for FieldTable.
@@ -258,8 +267,5 @@ class FieldTable {
 void addScanFields(FieldTable& table);
 void addSegmentationFields(FieldTable& table);
 void addSurfaceFields(FieldTable& table);
-
-/// "it is used only with segmentation.method label", or "" where that is the method.
-std::string idleUnless(const Parameters& params, SegmentationMethod method);
 
 }  // namespace angiomesh

@@ -3,14 +3,6 @@
 
 namespace angiomesh {
 
-std::string idleUnless(const Parameters& params, SegmentationMethod method) {
-  static const Field& field = findField("segmentation.method");
-  if (params.segmentation.method == method) return "";
-  Parameters wanted;
-  wanted.segmentation.method = method;
-  return "it is used only with segmentation.method " + fieldText(field.get(wanted), field);
-}
-
 const std::vector<Field>& parameterFields() {
   static const std::vector<Field> fields = [] {
     FieldTable table;

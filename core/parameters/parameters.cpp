@@ -2,18 +2,10 @@
 #include "core/parameters/parameters.h"
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/parameters/field.h"
 
 namespace angiomesh {
-namespace {
-
-std::string joinedNames() {
-  std::string text;
-  for (const std::string& name : presetNames()) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-}  // namespace
 
 void validate(const Parameters& params) {
   checkPartners(params);
@@ -48,7 +40,7 @@ Parameters preset(std::string_view name) {
   }
   if (name != "thesis")
     throw InputError("there is no preset '" + std::string(name) + "'", "preset",
-                     "use one of " + joinedNames());
+                     "use one of " + joined(presetNames()));
   params.vesselness.scaleRule = ScaleRule::Difference;
   params.vesselness.scalesFromImage = false;
   params.vesselness.contrast = ContrastRule::Range;

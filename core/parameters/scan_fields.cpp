@@ -6,10 +6,6 @@
 namespace angiomesh {
 namespace {
 
-std::array<double, 2> aroundLevel(const FieldContext& c) {
-  return {c.level - c.window, c.level + 2.0 * c.window};
-}
-
 void addPreprocess(FieldTable& t) {
   t.begin(Step::Preprocess, ReadOf::Scans);
   t.choice("preprocess.isotropic", "Cubic voxels", ANGIOMESH_MEMBER(preprocess.isotropic),
@@ -19,7 +15,7 @@ void addPreprocess(FieldTable& t) {
   t.real("preprocess.clamp.lower", "Lowest intensity", ANGIOMESH_MEMBER(preprocess.clampLower),
          -1e6, 1e6, "", "raise darker voxels to this intensity; none: no lower bound")
       .emptyWord("none")
-      .slider(aroundLevel)
+      .slider(-1.0, 2.0, SliderUnit::Level)
       .suggest([](const Parameters&, const FieldContext& c) { return c.level - c.window; })
       .rises("more of the dark tissue becomes one grey");
   t.real("preprocess.clamp.upper", "Bone above", ANGIOMESH_MEMBER(preprocess.clampUpper), -1e6, 1e6,
@@ -29,7 +25,7 @@ void addPreprocess(FieldTable& t) {
          "the median intensity between the bounds; none: no upper bound")
       .emptyWord("none")
       .above("preprocess.clamp.lower")
-      .slider(aroundLevel)
+      .slider(-1.0, 2.0, SliderUnit::Level)
       .suggest([](const Parameters&, const FieldContext& c) { return c.level + c.window; })
       .rises("less of bone and calcium is taken out");
   t.integer("preprocess.clamp.rimVoxels", "Rim of bone",
@@ -54,7 +50,7 @@ void addPreprocess(FieldTable& t) {
          -1e6, 1e6, "",
          "centre of the sigmoid, as the viewer's level; auto: middle of the percentiles")
       .main()
-      .slider(aroundLevel)
+      .slider(-1.0, 2.0, SliderUnit::Level)
       .suggest([](const Parameters&, const FieldContext& c) { return c.level; })
       .rises("faint vessels get darker");
   t.boolean("preprocess.curvatureFlow.enabled", "Curvature flow",

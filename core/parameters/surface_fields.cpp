@@ -92,35 +92,31 @@ void addParts(FieldTable& t) {
 
 /// The wanted edge length of the methods that follow it.
 void addSizing(FieldTable& t) {
+  t.begin(Step::Surface, ReadOf::All, idleForMarchingCubes);
   t.real("surface.rho", "Accuracy ρ", ANGIOMESH_MEMBER(surface.sizing.rho), 0.02, 2.0, "rad",
          "accuracy: the angle that an edge subtends on the osculating circle, eq. 4.1, down to "
          "edgeMinVoxels")
       .main()
       .logarithmic()
       .slider(0.02, 1.2)
-      .idle(idleForMarchingCubes)
       .rises("fewer and larger triangles, which follow the wall less closely");
   t.real("surface.etaInverse", "Size ratio 1/η", ANGIOMESH_MEMBER(surface.sizing.etaInverse), 0.3,
          0.99, "", "1/eta of eq. 4.2: the wanted edge length grows by at most 1 - 1/eta per length")
       .main()
-      .idle(idleForMarchingCubes)
       .rises("neighbouring triangles are more alike, and there are more of them");
   t.boolean("surface.etaCompensated", "1/η sets gradation only",
             ANGIOMESH_MEMBER(surface.sizing.etaCompensated),
             "on: only rho sets the accuracy and 1/eta the gradation (eq. 4.4); off: 1/eta shortens "
-            "the edges too")
-      .idle(idleForMarchingCubes);
+            "the edges too");
   t.real("surface.curvatureRelax", "Curvature relax",
          ANGIOMESH_MEMBER(surface.sizing.curvatureRelax), 0.1, 10.0, "",
          "the curvature is divided by it; 3 imitates the reference program")
-      .idle(idleForMarchingCubes)
       .rises("longer edges where the wall is curved");
   t.countOrNone("surface.edgesAround", "Edges around", ANGIOMESH_MEMBER(surface.sizing.edgesAround),
                 3.0, 96.0,
                 "least number of edges around any vessel; none: only the curvature counts")
       .main()
       .slider(3.0, 48.0)
-      .idle(idleForMarchingCubes)
       .suggest([](const Parameters&, const FieldContext&) {
         return static_cast<double>(SizingParams().edgesAround);
       })
@@ -133,7 +129,6 @@ void addSizing(FieldTable& t) {
       .logarithmic()
       .emptyWord("none")
       .slider(0.1, 4.0)
-      .idle(idleForMarchingCubes)
       .suggest([](const Parameters&, const FieldContext&) {
         return SizingParams().edgeMinVoxels.value_or(1.0);
       })
@@ -143,7 +138,6 @@ void addSizing(FieldTable& t) {
       .logarithmic()
       .emptyWord("none")
       .slider(0.02, 20.0, SliderUnit::Voxel)
-      .idle(idleForMarchingCubes)
       .suggest([](const Parameters& p, const FieldContext& c) {
         return std::min(0.2 * c.voxelMm, p.surface.sizing.edgeMaxMm.value_or(c.voxelMm));
       })
@@ -154,7 +148,6 @@ void addSizing(FieldTable& t) {
       .emptyWord("none")
       .notBelow("surface.edgeMinMm")
       .slider(0.02, 20.0, SliderUnit::Voxel)
-      .idle(idleForMarchingCubes)
       .suggest([](const Parameters& p, const FieldContext& c) {
         return std::max(2.0 * c.voxelMm, p.surface.sizing.edgeMinMm.value_or(c.voxelMm));
       })
@@ -171,6 +164,7 @@ void addSurface(FieldTable& t) {
            {"interpolating-bspline", "bspline", "catmull-rom"},
            "interpolant of phi whose zero set is the wall");
   addSizing(t);
+  t.begin(Step::Surface, ReadOf::All);
   t.real("surface.cellVoxels", "Cell size", ANGIOMESH_MEMBER(surface.cellVoxels), 0.25, 4.0,
          "voxels", "edge of a marching cubes cell, working voxels")
       .main()
