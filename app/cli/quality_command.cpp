@@ -16,8 +16,7 @@
 #include "core/field/wall_field.h"
 #include "core/parameters/field.h"
 #include "core/phantom/truth_json.h"
-#include "core/pipeline/report.h"
-#include "core/quality/quality_table.h"
+#include "core/quality/quality_json.h"
 #include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"
 #include "core/sizing/guidance_field.h"
@@ -143,10 +142,10 @@ int quality(const QualityOptions& options, const Progress& progress) {
       gate != nullptr ? gateFailures(*gate, mine) : std::vector<std::string>{};
 
   if (options.json) {
-    Json report = Json::parse(meshQualityJson(mine));
+    Json report{{"schema", 1}, {"mesh", qualityJson<Json>(mine)}};
     if (wall) report.update(wallBlocks(*wall, mine));
     if (accuracy) report["wall"] = wallJson(*accuracy, truth->grid().voxelMm());
-    if (other) report["against"] = Json::parse(meshQualityJson(*other))["mesh"];
+    if (other) report["against"] = qualityJson<Json>(*other);
     if (gate != nullptr)
       report["gate"] = {{"name", gate->name}, {"passed", failed.empty()}, {"failures", failed}};
     std::printf("%s\n", report.dump(2).c_str());

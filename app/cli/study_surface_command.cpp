@@ -15,7 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/formatted.h"
 #include "core/parameters/field.h"
-#include "core/pipeline/report.h"
+#include "core/quality/quality_json.h"
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 
@@ -156,7 +156,7 @@ Json jsonOf(const SurfaceCase& c) {
   if (c.trianglesAgainstNoNoise) json["triangles_to_noise_0"] = *c.trianglesAgainstNoNoise;
   const auto meshOf = [&](const MeasuredMesh& mesh) {
     return Json{{"wall", wallJson(mesh.wall, c.voxelMm)},
-                {"mesh", Json::parse(meshQualityJson(mesh.quality))["mesh"]}};
+                {"mesh", qualityJson<Json>(mesh.quality)}};
   };
   json["exported"] = meshOf(c.exported);
   json["marching_cubes"] = meshOf(c.marchingCubes);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace angiomesh {
@@ -46,6 +47,14 @@ template <class Json>
 Json parseJson(std::string_view text, const JsonLimits& limits = {}) {
   if (!isModestJson(text, limits)) return Json(Json::value_t::discarded);
   return Json::parse(text, nullptr, false);
+}
+
+/// The value at a dotted key, made where there is none: "a.b" is member b of member a.
+template <class Json>
+Json& placeAt(Json& object, std::string_view key) {
+  const std::size_t dot = key.find('.');
+  Json& member = object[std::string(key.substr(0, dot))];
+  return dot == std::string_view::npos ? member : placeAt(member, key.substr(dot + 1));
 }
 
 /// A count: a whole number from 0 on that an int can hold, and one more. nlohmann's get<int>()

@@ -341,16 +341,8 @@ void copyPlaces(const Parameters& from, Parameters& to) {
 
 std::string parametersToJson(const Parameters& params) {
   Json json = Json::object();
-  for (const Field& field : parameterFields()) {
-    Json* at = &json;
-    std::size_t start = 0;
-    for (std::size_t dot = field.key.find('.'); dot != std::string::npos;
-         dot = field.key.find('.', start)) {
-      at = &(*at)[field.key.substr(start, dot - start)];
-      start = dot + 1;
-    }
-    (*at)[field.key.substr(start)] = toJson(field.get(params), field);
-  }
+  for (const Field& field : parameterFields())
+    placeAt(json, field.key) = toJson(field.get(params), field);
   return json.dump(2) + "\n";
 }
 

@@ -10,7 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/openings/port_json.h"
 #include "core/parameters/field.h"
-#include "core/quality/quality_table.h"
+#include "core/quality/quality_json.h"
 
 namespace angiomesh {
 namespace {
@@ -24,8 +24,6 @@ Json gridBlock(const Geometry& geometry) {
   return {{"size", geometry.size},
           {"spacing_mm", {geometry.spacing.x(), geometry.spacing.y(), geometry.spacing.z()}}};
 }
-
-Json meshBlock(const MeshQuality& quality) { return Json::parse(qualityBlock(quality)); }
 
 Json overlapBlock(const OverlapMeasures& m) {
   Json block{{"overlap", m.overlap}, {"sensitivity", m.sensitivity}, {"precision", m.precision}};
@@ -238,15 +236,11 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
     if (result.params.smooth.method != SmoothMethod::None &&
         result.quality->unsmoothed.areaMm2 > 0.0)
       report["smoothing"] = smoothingBlock(result.quality->unsmoothed, result.quality->mesh);
-    report["mesh"] = meshBlock(result.quality->mesh);
-    report["mesh_unsmoothed"] = meshBlock(result.quality->unsmoothed);
-    report["marching_cubes"] = meshBlock(result.quality->marchingCubes);
+    report["mesh"] = qualityJson<Json>(result.quality->mesh);
+    report["mesh_unsmoothed"] = qualityJson<Json>(result.quality->unsmoothed);
+    report["marching_cubes"] = qualityJson<Json>(result.quality->marchingCubes);
   }
   return report.dump(kIndent) + "\n";
-}
-
-std::string meshQualityJson(const MeshQuality& quality) {
-  return Json{{"schema", kSchema}, {"mesh", meshBlock(quality)}}.dump(kIndent) + "\n";
 }
 
 std::string surfaceJson(const SurfaceOrigin& origin) {

@@ -14,8 +14,7 @@ namespace angiomesh {
 std::string runReportJson(const RunResult& result,
                           const std::optional<OverlapMeasures>& truth = {});
 
-/// One block alone, as {"schema": 1, "mesh": {...}} and so on.
-std::string meshQualityJson(const MeshQuality& quality);
+/// One block alone, as {"schema": 1, "surface": {...}} and so on.
 std::string surfaceJson(const SurfaceOrigin& origin);
 std::string overlapJson(const OverlapMeasures& measures);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 namespace angiomesh {
 namespace {
@@ -231,29 +230,6 @@ std::vector<std::string> gateFailures(const QualityGate& gate, const MeshQuality
     }
   }
   return failures;
-}
-
-std::string qualityBlock(const MeshQuality& quality) {
-  nlohmann::ordered_json block = nlohmann::ordered_json::object();
-  for (const QualityMeasure& measure : qualityMeasures()) {
-    const Value value = measure.value(quality);
-    if (!value) continue;
-    nlohmann::ordered_json* at = &block;
-    const std::string key = measure.key;
-    std::size_t start = 0;
-    for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', start)) {
-      at = &(*at)[key.substr(start, dot - start)];
-      start = dot + 1;
-    }
-    nlohmann::ordered_json& place = (*at)[key.substr(start)];
-    if (measure.kind == MeasureKind::YesNo)
-      place = *value != 0.0;
-    else if (measure.kind == MeasureKind::Count)
-      place = static_cast<long long>(*value);
-    else
-      place = *value;
-  }
-  return block.dump();
 }
 
 }  // namespace angiomesh

@@ -55,7 +55,4 @@ const std::vector<QualityGate>& qualityGates();
 /// The conditions that the mesh does not meet, in words: "least angle 12.00 deg, below 15".
 std::vector<std::string> gateFailures(const QualityGate& gate, const MeshQuality& quality);
 
-/// JSON text of the measures.
-std::string qualityBlock(const MeshQuality& quality);
-
 }  // namespace angiomesh
