@@ -337,12 +337,12 @@ void CaseFiles::noteEdit() {
 
 bool CaseFiles::poll() {
   for (const CaseStore::Outcome& outcome : store_.poll()) {
-    take(outcome);
+    takeOutcome(outcome);
   }
   return store_.busy();
 }
 
-void CaseFiles::take(const CaseStore::Outcome& outcome) {
+void CaseFiles::takeOutcome(const CaseStore::Outcome& outcome) {
   using Kind = CaseStore::Outcome::Kind;
   const std::string name = outcome.folder.stem().string();
   const QString reason = QString::fromStdString(withoutPath(outcome.error, outcome.folder, name));

@@ -95,7 +95,7 @@ class CaseFiles : public QObject, private Polled {
   void noteEdit();
   void cacheEvolve();
   bool poll() override;
-  void take(const CaseStore::Outcome& outcome);
+  void takeOutcome(const CaseStore::Outcome& outcome);
   [[nodiscard]] CaseSource describeSource() const;
 
   CaseDocument& document_;
