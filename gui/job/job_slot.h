@@ -68,13 +68,20 @@ class JobSlot final : public Polled {
 
   [[nodiscard]] const Shared& job() const { return job_; }
   explicit operator bool() const { return job_ != nullptr; }
-  [[nodiscard]] bool ended() const { return job_ && !runner_->running(); }
 
   /// @pre no job is in work
   void start(Shared job) {
     job_ = std::move(job);
     runner_->start([job = job_] { job->execute(); });
     timer_.wake();
+  }
+
+  /// Also takes the job at once if it has ended by then. @returns whether it is in work.
+  bool startAndPoll(Shared job) {
+    start(std::move(job));
+    const bool inWork = runner_->running();
+    if (!inWork) poll();
+    return inWork;
   }
 
   bool poll() override {

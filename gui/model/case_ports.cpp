@@ -386,10 +386,7 @@ void CasePorts::startNext() {
   const std::shared_ptr<PortJob> job = queue_.front();
   queue_.pop_front();
   job->ground = ground_;
-  slot_.start(job);
-  if (slot_.ended()) {
-    slot_.poll();
-  } else {
+  if (slot_.startAndPoll(job)) {
     Q_EMIT changed();
   }
 }

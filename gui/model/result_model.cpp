@@ -116,10 +116,7 @@ std::shared_ptr<const Volume<float>> ResultModel::layer(Layer layer) {
     job->params = document_.parameters().thresholds;
     job->key = wanted;
     const QScopedValueRollback<bool> quiet(quiet_, true);
-    speedSlot_.start(std::move(job));
-    if (speedSlot_.ended()) {
-      speedSlot_.poll();
-    }
+    speedSlot_.startAndPoll(std::move(job));
   }
   return speed_;
 }
@@ -294,10 +291,7 @@ std::optional<ExpectedSurface> ResultModel::expectedSurface() {
     job->ports = params.ports;
     job->key = wanted;
     const QScopedValueRollback<bool> quiet(quiet_, true);
-    estimateSlot_.start(std::move(job));
-    if (estimateSlot_.ended()) {
-      estimateSlot_.poll();
-    }
+    estimateSlot_.startAndPoll(std::move(job));
   }
   return estimateKey_ == wanted ? estimate_ : std::nullopt;
 }
