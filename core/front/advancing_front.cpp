@@ -78,6 +78,12 @@ void AdvancingFront::refresh(std::uint32_t id) {
   push(id, Class::Free, std::fabs(octaves));
 }
 
+void AdvancingFront::refreshAround(std::uint32_t added) {
+  refresh(added);
+  refresh(edges_[added].previous);
+  refresh(edges_[added].next);
+}
+
 void AdvancingFront::startAt(const Triangle& triangle) {
   addTriangle(triangle, FaceOrigin::Front);
   startAlong({triangle[2], triangle[1], triangle[0]});
@@ -203,18 +209,14 @@ void AdvancingFront::emit(std::uint32_t id, std::uint32_t apex, std::uint32_t co
     join(added, edges_[e.next].next);
     dropEdge(e.next);
     dropEdge(id);
-    refresh(added);
-    refresh(edges_[added].previous);
-    refresh(edges_[added].next);
+    refreshAround(added);
   } else if (earPrevious) {
     const std::uint32_t added = newEdge(apex, e.to);
     join(edges_[e.previous].previous, added);
     join(added, e.next);
     dropEdge(e.previous);
     dropEdge(id);
-    refresh(added);
-    refresh(edges_[added].previous);
-    refresh(edges_[added].next);
+    refreshAround(added);
   } else {
     const std::uint32_t into = newEdge(e.from, apex);
     const std::uint32_t out = newEdge(apex, e.to);
@@ -227,11 +229,8 @@ void AdvancingFront::emit(std::uint32_t id, std::uint32_t apex, std::uint32_t co
     join(e.previous, into);
     join(out, e.next);
     dropEdge(id);
-    for (const std::uint32_t added : {into, out}) {
-      refresh(added);
-      refresh(edges_[added].previous);
-      refresh(edges_[added].next);
-    }
+    refreshAround(into);
+    refreshAround(out);
   }
   flipAround(t);
 }

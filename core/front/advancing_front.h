@@ -53,6 +53,7 @@ class AdvancingFront : public FrontRules {
   void dropVoid();
   void push(std::uint32_t id, Class kind, double shape);
   void refresh(std::uint32_t id);
+  void refreshAround(std::uint32_t added);
 
   std::vector<HeapEntry> heap_;
   std::uint32_t age_ = 0;
