@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "render/surface_pick.h"
@@ -80,7 +81,7 @@ void buildDisc(vtkPolyData* disc, vtkPolyData* rim) {
   face->InsertNextCell(kSides);
   line->InsertNextCell(kSides + 1);
   for (int k = 0; k < kSides; ++k) {
-    const double angle = 2.0 * M_PI * k / kSides;
+    const double angle = 2.0 * std::numbers::pi * k / kSides;
     const vtkIdType id = points->InsertNextPoint(0.0, std::cos(angle), std::sin(angle));
     face->InsertCellPoint(id);
     line->InsertCellPoint(id);
@@ -271,7 +272,7 @@ std::optional<PortHit> PortMarks::at(double displayX, double displayY) const {
     const auto [u, v] = across(mark.plane.normalLps);
     std::vector<Vector2d> outline;
     for (int k = 0; k < kSides; ++k) {
-      const double angle = 2.0 * M_PI * k / kSides;
+      const double angle = 2.0 * std::numbers::pi * k / kSides;
       outline.push_back(displayOf(
           p.renderer,
           mark.plane.pointLps + mark.discRadiusMm() * (std::cos(angle) * u + std::sin(angle) * v)));

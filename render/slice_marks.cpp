@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "render/slice_layer.h"
 #include "render/surface_pick.h"
@@ -50,7 +51,7 @@ MarkLines linesOf(const PortMark& mark, const SlicePlane& plane) {
   const double radius = mark.discRadiusMm();
   std::vector<Vector3d> rim;
   for (int k = 0; k < kSides; ++k) {
-    const double angle = 2.0 * M_PI * k / kSides;
+    const double angle = 2.0 * std::numbers::pi * k / kSides;
     rim.push_back(
         plane.fromLps(mark.plane.pointLps + radius * (std::cos(angle) * u + std::sin(angle) * v)));
   }

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace angiomesh {
 
@@ -56,7 +57,7 @@ void fitCamera(vtkRenderer* renderer, const std::array<double, 6>& bounds) {
   const int* size = renderer->GetRenderWindow() != nullptr ? renderer->GetSize() : nullptr;
   const double aspect =
       size != nullptr && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
-  const double slope = std::tan(0.5 * viewAngleDegrees * M_PI / 180.0);
+  const double slope = std::tan(0.5 * viewAngleDegrees * std::numbers::pi / 180.0);
   // Near enough that every corner of the bounds is just inside the view; ResetCamera() fits a
   // sphere around them, which leaves much of a wide pane empty.
   const Eigen::Vector3d middle(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace angiomesh {
 
@@ -32,7 +33,8 @@ struct Pinhole {
     const double width = size != nullptr ? std::max(size[0], 1) : 1.0;
     const double height = size != nullptr ? std::max(size[1], 1) : 1.0;
     middle = {0.5 * width, 0.5 * height};
-    pixelsPerSlope = 0.5 * height / std::tan(0.5 * camera->GetViewAngle() * M_PI / 180.0);
+    pixelsPerSlope =
+        0.5 * height / std::tan(0.5 * camera->GetViewAngle() * std::numbers::pi / 180.0);
   }
 };
 

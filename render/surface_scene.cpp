@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "render/colour_bar.h"
 #include "render/direction_cube.h"
@@ -425,7 +426,7 @@ void SurfaceScene::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   double direction[3];
   camera->GetDirectionOfProjection(direction);
-  const double halfAngle = 0.5 * viewAngleDegrees * M_PI / 180.0;
+  const double halfAngle = 0.5 * viewAngleDegrees * std::numbers::pi / 180.0;
   const double distance = std::max(radiusMm, 1e-3) / std::sin(halfAngle);
   camera->SetFocalPoint(lps.data());
   camera->SetPosition(lps[0] - distance * direction[0], lps[1] - distance * direction[1],

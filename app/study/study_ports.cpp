@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "app/session/mesh_files.h"
@@ -22,7 +23,6 @@ using Eigen::Vector3d;
 constexpr const char* kName = "here";
 constexpr int kTries = 100;
 constexpr double kLargestTilt = 0.6;  // radians
-constexpr double kPi = 3.14159265358979323846;
 
 /// Vertices where two planes meet: no mesher chooses the angle there.
 std::vector<char> rimCorners(const TriMesh& mesh) {
@@ -108,7 +108,7 @@ std::string PortStudy::randomCut(std::uint64_t seed, std::uint64_t& counter) con
   const SkeletonPoint& here = branch->points[at];
   const Vector3d axis = (branch->points[at + 1].pointLps - here.pointLps).normalized();
   const Vector3d side =
-      Eigen::AngleAxisd(2.0 * kPi * uniform(), axis) * Vector3d(axis.unitOrthogonal());
+      Eigen::AngleAxisd(2.0 * std::numbers::pi * uniform(), axis) * Vector3d(axis.unitOrthogonal());
   GivenCut cut;
   cut.name = kName;
   cut.pointLps = here.pointLps + 0.5 * uniform() * here.inscribedMm * side;
@@ -116,7 +116,7 @@ std::string PortStudy::randomCut(std::uint64_t seed, std::uint64_t& counter) con
   const double tilt = kLargestTilt * uniform();
   const double sign = uniform() < 0.5 ? -1.0 : 1.0;
   const Vector3d across =
-      Eigen::AngleAxisd(2.0 * kPi * uniform(), axis) * Vector3d(axis.unitOrthogonal());
+      Eigen::AngleAxisd(2.0 * std::numbers::pi * uniform(), axis) * Vector3d(axis.unitOrthogonal());
   if (given) cut.normalLps = sign * (std::cos(tilt) * axis + std::sin(tilt) * across);
   return cutText(cut);
 }

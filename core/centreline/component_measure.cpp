@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/centreline/centre_lines.h"
@@ -75,10 +76,10 @@ void fillVolume(std::vector<VesselPiece>& pieces, double volume, int tips, doubl
     double sum = 0.0, radius = 0.0;
     for (const VesselPiece& piece : pieces) {
       const double r = std::max(piece.radiusMm + more, least);
-      sum += M_PI * piece.lengthMm * (r * r + voxelMm * voxelMm / 12.0);
+      sum += std::numbers::pi * piece.lengthMm * (r * r + voxelMm * voxelMm / 12.0);
       radius += piece.lengthMm / length * r;
     }
-    return sum + tips * (2.0 / 3.0) * M_PI * radius * radius * radius;
+    return sum + tips * (2.0 / 3.0) * std::numbers::pi * radius * radius * radius;
   };
   double low = -most, high = most + voxelMm;
   for (int n = 0; n < 50; ++n) {
@@ -118,7 +119,8 @@ std::vector<double> volumes(const Volume<float>& phi, const Volume<std::int32_t>
 /// r of V = pi r^2 L + tips (2/3) pi r^3, V as volumes() has it.
 double radiusOf(double volume, double length, int tips, double voxelMm) {
   const auto held = [&](double r) {
-    return M_PI * (r * r + voxelMm * voxelMm / 12.0) * (length + tips * r * (2.0 / 3.0));
+    return std::numbers::pi * (r * r + voxelMm * voxelMm / 12.0) *
+           (length + tips * r * (2.0 / 3.0));
   };
   double low = 0.0;
   double high = voxelMm;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/exact_math.h"
 #include "core/base/statistics.h"
@@ -14,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kDirections = 128;
 constexpr int kSectionRays = 48;  // even: each has one in the opposite direction
 
@@ -142,10 +142,11 @@ std::optional<LumenSection> LumenProbe::section(const Vector3d& point, const Vec
     Vector3d moment = Vector3d::Zero();
     for (std::size_t n = 0; n < rays.size(); ++n) {
       const double square = lengths[n] * lengths[n];
-      area += kPi / kSectionRays * square;
-      moment += 2.0 * kPi / (3.0 * kSectionRays) * square * lengths[n] * rays[n].direction;
+      area += std::numbers::pi / kSectionRays * square;
+      moment +=
+          2.0 * std::numbers::pi / (3.0 * kSectionRays) * square * lengths[n] * rays[n].direction;
     }
-    section.radiusMm = std::sqrt(area / kPi);
+    section.radiusMm = std::sqrt(area / std::numbers::pi);
     section.cutShare =
         static_cast<double>(std::count_if(rays.begin(), rays.end(),
                                           [](const Ray& ray) { return ray.end == End::Border; })) /

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
@@ -63,8 +64,8 @@ void toEdgePotential(Image& magnitude, const Volume<float>& image, const Compari
   const std::vector<double> p = percentiles(image, {0.001, 0.5, 0.999});
   // Of bright or dark vessels alike: what stands out furthest from the median.
   const double contrast = std::max(p[2] - p[1], p[1] - p[0]);
-  const double edge =
-      std::max(contrast / (std::sqrt(2.0 * M_PI) * params.gacSigmaVoxels), 1.001 * noise);
+  const double edge = std::max(
+      contrast / (std::sqrt(2.0 * std::numbers::pi) * params.gacSigmaVoxels), 1.001 * noise);
   const double beta = params.gacBeta.value_or(0.5 * (edge + noise));
   const double alpha = params.gacAlpha.value_or(-(edge - noise) / 6.0);
   if (alpha == 0.0)

@@ -3,12 +3,13 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 namespace angiomesh {
 
 /// Diameter of the circle of an area.
 inline double equivalentDiameterMm(double areaMm2) {
-  return std::sqrt(4.0 * areaMm2 / 3.14159265358979323846);
+  return std::sqrt(4.0 * areaMm2 / std::numbers::pi);
 }
 
 /// The area inside edges in one plane that run around it counter-clockwise, seen against the

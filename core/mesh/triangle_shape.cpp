@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace angiomesh {
 namespace {
@@ -16,7 +17,7 @@ double arcTangentDegrees(double t) {
   const double square = t * t;
   double series = 0.0;
   for (int n = 21; n >= 1; n -= 2) series = 1.0 / n - square * series;
-  return 4.0 * t * series * (180.0 / 3.14159265358979323846);
+  return 4.0 * t * series * (180.0 / std::numbers::pi);
 }
 
 }  // namespace

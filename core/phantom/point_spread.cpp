@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
@@ -14,7 +15,6 @@
 namespace angiomesh {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargestSigma = 4.0, kLargestZeroFilling = 4.0;
 constexpr double kNoBlur = 0.02;  // voxels: such a Gaussian changes no value by 0.1 %
 constexpr double kBoxWidth = 0.28867513459481287;  // standard deviation of a box of length 1
@@ -25,7 +25,7 @@ constexpr int kBoxIntervals = 96;  // of Simpson's rule over a voxel
 
 double gaussian(double x, double sigma) {
   const double t = x / sigma;
-  return portableExp(-0.5 * t * t) / (sigma * std::sqrt(2.0 * kPi));
+  return portableExp(-0.5 * t * t) / (sigma * std::sqrt(2.0 * std::numbers::pi));
 }
 
 /// A voxel's box blurred by a Gaussian, at x voxels from its centre.
@@ -41,7 +41,7 @@ double blurredBox(double x, double sigma) {
 
 double sinc(double x) {
   if (std::fabs(x) < 1e-9) return 1.0;
-  return portableSinTurns(0.5 * x) / (kPi * x);
+  return portableSinTurns(0.5 * x) / (std::numbers::pi * x);
 }
 
 double hammingResponse(double x) { return 0.54 * sinc(x) + 0.23 * (sinc(x - 1.0) + sinc(x + 1.0)); }

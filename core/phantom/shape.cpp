@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/exact_math.h"
 
 namespace angiomesh {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double smoothMinimum(double a, double b, double k) {
   const double h = std::max(k - std::fabs(a - b), 0.0) / k;
@@ -108,7 +107,7 @@ double HelixTube::signedDistance(const Eigen::Vector3d& point) const {
     s = s * stepCos + c * stepSin;
     c = next;
   }
-  const double rise = pitch / (2.0 * kPi);  // per radian
+  const double rise = pitch / (2.0 * std::numbers::pi);  // per radian
   for (int i = 0; i < 6; ++i) {
     c = portableCosTurns(turns);
     s = portableSinTurns(turns);
@@ -116,7 +115,7 @@ double HelixTube::signedDistance(const Eigen::Vector3d& point) const {
     const double bend = coilRadius * (x * c + y * s) + rise * rise;
     if (bend <= 0.0) break;
     const double limit = 1.0 / samples;
-    turns -= std::clamp(slope / bend / (2.0 * kPi), -limit, limit);
+    turns -= std::clamp(slope / bend / (2.0 * std::numbers::pi), -limit, limit);
     turns = std::clamp(turns, -halfTurns, halfTurns);
   }
   const Eigen::Vector3d d = point - centreLineAt(turns);
@@ -132,7 +131,7 @@ double WaistedTube::signedDistance(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d p = point - centre;
   const double s = p.dot(axis);
   const double rho = std::sqrt(std::max(p.dot(p) - s * s, 0.0));
-  const double slope = 0.5 * (radius - throat) * kPi / halfLength;
+  const double slope = 0.5 * (radius - throat) * std::numbers::pi / halfLength;
   return (rho - radiusAt(s)) / std::sqrt(1.0 + slope * slope);
 }
 

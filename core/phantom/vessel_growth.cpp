@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/exact_math.h"
 #include "core/base/random.h"
@@ -14,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kWallGap = 1.5;          // voxels left between vessels that do not join
 constexpr double kSharpestCosine = 0.85;  // vessels that join meet at 32 degrees or more
 constexpr int kDemandSamples = 10;
@@ -417,7 +417,7 @@ double vesselVolume(const std::vector<VesselNode>& nodes, double radiusOfUnitFlo
   double sum = 0.0;
   for (const VesselNode& n : nodes)
     if (n.parent >= 0) sum += weightOf(n.flow) * n.length;
-  return kPi * radiusOfUnitFlow * radiusOfUnitFlow * sum;
+  return std::numbers::pi * radiusOfUnitFlow * radiusOfUnitFlow * sum;
 }
 
 std::vector<VesselNode> growVessels(const GrowthParams& params, const Progress& progress) {

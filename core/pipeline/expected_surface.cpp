@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 
 #include "core/base/error.h"
@@ -95,11 +96,11 @@ void addSmooth(ExpectedSurface& expected, const SplineField& field, const Sizing
     int tips = 2;
     if (part.measure && part.measure->meanRadiusMm > 0.0) {
       for (const VesselPiece& piece : part.measure->pieces)
-        add(2.0 * M_PI * piece.radiusMm * piece.lengthMm, piece.radiusMm);
+        add(2.0 * std::numbers::pi * piece.radiusMm * piece.lengthMm, piece.radiusMm);
       radius = part.measure->meanRadiusMm;
       tips = part.measure->tips;
     }
-    if (radius > 0.0) add(2.0 * M_PI * radius * radius * tips, radius);
+    if (radius > 0.0) add(2.0 * std::numbers::pi * radius * radius * tips, radius);
     if (part.volumeMm3 < 0.01 * components.front().volumeMm3) {
       ++expected.specks;
       expected.speckTriangles += expected.smoothTriangles - before;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -21,7 +22,6 @@ constexpr double kReach = 0.5;  // radii; wider, side branches are in most windo
 constexpr double kMostPlaces = 20000.0;
 constexpr double kMostVisits = 4e5;  // vertices in all windows together
 constexpr std::size_t kLeastVertices = 32, kMostFitted = 128;
-constexpr double kPi = 3.14159265358979323846;
 
 /// A value and how much of the surface it stands for.
 using Weighted = std::pair<double, double>;
@@ -71,7 +71,7 @@ class Measure {
   std::optional<Roughness> result(const Progress& progress) {
     choosePlaces(progress.sub(0.0, 0.2));
     std::vector<Place> places(places_.size());
-    const double reachWithout = std::sqrt(area_ / (4.0 * kPi));
+    const double reachWithout = std::sqrt(area_ / (4.0 * std::numbers::pi));
     parallelFor(0, places.size(), 256, [&](std::size_t first, std::size_t last) {
       progress.check();
       std::vector<char> marks(mesh_.points.size(), 0);
@@ -132,7 +132,7 @@ class Measure {
     for (std::size_t n = 0; n < places_.size(); ++n) {
       const double radius = std::isfinite(radii_[n]) ? std::min(radii_[n], mostRadius_) : 0.0;
       const double reach = kReach * radius;
-      visits += kLeastVertices + kPi * reach * reach * count / std::max(area_, 1e-300);
+      visits += kLeastVertices + std::numbers::pi * reach * reach * count / std::max(area_, 1e-300);
     }
     every = static_cast<std::size_t>(std::ceil(std::max(1.0, visits / kMostVisits)));
     std::size_t kept = 0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "core/base/error.h"
@@ -19,7 +20,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPi = 3.14159265358979323846;
 
 /// Where phi changes sign between two neighbouring voxels, index space.
 void addCrossings(const SplineField& phi, int k, std::vector<Vector3d>& crossings) {
@@ -98,7 +98,8 @@ double radiusFromShares(const Geometry& g, const Cylinder& cylinder, const Share
   });
   double voxels = 0.0;
   for (const double s : slices) voxels += s;
-  return std::sqrt(voxels * g.voxelVolumeMm3() / (kPi * (cylinder.high - cylinder.low)));
+  return std::sqrt(voxels * g.voxelVolumeMm3() /
+                   (std::numbers::pi * (cylinder.high - cylinder.low)));
 }
 
 /// The number of the root that each centre line continues.

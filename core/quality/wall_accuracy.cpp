@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -19,7 +20,6 @@ using Eigen::Vector3d;
 
 constexpr double kBorderVoxels = 1.25;
 constexpr double kPlaneStep = 0.05;  // voxels, of the planes across a throat
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kBlock = 256;
 
 /// What is known of a vertex or triangle that counts.
@@ -188,7 +188,7 @@ std::optional<double> leastDiameter(const TriMesh& mesh, const Throat& throat, d
   }
   if (!any) return std::nullopt;
   const double least = std::max(0.0, *std::min_element(areas.begin(), areas.end()));
-  return 2.0 * std::sqrt(least / kPi);
+  return 2.0 * std::sqrt(least / std::numbers::pi);
 }
 
 }  // namespace angiomesh
