@@ -19,8 +19,6 @@ constexpr std::size_t kGrain = 1U << 16;
 constexpr std::uint64_t kDriftStream = 0x64726966;  // apart from the noise of the same seed
 constexpr std::uint64_t kQuadratureStream = 0x71756164;
 
-double norm(const Vector3d& v) { return std::sqrt(v.dot(v)); }
-
 /// Where along the segment, 0..1, is nearest to the point.
 double nearestAlong(const CentreLineSegment& s, const Vector3d& point) {
   const Vector3d step = s.to - s.from;
@@ -52,13 +50,13 @@ VesselFade::VesselFade(const PhantomParams& params, const Shape& shape)
              torus != nullptr && params.kind == PhantomKind::Torus) {
     alongAxis(torus->toMiddle, torus->radius);
   } else {
-    alongAxis(params.axis / norm(params.axis), 0.0);
+    alongAxis(params.axis / params.axis.norm(), 0.0);
   }
 }
 
 void VesselFade::alongTree() {
   std::vector<double> beyond(lines_.size(), 0.0);  // longest way from a line's end to a tip
-  const auto length = [&](std::size_t i) { return norm(lines_[i].to - lines_[i].from); };
+  const auto length = [&](std::size_t i) { return (lines_[i].to - lines_[i].from).norm(); };
   for (std::size_t i = lines_.size(); i-- > 0;)
     if (lines_[i].parent >= 0) {
       double& way = beyond[static_cast<std::size_t>(lines_[i].parent)];
@@ -96,7 +94,7 @@ double VesselFade::at(const Vector3d& point) const {
     const CentreLineSegment& s = lines_[i];
     const double t = nearestAlong(s, point);
     const double radius = s.radiusFromMm + (s.radiusToMm - s.radiusFromMm) * t;
-    const double distance = norm(point - s.from - t * (s.to - s.from)) - radius;
+    const double distance = (point - s.from - t * (s.to - s.from)).norm() - radius;
     if (distance >= nearest) continue;
     nearest = distance;
     brightness = ends_[i][0] + (ends_[i][1] - ends_[i][0]) * t;
@@ -108,7 +106,7 @@ void addDrift(Volume<float>& image, const PhantomParams& params, const Progress&
   const Geometry& g = image.geometry;
   const std::uint64_t seed = randomBits(params.randomSeed, kDriftStream);
   Vector3d direction(randomNormal(seed, 0), randomNormal(seed, 1), randomNormal(seed, 2));
-  direction /= std::max(norm(direction), 1e-9);
+  direction /= std::max(direction.norm(), 1e-9);
   const double strength = 0.01 * params.driftPercent;
   parallelFor(0, image.voxels.size(), kGrain, [&](std::size_t first, std::size_t last) {
     progress.check();

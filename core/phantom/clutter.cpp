@@ -27,8 +27,6 @@ constexpr double kClearance = 3.0, kVeinClearance = 1.5, kVeinGap = 2.0;  // vox
 constexpr double kSlabLevels[] = {0.0, 20.0, 8.0, 28.0};
 constexpr int kDirections = 16;  // around a vessel, where the bone and the vein may lie
 
-double norm(const Vector3d& v) { return std::sqrt(v.dot(v)); }
-
 struct Body {
   ClutterPiece piece;
   Vector3d low, high;  ///< holds all of it, mm
@@ -40,7 +38,7 @@ struct Body {
 double roundedBox(const Vector3d& fromCentre, const Vector3d& half, double round) {
   const Vector3d q = fromCentre.cwiseAbs() - half + Vector3d::Constant(round);
   const Vector3d outside = q.cwiseMax(0.0);
-  return norm(outside) + std::min(q.maxCoeff(), 0.0) - round;
+  return outside.norm() + std::min(q.maxCoeff(), 0.0) - round;
 }
 
 /// The vessels' surroundings and where the pieces go.
@@ -126,7 +124,7 @@ class Placement {
     const Vector3d centre = roomiest(radius + clear + unit_);
     const Vector3d half = Vector3d::Constant(radius);
     add("blob", 3, intensity, clear, -1, centre - half, centre + half, 0.0,
-        [=](const Vector3d& p) { return norm(p - centre) - radius; });
+        [=](const Vector3d& p) { return (p - centre).norm() - radius; });
   }
 
   void addPlate() {
@@ -134,9 +132,9 @@ class Placement {
     const double clear = kClearance * unit_;
     const Vector3d centre = roomiest(wide + clear);
     Vector3d normal(uniform() - 0.5, uniform() - 0.5, uniform() + 0.5);
-    normal /= norm(normal);
+    normal /= normal.norm();
     Vector3d first(normal[2], 0.0, -normal[0]);
-    first /= norm(first);
+    first /= first.norm();
     const Vector3d second(normal[1] * first[2] - normal[2] * first[1],
                           normal[2] * first[0] - normal[0] * first[2],
                           normal[0] * first[1] - normal[1] * first[0]);
@@ -162,14 +160,14 @@ class Placement {
     Beside best;
     for (std::size_t n = 0; n < shape_.centreLines.size(); ++n) {
       const CentreLineSegment& s = shape_.centreLines[n];
-      const double length = norm(s.to - s.from);
+      const double length = (s.to - s.from).norm();
       if (length < unit_) continue;
       const Vector3d along = (s.to - s.from) / length;
       int least = 0;
       for (int a = 1; a < 3; ++a)
         if (std::fabs(along[a]) < std::fabs(along[least])) least = a;
       Vector3d side = Vector3d::Unit(least) - along[least] * along;
-      side /= norm(side);
+      side /= side.norm();
       const Vector3d other(along[1] * side[2] - along[2] * side[1],
                            along[2] * side[0] - along[0] * side[2],
                            along[0] * side[1] - along[1] * side[0]);
@@ -236,7 +234,7 @@ class Placement {
     const Vector3d half = Vector3d::Constant(kBoneRadiusMm);
     add("bone", 4, 400.0, 0.0, segment, centre - half, centre + half, 0.0, [=](const Vector3d& p) {
       const Vector3d d = p - centre;
-      const double r = norm(d);
+      const double r = d.norm();
       const double shell = std::max(r - kBoneRadiusMm, kBoneRadiusMm - kBoneMm - r);
       return std::max(shell, d.dot(outwards) + 0.5 * kBoneRadiusMm);  // 60 degrees about the touch
     });
@@ -262,7 +260,7 @@ void draw(Phantom& phantom, Volume<float>& bright, Volume<std::uint8_t>& taken, 
           const Placement& placement, const Progress& progress) {
   const Geometry& g = phantom.image.geometry;
   const Vector3d quarter = 0.25 * g.spacing;
-  const double reach = norm(quarter) * (1.0 + 1e-9);
+  const double reach = quarter.norm() * (1.0 + 1e-9);
   Index3 first;
   Index3 last;
   for (int a = 0; a < 3; ++a) {

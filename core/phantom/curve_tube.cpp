@@ -14,8 +14,6 @@ using Eigen::Vector4d;
 constexpr std::size_t kSamples = 8;  // of each piece, where the nearest place is looked for
 constexpr int kNewtonSteps = 8;
 
-double norm(const Vector3d& v) { return std::sqrt(v.dot(v)); }
-
 /// The second derivatives of the natural cubic spline through values at 0, 1, 2, ...
 std::vector<Vector4d> secondDerivatives(const std::vector<Vector4d>& values) {
   const std::size_t n = values.size();
@@ -52,7 +50,7 @@ CurveTube::CurveTube(const std::vector<Vector3d>& points, const std::vector<doub
       const double s = static_cast<double>(k) / kSamples;
       const Ball ball = piece.a + s * (piece.b + s * (piece.c + s * piece.d));
       if (k < kSamples || i + 1 == pieces_.size()) samples_.push_back(ball);
-      piece.reach = std::max(piece.reach, norm(ball.head<3>() - piece.middle) + ball[3]);
+      piece.reach = std::max(piece.reach, (ball.head<3>() - piece.middle).norm() + ball[3]);
     }
   }
 }
@@ -80,7 +78,7 @@ Vector3d CurveTube::tangentAt(double t) const {
   double s = 0.0;
   const Piece& p = pieces_[pieceAt(t, s)];
   const Vector3d tangent = (p.b + s * (2.0 * p.c + 3.0 * s * p.d)).head<3>();
-  return tangent / norm(tangent);
+  return tangent / tangent.norm();
 }
 
 /// The least distance to the balls near the parameter t, by Newton.
@@ -92,7 +90,7 @@ double CurveTube::refined(const Vector3d& point, double t) const {
     const Piece& p = pieces_[pieceAt(t, s)];
     const Ball ball = p.a + s * (p.b + s * (p.c + s * p.d));
     const Vector3d u = point - ball.head<3>();
-    const double distance = norm(u);
+    const double distance = u.norm();
     best = std::min(best, distance - ball[3]);
     if (distance < 1e-12 || step == kNewtonSteps) break;
     const Ball first = p.b + s * (2.0 * p.c + 3.0 * s * p.d);
@@ -115,9 +113,9 @@ double CurveTube::signedDistance(const Vector3d& point) const {
   double best = std::numeric_limits<double>::max();
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    if (norm(point - pieces_[i].middle) - pieces_[i].reach > best) continue;
+    if ((point - pieces_[i].middle).norm() - pieces_[i].reach > best) continue;
     for (std::size_t k = i * kSamples; k <= (i + 1) * kSamples; ++k) {
-      const double d = norm(point - samples_[k].head<3>()) - samples_[k][3];
+      const double d = (point - samples_[k].head<3>()).norm() - samples_[k][3];
       if (d >= best) continue;
       best = d;
       nearest = k;

@@ -21,12 +21,10 @@ constexpr int kDemandSamples = 10;
 constexpr int kNearestVessels = 24;
 constexpr int kFailuresUntilFull = 400;
 
-double norm(const Vector3d& v) { return std::sqrt(v.dot(v)); }
-
 double pointToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d d = b - a;
   const double t = std::clamp((p - a).dot(d) / std::max(d.dot(d), 1e-12), 0.0, 1.0);
-  return norm(p - a - t * d);
+  return (p - a - t * d).norm();
 }
 
 /// Distance of two segments: the smaller of an inner solution and the four end point distances.
@@ -44,7 +42,7 @@ double segmentToSegment(const Vector3d& a, const Vector3d& b, const Vector3d& c,
     const double vw = v.dot(w);
     const double s = (uv * vw - vv * uw) / determinant;
     const double t = (uu * vw - uv * uw) / determinant;
-    if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) return norm(w + s * u - t * v);
+    if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) return (w + s * u - t * v).norm();
   }
   return std::min({pointToSegment(a, c, d), pointToSegment(b, c, d), pointToSegment(c, a, b),
                    pointToSegment(d, a, b)});
@@ -65,12 +63,12 @@ Vector3d leastVolumePoint(const std::array<Vector3d, 3>& points,
     Vector3d sum = Vector3d::Zero();
     double total = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double pull = weights[i] / std::max(norm(points[i] - at), 1e-6);
+      const double pull = weights[i] / std::max((points[i] - at).norm(), 1e-6);
       sum += pull * points[i];
       total += pull;
     }
     const Vector3d next = sum / total;
-    const double moved = norm(next - at);
+    const double moved = (next - at).norm();
     at = next;
     if (moved < 1e-3) break;
   }
@@ -145,7 +143,7 @@ class Growth {
   [[nodiscard]] double distanceToVessels(const Vector3d& p) const {
     double least = std::numeric_limits<double>::max();
     for (const VesselNode& n : nodes_) {
-      const double d = n.parent < 0 ? norm(p - n.position)
+      const double d = n.parent < 0 ? (p - n.position).norm()
                                     : pointToSegment(p, n.position, node(n.parent).position);
       least = std::min(least, d);
     }
@@ -207,7 +205,7 @@ class Growth {
     const auto isJoined = [&](int n) {
       return n >= 0 && (n == joined[0] || n == joined[1] || n == joined[2]);
     };
-    const double half = 0.5 * norm(b - a);
+    const double half = 0.5 * (b - a).norm();
     for (int n = 0; n < count(); ++n) {
       const VesselNode& other = node(n);
       if (other.parent < 0 || n == replaced || isJoined(n) || isJoined(other.parent)) continue;
@@ -224,7 +222,7 @@ class Growth {
   static bool tooSharp(const Vector3d& joint, const Vector3d& a, const Vector3d& b) {
     const Vector3d u = a - joint;
     const Vector3d v = b - joint;
-    return u.dot(v) > kSharpestCosine * norm(u) * norm(v);
+    return u.dot(v) > kSharpestCosine * u.norm() * v.norm();
   }
 
   /// Whether the vessels at a bifurcation are long enough, meet at wide angles, also with what
@@ -234,7 +232,7 @@ class Growth {
                           int self) const {
     if (!insideTissue(joint, 3.0 + radii[0])) return false;
     for (std::size_t i = 0; i < 3; ++i)
-      if (norm(ends[i] - joint) < 1.5 + 1.2 * radii[0]) return false;
+      if ((ends[i] - joint).norm() < 1.5 + 1.2 * radii[0]) return false;
     if (tooSharp(joint, ends[0], ends[1]) || tooSharp(joint, ends[0], ends[2]) ||
         tooSharp(joint, ends[1], ends[2]))
       return false;
@@ -260,7 +258,8 @@ class Growth {
     const std::array<Vector3d, 3> ends{node(n.parent).position, n.position, terminal};
     const std::array<double, 3> weights{weightOf(n.flow + flow), weightOf(n.flow), weightOf(flow)};
     Joint joint{vessel, leastVolumePoint(ends, weights), 0.0};
-    for (std::size_t i = 0; i < 3; ++i) joint.cost += weights[i] * norm(ends[i] - joint.position);
+    for (std::size_t i = 0; i < 3; ++i)
+      joint.cost += weights[i] * (ends[i] - joint.position).norm();
     joint.cost -= weights[1] * n.length;
     for (int a = n.parent; a >= 0 && node(a).parent >= 0; a = node(a).parent)
       joint.cost += node(a).length * (weightOf(node(a).flow + flow) - weightOf(node(a).flow));
@@ -329,7 +328,7 @@ class Growth {
     end.flow = flow;
     for (int attempt = 0; attempt < 40; ++attempt) {
       const Vector3d to = pointOfDemand();
-      const double length = norm(to - from);
+      const double length = (to - from).norm();
       if (length < shortest || (end.length > 0.0 && length > end.length)) continue;
       if (!clear(from, to, radius, {root, root, root}, -1)) continue;
       end.position = to;
@@ -356,16 +355,16 @@ class Growth {
     bifurcation.children[0] = below;
     bifurcation.children[1] = middle + 1;
     bifurcation.flow = node(below).flow;
-    bifurcation.length = norm(joint.position - node(above).position);
+    bifurcation.length = (joint.position - node(above).position).norm();
     VesselNode end;
     end.position = terminal;
     end.parent = middle;
     end.flow = flow;
-    end.length = norm(terminal - joint.position);
+    end.length = (terminal - joint.position).norm();
     for (int& c : node(above).children)
       if (c == below) c = middle;
     node(below).parent = middle;
-    node(below).length = norm(node(below).position - joint.position);
+    node(below).length = (node(below).position - joint.position).norm();
     nodes_.push_back(bifurcation);
     nodes_.push_back(end);
     for (int n = middle; n >= 0; n = node(n).parent) node(n).flow += flow;
@@ -393,9 +392,9 @@ class Growth {
           const Vector3d moved = b.position + step * (target - b.position);
           if (!fits(moved, ends, radii, around, n)) continue;
           b.position = moved;
-          b.length = norm(moved - ends[0]);
-          node(around[1]).length = norm(moved - ends[1]);
-          node(around[2]).length = norm(moved - ends[2]);
+          b.length = (moved - ends[0]).norm();
+          node(around[1]).length = (moved - ends[1]).norm();
+          node(around[2]).length = (moved - ends[2]).norm();
           break;
         }
       }

@@ -18,8 +18,6 @@ constexpr int kSteps = 8;                      // of the centre lines, for each 
 constexpr double kLeastLean = 0.14;            // turns, of a branch against its parent
 constexpr double kGoldenTurns = 0.381966011250105;
 
-double norm(const Vector3d& v) { return std::sqrt(v.dot(v)); }
-
 /// A vessel with the numbers of its centre lines.
 struct Vessel {
   CurveTube tube;
@@ -69,7 +67,7 @@ class TreeBuilder {
     for (int a = 1; a < 3; ++a)
       if (std::fabs(axis[a]) < std::fabs(axis[least])) least = a;
     Vector3d u = Vector3d::Unit(least) - axis[least] * axis;
-    u /= norm(u);
+    u /= u.norm();
     const Vector3d v(axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2],
                      axis[0] * u[1] - axis[1] * u[0]);
     return portableCosTurns(turns) * u + portableSinTurns(turns) * v;
@@ -155,7 +153,7 @@ class TreeBuilder {
       const Vector3d centre = tube.centreAt(t);
       const double radius = tube.radiusAt(t);
       if (!inside(centre, radius)) return false;
-      const bool near = norm(centre - start) < joined;
+      const bool near = (centre - start).norm() < joined;
       for (std::size_t n = 0; n < shape_.solids.size(); ++n) {
         if (near && n == solidOf(take.parent)) continue;
         if (signedDistance(shape_.solids[n], centre) < radius + gap) return false;
