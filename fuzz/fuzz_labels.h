@@ -80,7 +80,7 @@ inline void readLabelsInput(const std::uint8_t* data, std::size_t size) {
   const std::size_t start = std::min(line + 1, size);
   const InputFile file(data + start, size - start, "");
   attempt([&] {
-    if (imageFormat(file.path()) == ImageFormat::Dicom) return;
+    if (imageFormat(file.path()).isDicom()) return;
     if (choice.starts_with("=")) {
       double least = 0.0;
       std::from_chars(choice.data() + 1, choice.data() + choice.size(), least);

@@ -83,8 +83,8 @@ inline void readImageInput(const std::uint8_t* data, std::size_t size) {
   const bool gzip = size > 1 && data[0] == 0x1f && data[1] == 0x8b;
   const InputFile file(data, size, gzip ? ".nii.gz" : "");
   attempt([&] {
-    const ImageFormat format = imageFormat(file.path());
-    if (format == ImageFormat::Dicom) return;
+    const ImageFormat& format = imageFormat(file.path());
+    if (format.isDicom()) return;
     const ImageHeader header = readHeader(file.path(), format);
     const bool several = header.data.values > 1;
     static_cast<void>(readNative(file.path(), {}, several ? std::optional<int>(1) : std::nullopt));

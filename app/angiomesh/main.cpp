@@ -5,10 +5,12 @@
 #include <QString>
 #include <string>
 
+#include "core/base/formatted.h"
 #include "core/base/parallel.h"
 #include "core/pipeline/report.h"
 #include "gui/main_window.h"
 #include "gui/view/open_gl.h"
+#include "io/volume/image_format.h"
 
 int main(int argc, char** argv) {
   using namespace angiomesh;
@@ -17,8 +19,9 @@ int main(int argc, char** argv) {
   bool sample = false;
   bool run = false;
   int threadCount = 0;
-  cli.add_option("INPUT", input,
-                 "a volume (.mha, .nrrd, .nii, DICOM), a folder with a series, or a case");
+  cli.add_option(
+      "INPUT", input,
+      "a volume (" + joined(imageEndings(false)) + "), a folder with a series, or a case");
   cli.add_flag("--sample", sample, "open the built-in sample, a noisy vascular tree");
   cli.add_flag("--run", run, "run the pipeline once the input is loaded");
   cli.add_option("--threads", threadCount, "number of threads; 0: all cores")

@@ -10,10 +10,10 @@
 #include "core/openings/port.h"
 #include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_io.h"
-#include "io/mesh/mesh_place.h"
 #include "io/scan/image_io.h"
 #include "io/vessel/openfoam_case.h"
 #include "io/vessel/patch_files.h"
+#include "io/volume/image_format.h"
 #include "io/volume/image_write.h"
 #include "io/volume/not_finite.h"
 
@@ -46,24 +46,17 @@ bool isMeshName(const fs::path& path) {
   return format != nullptr && format->written();
 }
 
-bool isVolumeName(const std::string& name) {
-  const std::string extension = meshExtension(name);
-  for (const char* known : {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".gz", ".dcm"})
-    if (extension == known) return true;
-  return false;
-}
-
 /// Says which of the two names is wrong before a file is read as what it is not.
 void checkKinds(const ConvertOptions& options) {
   const bool fromMesh = meshFormatOf(options.input) != nullptr;
   if (isMeshName(options.output)) {
-    if (isVolumeName(options.input) || fs::is_directory(options.input))
+    if (imageEndingOf(options.input) != nullptr || fs::is_directory(options.input))
       throw InputError("a volume does not become a mesh by conversion", options.input,
                        "make its surface with 'run' or, of a mask, with 'mesh'");
     return;
   }
   if (!fromMesh) return;
-  if (isVolumeName(options.output))
+  if (imageEndingOf(options.output) != nullptr)
     throw InputError("a mesh does not become a volume", options.output,
                      "end the output's name in " + meshEndings(true));
   throw InputError("no format that can be written has the ending of the output's name",

@@ -6,6 +6,7 @@
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
+#include <span>
 
 namespace angiomesh {
 
@@ -18,6 +19,11 @@ std::string formatted(const char* format, ...) {
   va_end(again);
   va_end(values);
   return text;
+}
+
+std::string eitherOf(const std::vector<std::string>& words) {
+  const std::string before = joined(std::span(words).first(words.size() - 1));
+  return before.empty() ? words.back() : before + " or " + words.back();
 }
 
 std::string shortestText(double value) {

@@ -4,11 +4,15 @@
 #include <Eigen/Core>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace angiomesh {
 
 /// As printf() writes it.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+
+/// "a, b or c".
+std::string eitherOf(const std::vector<std::string>& words);
 
 /// The shortest text that reads back as the same number.
 std::string shortestText(double value);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gui/model/step_text.h"
+#include "io/volume/image_format.h"
 
 namespace angiomesh {
 
@@ -19,11 +20,9 @@ QString nameOf(const QString& path) {
   if (info.isDir()) {
     return QStringLiteral("DICOM series");
   }
-  QString name = info.completeBaseName();
-  if (name.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive)) {
-    name.chop(4);
-  }
-  return name;
+  const ImageEnding* ending = imageEndingOf(path.toStdString());
+  return ending ? info.fileName().chopped(QLatin1String(ending->text).size())
+                : info.completeBaseName();
 }
 
 QString inWords(const CaseSource& source) {

@@ -17,10 +17,12 @@
 #include <initializer_list>
 #include <utility>
 
+#include "core/base/formatted.h"
 #include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/shared_history.h"
 #include "io/mesh/mesh_format.h"
+#include "io/volume/image_format.h"
 
 namespace angiomesh {
 
@@ -76,9 +78,8 @@ PathChooser dialogPathChooser() {
     const SharedHistory history;
     return QFileDialog::getOpenFileName(
         parent, QObject::tr("Open a volume"), {},
-        QObject::tr(
-            "Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm);;Cases (case.json);;All "
-            "files (*)"),
+        QObject::tr("Volumes (*%1);;Cases (case.json);;All files (*)")
+            .arg(QString::fromStdString(joined(imageEndings(false), " *"))),
         nullptr, QFileDialog::DontUseNativeDialog);
   };
   chooser.openFolder = [](QWidget* parent) {

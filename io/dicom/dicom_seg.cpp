@@ -138,7 +138,7 @@ void readBits(const DicomSegmentation& s, const std::vector<const DicomFrame*>& 
 
 std::optional<DicomSegmentation> openSegmentation(const fs::path& path) {
   std::error_code error;
-  if (fs::is_directory(path, error) || imageFormat(path) != ImageFormat::Dicom) return {};
+  if (fs::is_directory(path, error) || !imageFormat(path).isDicom()) return {};
   std::vector<std::string> none;
   std::vector<DicomSeries> all = scanDicom(path, {}, ScanDepth::Here, none);
   if (all.empty() || all.front().segments.empty()) return {};

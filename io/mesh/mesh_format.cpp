@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "io/file/files.h"
 #include "io/mesh/mesh_place.h"
 
@@ -72,10 +73,7 @@ std::string meshEndings(bool onlyWritten) {
   std::vector<std::string> endings;
   for (const MeshFormat& format : meshFormats())
     if (format.written() || !onlyWritten) endings.emplace_back(format.extension);
-  std::string text;
-  for (std::size_t i = 0; i < endings.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + endings[i];
-  return text;
+  return eitherOf(endings);
 }
 
 }  // namespace angiomesh

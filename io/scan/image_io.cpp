@@ -29,28 +29,11 @@ bool isFolder(const fs::path& path) {
   return fs::is_directory(path, error);
 }
 
-bool isDicom(const fs::path& path) {
-  return isFolder(path) || imageFormat(path) == ImageFormat::Dicom;
-}
-
-const char* formatName(ImageFormat format) {
-  switch (format) {
-    case ImageFormat::MetaImage:
-      return "MetaImage";
-    case ImageFormat::Nrrd:
-      return "NRRD";
-    case ImageFormat::Nifti:
-      return "NIfTI";
-    case ImageFormat::Dicom:
-      break;
-  }
-  return "DICOM";
-}
+bool isDicom(const fs::path& path) { return isFolder(path) || imageFormat(path).isDicom(); }
 
 /// An image file whose header is read and makes sense.
 struct OpenImage {
   fs::path path;
-  ImageFormat format = ImageFormat::MetaImage;
   ImageHeader header;
   Geometry geometry;
   InputInfo info;
@@ -82,8 +65,8 @@ OpenImage openImage(const fs::path& path, const std::string& seriesUid,
                      "leave the series out");
   OpenImage image;
   image.path = path;
-  image.format = imageFormat(path);
-  image.header = readHeader(path, image.format);
+  const ImageFormat& format = imageFormat(path);
+  image.header = readHeader(path, format);
   const ImageHeader& header = image.header;
   image.value = chosenValue(header, component, path);
   image.geometry = header.geometry ? *header.geometry : itkMetaGeometry(path);
@@ -93,7 +76,7 @@ OpenImage openImage(const fs::path& path, const std::string& seriesUid,
     if (image.geometry.size[a] != static_cast<int>(header.size[a]))
       throw InputError("the size of the image is not clear (" + sizeText(header) + ")",
                        path.string(), "write the image again with another program");
-  image.info.format = formatName(image.format);
+  image.info.format = format.name;
   image.info.pixelType = voxelTypeName(header.data.type);
   image.info.modality = header.modality;
   image.info.warnings = header.warnings;
@@ -335,9 +318,8 @@ std::vector<ImageSummary> describeImages(const fs::path& path, const Progress& p
   if (const auto segmentation = openSegmentation(path))
     return {{segmentation->geometry, segmentation->info, {}}};
   if (isDicom(path)) return describeDicom(path, progress, depth);
-  const ImageFormat format = imageFormat(path);
   // The layers of a segmentation share their geometry.
-  const bool segments = readHeader(path, format).fields.count("Segment0_Name") != 0;
+  const bool segments = readHeader(path, imageFormat(path)).fields.count("Segment0_Name") != 0;
   const OpenImage image = openImage(path, {}, segments ? std::optional<int>(0) : std::nullopt);
   return {{image.geometry, image.info, {}}};
 }

@@ -44,8 +44,8 @@ Segments segmentsOf(const fs::path& path) {
   Segments segments;
   std::error_code error;
   if (fs::is_directory(path, error)) return segments;
-  const ImageFormat format = imageFormat(path);
-  if (format == ImageFormat::Dicom) {
+  const ImageFormat& format = imageFormat(path);
+  if (format.isDicom()) {
     if (auto dicom = openSegmentation(path)) {
       segments.named = dicom->segments;
       segments.layers = static_cast<int>(dicom->segments.size());
@@ -53,7 +53,6 @@ Segments segmentsOf(const fs::path& path) {
     }
     return segments;
   }
-  if (format != ImageFormat::Nrrd) return segments;
   const ImageHeader header = readHeader(path, format);
   const auto& fields = header.fields;
   for (int n = 0;; ++n) {

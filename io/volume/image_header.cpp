@@ -14,10 +14,8 @@ std::string sizeText(const ImageHeader& header) {
   return text;
 }
 
-ImageHeader readHeader(const std::filesystem::path& path, ImageFormat format) {
-  ImageHeader header = format == ImageFormat::MetaImage ? readMetaImageHeader(path)
-                       : format == ImageFormat::Nrrd    ? readNrrdHeader(path)
-                                                        : readNiftiHeader(path);
+ImageHeader readHeader(const std::filesystem::path& path, const ImageFormat& format) {
+  ImageHeader header = format.read(path);
   if (header.size.size() < 3)
     throw InputError(
         "a " + std::to_string(header.size.size()) + "D image (" + sizeText(header) + ")",

@@ -30,7 +30,7 @@ struct ImageHeader {
 /// Reads the header alone and asks for the sizes of files; nothing is as large as what it claims.
 /// @throws IoError (truncated, missing, more voxels than the file can hold), InputError (a header
 /// that makes no sense, or a kind of image that is not read)
-ImageHeader readHeader(const std::filesystem::path& path, ImageFormat format);
+ImageHeader readHeader(const std::filesystem::path& path, const ImageFormat& format);
 
 ImageHeader readMetaImageHeader(const std::filesystem::path& path);
 ImageHeader readNrrdHeader(const std::filesystem::path& path);

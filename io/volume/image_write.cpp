@@ -21,6 +21,7 @@
 #include "io/file/staged_folder.h"
 #include "io/file/text_scanner.h"
 #include "io/volume/image_format.h"
+#include "io/volume/writable_image.h"
 
 namespace angiomesh {
 namespace {
@@ -30,13 +31,6 @@ namespace fs = std::filesystem;
 constexpr int kLevel = 2;       // of zlib: further ones cost more time than they save bytes
 constexpr double kSkew = 1e-5;  // of the axes that NIfTI's quaternion holds as rotation
 const char* const kAdvice = "check that the folder may be written to and has free space";
-
-/// What is written: the voxels as bytes, with all that a header tells.
-struct Content {
-  const Geometry& geometry;
-  VoxelType type;
-  std::span<const std::byte> bytes;
-};
 
 [[noreturn]] void throwNotWritten(const fs::path& path) {
   throw IoError("cannot write the image (" + std::generic_category().message(errno) + ")",
@@ -110,40 +104,30 @@ std::string sizesText(const Geometry& g) {
 constexpr bool kBigEndian = std::endian::native == std::endian::big;
 
 /// A MetaImage header up to the fields that say where the voxels are.
-std::string metaHeader(const Content& content) {
-  const Geometry& g = content.geometry;
+std::string metaHeader(const WritableImage& image) {
+  const Geometry& g = image.geometry;
   std::string axes;
   for (Eigen::Index a = 0; a < 3; ++a) axes += " " + spaced(g.direction.col(a));
   return std::string("ObjectType = Image\nNDims = 3\nBinaryData = True\n") +
          "BinaryDataByteOrderMSB = " + (kBigEndian ? "True" : "False") +
          "\nTransformMatrix =" + axes + "\nOffset = " + spaced(g.origin) +
          "\nCenterOfRotation = 0 0 0\nElementSpacing = " + spaced(g.spacing) +
-         "\nDimSize = " + sizesText(g) + "\nElementType = " + metaTypeName(content.type) + "\n";
+         "\nDimSize = " + sizesText(g) + "\nElementType = " + metaTypeName(image.type) + "\n";
 }
 
-void writeMha(std::ofstream& out, const Content& content) {
-  constexpr int kDigits = 20;
-  out << metaHeader(content) << "CompressedData = True\nCompressedDataSize = ";
-  const std::streampos place = out.tellp();
-  out << std::string(kDigits, ' ') << "\nElementDataFile = LOCAL\n";
-  const std::uintmax_t packed = deflateTo(out, Wrapper::Zlib, {content.bytes});
-  out.seekp(place);
-  out << packed;
-}
-
-std::string nrrdHeader(const Content& content, const std::string& encoding,
+std::string nrrdHeader(const WritableImage& image, const std::string& encoding,
                        const std::string& dataFile) {
-  const Geometry& g = content.geometry;
+  const Geometry& g = image.geometry;
   const auto vector = [](const Eigen::Vector3d& v) {
     return "(" + shortestText(v[0]) + "," + shortestText(v[1]) + "," + shortestText(v[2]) + ")";
   };
   std::string axes;
   for (Eigen::Index a = 0; a < 3; ++a) axes += " " + vector(g.spacing[a] * g.direction.col(a));
   std::string text = "NRRD0004\n# http://teem.sourceforge.net/nrrd/format.html\ntype: " +
-                     nrrdTypeName(content.type) +
+                     nrrdTypeName(image.type) +
                      "\ndimension: 3\nspace: left-posterior-superior\nsizes: " + sizesText(g) +
                      "\nspace directions:" + axes + "\nkinds: domain domain domain\n";
-  if (voxelTypeBytes(content.type) > 1)
+  if (voxelTypeBytes(image.type) > 1)
     text += std::string("endian: ") + (kBigEndian ? "big" : "little") + "\n";
   text += "encoding: " + encoding + "\nspace origin: " + vector(g.origin) + "\n";
   return dataFile.empty() ? text + "\n" : text + "data file: " + dataFile + "\n";
@@ -174,18 +158,18 @@ void checkNiftiHolds(const Geometry& g, const fs::path& path) {
 }
 
 /// Header and the empty extension behind it; positions turned to RAS.
-std::array<std::byte, 352> niftiHeader(const Content& content) {
+std::array<std::byte, 352> niftiHeader(const WritableImage& image) {
   static constexpr std::array<std::int16_t, 10> kTypes = {256, 2,    4,    512, 8,
                                                           768, 1024, 1280, 16,  64};
-  const Geometry& g = content.geometry;
+  const Geometry& g = image.geometry;
   std::array<std::byte, 352> h{};
   set<std::int32_t>(h, 0, 348);
   set<char>(h, 38, 'r');
   set<std::int16_t>(h, 40, 3);
   for (std::size_t a = 0; a < 7; ++a)
     set(h, 42 + 2 * a, static_cast<std::int16_t>(a < 3 ? g.size[a] : 1));
-  set(h, 70, kTypes[static_cast<std::size_t>(content.type)]);
-  set(h, 72, static_cast<std::int16_t>(8 * voxelTypeBytes(content.type)));
+  set(h, 70, kTypes[static_cast<std::size_t>(image.type)]);
+  set(h, 72, static_cast<std::int16_t>(8 * voxelTypeBytes(image.type)));
   Eigen::Matrix3d axes = g.direction;
   axes.topRows<2>() *= -1.0;
   const Eigen::Vector3d origin(-g.origin.x(), -g.origin.y(), g.origin.z());
@@ -296,73 +280,84 @@ void writePair(const fs::path& path, const std::string& extension,
   staged.commit();
 }
 
-void writeMhd(const Content& content, const fs::path& path) {
-  writePair(
-      path, ".raw", [&](std::ofstream& out) { put(out, content.bytes); },
-      [&](const std::string& name) {
-        return metaHeader(content) + "CompressedData = False\nElementDataFile = " + name + "\n";
-      });
-}
-
-void writeNhdr(const Content& content, const fs::path& path) {
-  writePair(
-      path, ".raw.gz", [&](std::ofstream& out) { deflateTo(out, Wrapper::Gzip, {content.bytes}); },
-      [&](const std::string& name) { return nrrdHeader(content, "gzip", name); });
-}
-
-void writeNifti(const Content& content, const fs::path& path, bool packed) {
-  checkNiftiHolds(content.geometry, path);
-  const std::array<std::byte, 352> header = niftiHeader(content);
+void writeNifti(const WritableImage& image, const fs::path& path, bool packed) {
+  checkNiftiHolds(image.geometry, path);
+  const std::array<std::byte, 352> header = niftiHeader(image);
   writeFile(path, [&](std::ofstream& out) {
     if (packed) {
-      deflateTo(out, Wrapper::Gzip, {header, content.bytes});
+      deflateTo(out, Wrapper::Gzip, {header, image.bytes});
     } else {
       put(out, header);
-      put(out, content.bytes);
+      put(out, image.bytes);
     }
   });
 }
 
-void write(const Content& content, const fs::path& path) {
-  const std::string name = inSmall(path.filename().string());
-  if (content.bytes.empty() ||
-      content.bytes.size() != content.geometry.voxelCount() * voxelTypeBytes(content.type))
+void write(const WritableImage& image, const fs::path& path) {
+  if (image.bytes.empty() ||
+      image.bytes.size() != image.geometry.voxelCount() * voxelTypeBytes(image.type))
     throw InputError("there are no voxels to write", path.string(), "compute the volume first");
-  if (name.ends_with(".mha"))
-    writeFile(path, [&](std::ofstream& out) { writeMha(out, content); });
-  else if (name.ends_with(".mhd"))
-    writeMhd(content, path);
-  else if (name.ends_with(".nrrd"))
-    writeFile(path, [&](std::ofstream& out) {
-      out << nrrdHeader(content, "gzip", {});
-      deflateTo(out, Wrapper::Gzip, {content.bytes});
-    });
-  else if (name.ends_with(".nhdr"))
-    writeNhdr(content, path);
-  else if (name.ends_with(".nii") || name.ends_with(".nii.gz"))
-    writeNifti(content, path, name.ends_with(".gz"));
-  else
+  const ImageEnding* ending = imageEndingOf(path);
+  if (ending == nullptr || ending->write == nullptr)
     throw InputError("cannot tell the image format from the name", path.string(),
-                     "end the name in .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz");
+                     "end the name in " + eitherOf(imageEndings(true)));
+  ending->write(image, path);
 }
 
 template <class T>
-Content contentOf(const Volume<T>& volume, VoxelType type) {
+WritableImage imageOf(const Volume<T>& volume, VoxelType type) {
   return {volume.geometry, type, std::as_bytes(std::span(volume.voxels))};
 }
 
 }  // namespace
 
+void writeMha(const WritableImage& image, const fs::path& path) {
+  constexpr int kDigits = 20;
+  writeFile(path, [&](std::ofstream& out) {
+    out << metaHeader(image) << "CompressedData = True\nCompressedDataSize = ";
+    const std::streampos place = out.tellp();
+    out << std::string(kDigits, ' ') << "\nElementDataFile = LOCAL\n";
+    const std::uintmax_t packed = deflateTo(out, Wrapper::Zlib, {image.bytes});
+    out.seekp(place);
+    out << packed;
+  });
+}
+
+void writeMhd(const WritableImage& image, const fs::path& path) {
+  writePair(
+      path, ".raw", [&](std::ofstream& out) { put(out, image.bytes); },
+      [&](const std::string& name) {
+        return metaHeader(image) + "CompressedData = False\nElementDataFile = " + name + "\n";
+      });
+}
+
+void writeNrrd(const WritableImage& image, const fs::path& path) {
+  writeFile(path, [&](std::ofstream& out) {
+    out << nrrdHeader(image, "gzip", {});
+    deflateTo(out, Wrapper::Gzip, {image.bytes});
+  });
+}
+
+void writeNhdr(const WritableImage& image, const fs::path& path) {
+  writePair(
+      path, ".raw.gz", [&](std::ofstream& out) { deflateTo(out, Wrapper::Gzip, {image.bytes}); },
+      [&](const std::string& name) { return nrrdHeader(image, "gzip", name); });
+}
+
+void writeNii(const WritableImage& image, const fs::path& path) { writeNifti(image, path, false); }
+
+void writeNiiGz(const WritableImage& image, const fs::path& path) { writeNifti(image, path, true); }
+
 void writeVolume(const Volume<float>& volume, const fs::path& path) {
-  write(contentOf(volume, VoxelType::Float32), path);
+  write(imageOf(volume, VoxelType::Float32), path);
 }
 
 void writeVolume(const Volume<std::uint8_t>& volume, const fs::path& path) {
-  write(contentOf(volume, VoxelType::UInt8), path);
+  write(imageOf(volume, VoxelType::UInt8), path);
 }
 
 void writeVolume(const AnyVolume& volume, const fs::path& path) {
-  std::visit([&](const auto& v) { write(contentOf(v, voxelTypeOf(volume)), path); }, volume);
+  std::visit([&](const auto& v) { write(imageOf(v, voxelTypeOf(volume)), path); }, volume);
 }
 
 }  // namespace angiomesh
