@@ -3,10 +3,8 @@
 set(ANGIOMESH_VTK_CORE CommonCore CommonDataModel CommonExecutionModel FiltersCore)
 set(ANGIOMESH_VTK_IO IOCore IOPLY IOGeometry IOXML IOLegacy)
 set(ANGIOMESH_VTK_RENDER
-    CommonTransforms CommonMath RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2
-    RenderingFreeType RenderingImage RenderingAnnotation InteractionStyle InteractionWidgets
-    FiltersGeneral FiltersModeling FiltersSources ChartsCore ViewsContext2D RenderingContext2D
-    RenderingContextOpenGL2 ImagingCore)
+    CommonMath RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 RenderingFreeType
+    RenderingAnnotation InteractionStyle FiltersSources)
 set(ANGIOMESH_ITK ITKCommon ITKIOImageBase ITKIOGDCM ITKIOMeta ITKIONIFTI ITKIONRRD ITKCurvatureFlow
                   ITKDistanceMap ITKLevelSets ITKRegionGrowing ITKSmoothing ITKImageGradient ITKThresholding)
 set(components ${ANGIOMESH_VTK_CORE} ${ANGIOMESH_VTK_IO})
