@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <functional>
 
+#include "core/base/progress.h"
+
 namespace angiomesh {
 
 /// Sets the number of threads used by core, by ITK and by VTK's filters; 0 means all cores.
@@ -19,5 +21,23 @@ int threads();
 /// exception thrown by `body` (Cancelled among them) is rethrown here.
 void parallelFor(std::size_t begin, std::size_t end, std::size_t grain,
                  const std::function<void(std::size_t first, std::size_t last)>& body);
+
+/// Calls each(n) for the items of [0, count), as parallelFor() does for blocks.
+template <class Each>
+void parallelForEach(std::size_t count, std::size_t grain, const Each& each) {
+  parallelFor(0, count, grain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t n = first; n < last; ++n) each(n);
+  });
+}
+
+/// The same, with a check of `progress` before each block.
+template <class Each>
+void parallelForEach(std::size_t count, std::size_t grain, const Progress& progress,
+                     const Each& each) {
+  parallelFor(0, count, grain, [&](std::size_t first, std::size_t last) {
+    progress.check();
+    for (std::size_t n = first; n < last; ++n) each(n);
+  });
+}
 
 }  // namespace angiomesh

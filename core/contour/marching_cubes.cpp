@@ -134,13 +134,10 @@ TriMesh marchingCubes(const Volume<float>& phi, SurfaceBorder border, const Prog
   vtkPoints* middles = surface->GetPoints();
   const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
   mesh.points.resize(count);
-  parallelFor(0, count, 4096, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t v = first; v < last; ++v) {
-      Eigen::Vector3d middle;
-      middles->GetPoint(static_cast<vtkIdType>(v), middle.data());
-      mesh.points[v] = phi.geometry.toPhysical(crossing(field, middle));
-    }
+  parallelForEach(count, 4096, progress, [&](std::size_t v) {
+    Eigen::Vector3d middle;
+    middles->GetPoint(static_cast<vtkIdType>(v), middle.data());
+    mesh.points[v] = phi.geometry.toPhysical(crossing(field, middle));
   });
 
   // VTK's triangles are counter-clockwise from the side of the smaller values in index space.

@@ -31,10 +31,7 @@ using Cells = std::vector<float>;
 /// Calls body(cell) for all cells, in parallel.
 template <class Body>
 void forCells(const CellBand& band, const Progress& progress, const Body& body) {
-  parallelFor(0, band.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t cell = first; cell < last; ++cell) body(cell);
-  });
+  parallelForEach(band.size(), kGrain, progress, [&](std::size_t cell) { body(cell); });
 }
 
 /// A band with the mean [1 2 1]/4 along each axis.

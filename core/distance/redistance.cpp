@@ -224,16 +224,13 @@ bool ClosestPoints::grow(const Progress& progress) {
   frontier_ = voxels_.size();
   std::vector<KeptFoot> found(fresh.size());
   std::vector<char> reached(fresh.size());
-  parallelFor(0, fresh.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t n = first; n < last; ++n) {
-      const Eigen::Vector3d x = position(fresh[n]);
-      Foot foot;
-      bestOfNeighbours(fresh[n], std::numeric_limits<double>::max(), foot);
-      approach(x, foot);
-      found[n] = kept(foot, x);
-      reached[n] = static_cast<char>(distance(x, foot.point) <= reach_);
-    }
+  parallelForEach(fresh.size(), kGrain, progress, [&](std::size_t n) {
+    const Eigen::Vector3d x = position(fresh[n]);
+    Foot foot;
+    bestOfNeighbours(fresh[n], std::numeric_limits<double>::max(), foot);
+    approach(x, foot);
+    found[n] = kept(foot, x);
+    reached[n] = static_cast<char>(distance(x, foot.point) <= reach_);
   });
   for (std::size_t n = 0; n < fresh.size(); ++n) {
     if (reached[n] == 0) {
@@ -272,13 +269,11 @@ Volume<float> ClosestPoints::distances(const std::vector<bool>& inside, double b
   Volume<float> out(geometry_, far);
   for (std::size_t i = 0; i < inside.size(); ++i)
     if (inside[i]) out.voxels[i] = -far;
-  parallelFor(0, count(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n) {
-      float& value = out.voxels[voxels_[n]];
-      const auto d = static_cast<float>(distance(n) * voxel);
-      // A voxel inside keeps its sign even where the surface runs through it.
-      if (d < far) value = value < 0.0F ? -std::max(d, std::numeric_limits<float>::min()) : d;
-    }
+  parallelForEach(count(), kGrain, [&](std::size_t n) {
+    float& value = out.voxels[voxels_[n]];
+    const auto d = static_cast<float>(distance(n) * voxel);
+    // A voxel inside keeps its sign even where the surface runs through it.
+    if (d < far) value = value < 0.0F ? -std::max(d, std::numeric_limits<float>::min()) : d;
   });
   return out;
 }

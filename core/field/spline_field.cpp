@@ -197,11 +197,10 @@ SplineField::SplineField(const Volume<float>& samples, SplineKind kind)
   const auto nx = static_cast<std::size_t>(n[0]);
   const auto ny = static_cast<std::size_t>(n[1]);
   const auto nz = static_cast<std::size_t>(n[2]);
-  parallelFor(0, nz, 4, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k)
-      for (std::size_t j = 0; j < ny; ++j)
-        std::copy_n(samples.voxels.data() + nx * (j + ny * k), nx,
-                    inner + j * rowStride_ + k * layerStride_);
+  parallelForEach(nz, 4, [&](std::size_t k) {
+    for (std::size_t j = 0; j < ny; ++j)
+      std::copy_n(samples.voxels.data() + nx * (j + ny * k), nx,
+                  inner + j * rowStride_ + k * layerStride_);
   });
   if (kind_ == SplineKind::InterpolatingBspline) {
     prefilterAxis(inner, {n[0], 1, ny, rowStride_, nz, layerStride_});

@@ -78,22 +78,20 @@ class Tracer {
     const double step = grid_.voxelMm() / kFine;
     for (std::uint32_t v = 0; v < n; ++v) near.insert(v, trace_.points[v], step);
     room_.assign(n, std::numeric_limits<double>::infinity());
-    parallelFor(0, n, 256, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        const Vector3d& p = trace_.points[i];
-        const Place& planes = trace_.place[i];
-        near.forEachNear(p, kReach * grid_.voxelMm(), 0.0, [&](std::uint32_t w) {
-          if (trace_.place[w].shared(planes).planes() == 0) return;
-          const double d = (trace_.points[w] - p).norm();
-          if (d >= room_[i]) return;
-          if (loop[w] == loop[i]) {
-            const double way = std::fabs(along[w] - along[i]);
-            if (std::min(way, length[loop[i]] - way) <= kDetour * d + 2.0 * step) return;
-          }
-          room_[i] = d;
-        });
-        room_[i] = std::max(room_[i], kLeastRoom * grid_.voxelMm());
-      }
+    parallelForEach(n, 256, [&](std::size_t i) {
+      const Vector3d& p = trace_.points[i];
+      const Place& planes = trace_.place[i];
+      near.forEachNear(p, kReach * grid_.voxelMm(), 0.0, [&](std::uint32_t w) {
+        if (trace_.place[w].shared(planes).planes() == 0) return;
+        const double d = (trace_.points[w] - p).norm();
+        if (d >= room_[i]) return;
+        if (loop[w] == loop[i]) {
+          const double way = std::fabs(along[w] - along[i]);
+          if (std::min(way, length[loop[i]] - way) <= kDetour * d + 2.0 * step) return;
+        }
+        room_[i] = d;
+      });
+      room_[i] = std::max(room_[i], kLeastRoom * grid_.voxelMm());
     });
   }
 

@@ -96,10 +96,9 @@ class Wall {
   [[nodiscard]] std::vector<std::uint32_t> unreachedClusters() const {
     const std::size_t n = landmarks_.points.size();
     std::vector<char> open(n, 0);
-    parallelFor(0, n, 2048, [&](std::size_t first, std::size_t last) {
-      for (std::size_t v = first; v < last; ++v)
-        open[v] = static_cast<char>(landmarks_.valid[v] != 0 &&
-                                    cover_.reach(landmarks_.points[v]) == none);
+    parallelForEach(n, 2048, [&](std::size_t v) {
+      open[v] =
+          static_cast<char>(landmarks_.valid[v] != 0 && cover_.reach(landmarks_.points[v]) == none);
     });
     DisjointSets sets(n);
     for (const auto& t : landmarks_.triangles)
@@ -172,10 +171,9 @@ Landmarks landmarksOf(const TriMesh& wall, const SplineField& field, const Guida
   std::vector<char> used(n, 0);
   for (const auto& t : wall.triangles)
     for (const std::uint32_t v : t) used[v] = 1;
-  parallelFor(0, n, 1024, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v)
-      marks.valid[v] =
-          static_cast<char>(used[v] != 0 && surface.settle(wall.points[v], marks.points[v]));
+  parallelForEach(n, 1024, [&](std::size_t v) {
+    marks.valid[v] =
+        static_cast<char>(used[v] != 0 && surface.settle(wall.points[v], marks.points[v]));
   });
   DisjointSets sets(n);
   for (const auto& t : wall.triangles) {

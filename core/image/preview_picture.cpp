@@ -169,10 +169,7 @@ class Occupancy {
     for (int a = 0; a < 3; ++a) bricks_[a] = (size_[a] + kEdge - 1) / kEdge;
     const auto layers = static_cast<std::size_t>(bricks_[2]);
     full_.assign(layers * layerSize(), 0);
-    parallelFor(0, layers, 1, [&](std::size_t first, std::size_t last) {
-      for (std::size_t layer = first; layer < last; ++layer)
-        fillLayer(phi, static_cast<int>(layer));
-    });
+    parallelForEach(layers, 1, [&](std::size_t layer) { fillLayer(phi, static_cast<int>(layer)); });
     for (std::size_t n = 0; n < full_.size(); ++n) {
       if (full_[n] == 0) continue;
       const std::size_t inLayer = n % layerSize();
@@ -339,15 +336,13 @@ Tile vesselTile(const Volume<float>& phi, const Occupancy& occupancy, const Geom
   const std::size_t fineWidth = samples * width;
   const VesselRays rays(phi, occupancy, grid, view);
   std::vector<Hit> hits(samples * height * fineWidth);
-  parallelFor(0, samples * height, 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t y = first; y < last; ++y) {
-      const double v = gridIndex((static_cast<double>(y) + 0.5) / samples, view.height,
-                                 view.downSign, grid.size[view.down]);
-      for (std::size_t x = 0; x < fineWidth; ++x) {
-        const double u = gridIndex((static_cast<double>(x) + 0.5) / samples, view.width,
-                                   view.acrossSign, grid.size[view.across]);
-        hits[y * fineWidth + x] = rays.cast(u, v);
-      }
+  parallelForEach(samples * height, 16, [&](std::size_t y) {
+    const double v = gridIndex((static_cast<double>(y) + 0.5) / samples, view.height, view.downSign,
+                               grid.size[view.down]);
+    for (std::size_t x = 0; x < fineWidth; ++x) {
+      const double u = gridIndex((static_cast<double>(x) + 0.5) / samples, view.width,
+                                 view.acrossSign, grid.size[view.across]);
+      hits[y * fineWidth + x] = rays.cast(u, v);
     }
   });
   double nearest = std::numeric_limits<double>::max();

@@ -23,22 +23,19 @@ Projection maximumProjection(const Volume<float>& image, int axis) {
   result.height = n[downAxis];
   result.values.resize(static_cast<std::size_t>(result.width) *
                        static_cast<std::size_t>(result.height));
-  parallelFor(0, static_cast<std::size_t>(result.height), 4,
-              [&](std::size_t first, std::size_t last) {
-                for (std::size_t row = first; row < last; ++row) {
-                  Index3 at{0, 0, 0};
-                  at[downAxis] = static_cast<int>(row);
-                  for (int u = 0; u < result.width; ++u) {
-                    at[acrossAxis] = u;
-                    at[axis] = 0;
-                    float largest = image.at(at[0], at[1], at[2]);
-                    for (at[axis] = 1; at[axis] < n[axis]; ++at[axis])
-                      largest = std::max(largest, image.at(at[0], at[1], at[2]));
-                    result.values[row * static_cast<std::size_t>(result.width) +
-                                  static_cast<std::size_t>(u)] = largest;
-                  }
-                }
-              });
+  parallelForEach(static_cast<std::size_t>(result.height), 4, [&](std::size_t row) {
+    Index3 at{0, 0, 0};
+    at[downAxis] = static_cast<int>(row);
+    for (int u = 0; u < result.width; ++u) {
+      at[acrossAxis] = u;
+      at[axis] = 0;
+      float largest = image.at(at[0], at[1], at[2]);
+      for (at[axis] = 1; at[axis] < n[axis]; ++at[axis])
+        largest = std::max(largest, image.at(at[0], at[1], at[2]));
+      result.values[row * static_cast<std::size_t>(result.width) + static_cast<std::size_t>(u)] =
+          largest;
+    }
+  });
   return result;
 }
 

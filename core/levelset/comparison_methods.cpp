@@ -71,10 +71,9 @@ void toEdgePotential(Image& magnitude, const Volume<float>& image, const Compari
   if (alpha == 0.0)
     throw InputError("the edges of the image have no contrast", "comparison.gac.alpha",
                      "give comparison.gac.alpha and .beta by hand");
-  parallelFor(0, count, 1 << 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      m[i] = static_cast<float>(1.0 /
-                                (1.0 + portableExp(-(static_cast<double>(m[i]) - beta) / alpha)));
+  parallelForEach(count, 1 << 16, [&](std::size_t i) {
+    m[i] =
+        static_cast<float>(1.0 / (1.0 + portableExp(-(static_cast<double>(m[i]) - beta) / alpha)));
   });
 }
 

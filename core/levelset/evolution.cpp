@@ -100,9 +100,8 @@ std::vector<std::pair<std::uint32_t, float>> LevelSetEvolution::State::findActiv
 
 void LevelSetEvolution::State::build() {
   const std::vector<std::pair<std::uint32_t, float>> active = findActive();
-  parallelFor(0, phi.voxels.size(), kVoxelGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) phi.voxels[i] = status.voxels[i] < 0 ? -kFar : kFar;
-  });
+  parallelForEach(phi.voxels.size(), kVoxelGrain,
+                  [&](std::size_t i) { phi.voxels[i] = status.voxels[i] < 0 ? -kFar : kFar; });
   for (const auto& [voxel, value] : active) {
     layer(0).push_back(voxel);
     phi.voxels[voxel] = value;
@@ -114,9 +113,8 @@ void LevelSetEvolution::State::build() {
 
 void LevelSetEvolution::State::remember() {
   checkpoint.resize(phi.voxels.size());
-  parallelFor(0, phi.voxels.size(), kVoxelGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      checkpoint[i] = static_cast<std::int16_t>(phi.voxels[i] * kCheckScale);
+  parallelForEach(phi.voxels.size(), kVoxelGrain, [&](std::size_t i) {
+    checkpoint[i] = static_cast<std::int16_t>(phi.voxels[i] * kCheckScale);
   });
 }
 
@@ -163,19 +161,16 @@ void LevelSetEvolution::State::moveActive(double timeStep) {
   const std::vector<std::uint32_t>& active = layer(0);
   held.assign(active.size(), 0);
   const auto step = static_cast<float>(timeStep);
-  parallelFor(0, active.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n) phi.voxels[active[n]] += step * changes[n];
-  });
-  parallelFor(0, active.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n) {
-      const float value = phi.voxels[active[n]];
-      if (std::fabs(value) <= 0.5F) continue;
-      forFaceNeighbours(phi.geometry, active[n], [&](std::uint32_t next) {
-        if (status.voxels[next] != 0) return;
-        const float other = phi.voxels[next];
-        if (value > 0.5F ? other < -0.5F : other > 0.5F) held[n] = 1;
-      });
-    }
+  parallelForEach(active.size(), kGrain,
+                  [&](std::size_t n) { phi.voxels[active[n]] += step * changes[n]; });
+  parallelForEach(active.size(), kGrain, [&](std::size_t n) {
+    const float value = phi.voxels[active[n]];
+    if (std::fabs(value) <= 0.5F) return;
+    forFaceNeighbours(phi.geometry, active[n], [&](std::uint32_t next) {
+      if (status.voxels[next] != 0) return;
+      const float other = phi.voxels[next];
+      if (value > 0.5F ? other < -0.5F : other > 0.5F) held[n] = 1;
+    });
   });
   for (std::size_t n = 0; n < active.size(); ++n)
     if (held[n] != 0) phi.voxels[active[n]] = std::clamp(phi.voxels[active[n]], -0.5F, 0.5F);
@@ -190,27 +185,25 @@ void LevelSetEvolution::State::updateLayer(int s,
   std::vector<std::uint32_t>& list = layer(s);
   held.assign(list.size(), 0);  // 0 stays, 1 moves in, 2 moves out
   const float inside = static_cast<float>(std::abs(s)) - 0.5F;
-  parallelFor(0, list.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n) {
-      const std::uint32_t voxel = list[n];
-      float nearest = kFar;  // of side * phi
-      bool found = false;
-      forFaceNeighbours(phi.geometry, voxel, [&](std::uint32_t next) {
-        if (status.voxels[next] != inner) return;
-        found = true;
-        nearest = std::min(nearest, static_cast<float>(side) * phi.voxels[next]);
-      });
-      if (!found) {
-        held[n] = 2;
-        continue;
-      }
-      const float distance = nearest + 1.0F;
-      phi.voxels[voxel] = static_cast<float>(side) * distance;
-      if (distance <= inside)
-        held[n] = 1;
-      else if (distance > inside + 1.0F)
-        held[n] = 2;
+  parallelForEach(list.size(), kGrain, [&](std::size_t n) {
+    const std::uint32_t voxel = list[n];
+    float nearest = kFar;  // of side * phi
+    bool found = false;
+    forFaceNeighbours(phi.geometry, voxel, [&](std::uint32_t next) {
+      if (status.voxels[next] != inner) return;
+      found = true;
+      nearest = std::min(nearest, static_cast<float>(side) * phi.voxels[next]);
+    });
+    if (!found) {
+      held[n] = 2;
+      return;
     }
+    const float distance = nearest + 1.0F;
+    phi.voxels[voxel] = static_cast<float>(side) * distance;
+    if (distance <= inside)
+      held[n] = 1;
+    else if (distance > inside + 1.0F)
+      held[n] = 2;
   });
   std::size_t kept = 0;
   for (std::size_t n = 0; n < list.size(); ++n) {

@@ -17,12 +17,10 @@ Volume<float> floodStart(const Volume<float>& vesselness, double b,
                          const Volume<std::uint8_t>& found) {
   Volume<float> phi(vesselness.geometry);
   const auto scale = static_cast<float>(b);
-  parallelFor(0, phi.voxels.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const float below = (scale - vesselness.voxels[i]) / scale;
-      phi.voxels[i] =
-          found.voxels[i] != 0 ? std::clamp(below, -0.5F, -0.01F) : std::clamp(below, 0.01F, 0.5F);
-    }
+  parallelForEach(phi.voxels.size(), 1 << 16, [&](std::size_t i) {
+    const float below = (scale - vesselness.voxels[i]) / scale;
+    phi.voxels[i] =
+        found.voxels[i] != 0 ? std::clamp(below, -0.5F, -0.01F) : std::clamp(below, 0.01F, 0.5F);
   });
   return phi;
 }
@@ -33,9 +31,8 @@ Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b,
   const auto least = static_cast<float>(b);
   constexpr std::size_t grain = 1 << 16;
   Volume<std::uint8_t> mask(vesselness.geometry);
-  parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      mask.voxels[i] = static_cast<std::uint8_t>(vesselness.voxels[i] >= least);
+  parallelForEach(mask.voxels.size(), grain, [&](std::size_t i) {
+    mask.voxels[i] = static_cast<std::uint8_t>(vesselness.voxels[i] >= least);
   });
   const std::vector<std::size_t> seeded =
       voxelsAroundSeeds(vesselness.geometry, seedsLps, radiusVoxels);
@@ -46,11 +43,9 @@ Volume<std::uint8_t> floodVessels(const Volume<float>& vesselness, double b,
     kept[l + 1] = parts.sizes[l] >= leastVoxels ? 1 : 0;
   for (const std::size_t voxel : seeded)
     kept[static_cast<std::size_t>(parts.labels.voxels[voxel])] = 1;
-  parallelFor(0, mask.voxels.size(), grain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      mask.voxels[i] = kept[static_cast<std::size_t>(parts.labels.voxels[i])];
-      if (mask.voxels[i] != 0 && vesselness.voxels[i] >= kCoreRatio * least) mask.voxels[i] = 2;
-    }
+  parallelForEach(mask.voxels.size(), grain, [&](std::size_t i) {
+    mask.voxels[i] = kept[static_cast<std::size_t>(parts.labels.voxels[i])];
+    if (mask.voxels[i] != 0 && vesselness.voxels[i] >= kCoreRatio * least) mask.voxels[i] = 2;
   });
   return mask;
 }

@@ -79,9 +79,7 @@ class Smoother {
     std::vector<float> e(n, 0.0F), r(n), p, q(n);
     weigh([&](std::size_t c, std::size_t k) { return imageAt(c, k); }, progress);
     spread(r);
-    parallelFor(0, n, kGrain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t c = first; c < last; ++c) r[c] = -r[c];
-    });
+    parallelForEach(n, kGrain, [&](std::size_t c) { r[c] = -r[c]; });
     p = r;
     double rr = dot(r, r);
     const double enough = 1e-6 * rr;
@@ -89,22 +87,16 @@ class Smoother {
       weigh([&](std::size_t c, std::size_t k) { return k == kHere ? p[c] : valueAt(p, c, k); },
             progress);
       spread(q);
-      parallelFor(0, n, kGrain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t c = first; c < last; ++c) q[c] += p[c];
-      });
+      parallelForEach(n, kGrain, [&](std::size_t c) { q[c] += p[c]; });
       const auto step = static_cast<float>(rr / dot(p, q));
-      parallelFor(0, n, kGrain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t c = first; c < last; ++c) {
-          e[c] += step * p[c];
-          r[c] -= step * q[c];
-        }
+      parallelForEach(n, kGrain, [&](std::size_t c) {
+        e[c] += step * p[c];
+        r[c] -= step * q[c];
       });
       const double next = dot(r, r);
       const auto keep = static_cast<float>(next / rr);
       rr = next;
-      parallelFor(0, n, kGrain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t c = first; c < last; ++c) p[c] = r[c] + keep * p[c];
-      });
+      parallelForEach(n, kGrain, [&](std::size_t c) { p[c] = r[c] + keep * p[c]; });
     }
     for (std::size_t c = 0; c < n; ++c) e[c] += image_.voxels[band_.voxel[c]];
     return e;
@@ -134,20 +126,17 @@ class Smoother {
   /// The derivative of the energy by the Hessian at each cell, stencil factors included.
   template <class Value>
   void weigh(Value value, const Progress& progress) {
-    parallelFor(0, band_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t c = first; c < last; ++c) {
-        const float twice = 2.0F * value(c, kHere);
-        Six h{};
-        for (std::size_t a = 0; a < 3; ++a)
-          h[a] = second_[a] * (value(c, 2 * a) + value(c, 2 * a + 1) - twice);
-        for (std::size_t m = 0; m < 3; ++m) {
-          const std::size_t k = 6 + 4 * m;
-          h[3 + m] =
-              second_[3 + m] * (value(c, k) + value(c, k + 1) - value(c, k + 2) - value(c, k + 3));
-        }
-        weighted_[c] = byHessian(h, axes_[c], along_[c], across_[c]);
+    parallelForEach(band_.size(), kGrain, progress, [&](std::size_t c) {
+      const float twice = 2.0F * value(c, kHere);
+      Six h{};
+      for (std::size_t a = 0; a < 3; ++a)
+        h[a] = second_[a] * (value(c, 2 * a) + value(c, 2 * a + 1) - twice);
+      for (std::size_t m = 0; m < 3; ++m) {
+        const std::size_t k = 6 + 4 * m;
+        h[3 + m] =
+            second_[3 + m] * (value(c, k) + value(c, k + 1) - value(c, k + 2) - value(c, k + 3));
       }
+      weighted_[c] = byHessian(h, axes_[c], along_[c], across_[c]);
     });
   }
 
@@ -169,27 +158,25 @@ class Smoother {
 
   /// The adjoint of the differences: they are even in their offsets.
   void spread(std::vector<float>& out) const {
-    parallelFor(0, band_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t c = first; c < last; ++c) {
-        const Six& here = weighted_[c];
-        float sum = -2.0F * (here[0] + here[1] + here[2]);
-        const auto add = [&](std::size_t k, std::size_t n, float sign) {
-          const std::uint32_t near = band_.neighbour(c, k);
-          if (near != CellBand::none) sum += sign * weighted_[near][n];
-        };
-        for (std::size_t a = 0; a < 3; ++a) {
-          add(2 * a, a, 1.0F);
-          add(2 * a + 1, a, 1.0F);
-        }
-        for (std::size_t m = 0; m < 3; ++m) {
-          const std::size_t k = 6 + 4 * m;
-          add(k, 3 + m, 1.0F);
-          add(k + 1, 3 + m, 1.0F);
-          add(k + 2, 3 + m, -1.0F);
-          add(k + 3, 3 + m, -1.0F);
-        }
-        out[c] = sum;
+    parallelForEach(band_.size(), kGrain, [&](std::size_t c) {
+      const Six& here = weighted_[c];
+      float sum = -2.0F * (here[0] + here[1] + here[2]);
+      const auto add = [&](std::size_t k, std::size_t n, float sign) {
+        const std::uint32_t near = band_.neighbour(c, k);
+        if (near != CellBand::none) sum += sign * weighted_[near][n];
+      };
+      for (std::size_t a = 0; a < 3; ++a) {
+        add(2 * a, a, 1.0F);
+        add(2 * a + 1, a, 1.0F);
       }
+      for (std::size_t m = 0; m < 3; ++m) {
+        const std::size_t k = 6 + 4 * m;
+        add(k, 3 + m, 1.0F);
+        add(k + 1, 3 + m, 1.0F);
+        add(k + 2, 3 + m, -1.0F);
+        add(k + 3, 3 + m, -1.0F);
+      }
+      out[c] = sum;
     });
   }
 
@@ -221,42 +208,35 @@ std::vector<Eigen::Vector3f> vesselAxes(const Volume<float>& image, const CellBa
   const std::vector<float> smooth = smoothValues(image, band, progress);
   const std::array<float, 3> h = stepsOf(image.geometry);
   std::vector<Six> tensor(band.size()), next(band.size());
-  parallelFor(0, band.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t c = first; c < last; ++c) {
-      std::array<float, 3> d{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        const std::uint32_t low = band.neighbour(c, 2 * a), high = band.neighbour(c, 2 * a + 1);
-        const float before = smooth[low != CellBand::none ? low : c];
-        const float after = smooth[high != CellBand::none ? high : c];
-        d[a] = (after - before) / (2.0F * h[a]);
-      }
-      tensor[c] = {d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[0] * d[2], d[1] * d[2]};
+  parallelForEach(band.size(), kGrain, progress, [&](std::size_t c) {
+    std::array<float, 3> d{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::uint32_t low = band.neighbour(c, 2 * a), high = band.neighbour(c, 2 * a + 1);
+      const float before = smooth[low != CellBand::none ? low : c];
+      const float after = smooth[high != CellBand::none ? high : c];
+      d[a] = (after - before) / (2.0F * h[a]);
     }
+    tensor[c] = {d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[0] * d[2], d[1] * d[2]};
   });
   // Each round of averaging over a cell and its neighbours across faces adds 2/7 voxel^2.
   constexpr int rounds = 8;
   for (int round = 0; round < rounds; ++round) {
-    parallelFor(0, band.size(), kGrain, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t c = first; c < last; ++c) {
-        Six sum = tensor[c];
-        float count = 1.0F;
-        for (std::size_t k = 0; k < 6; ++k) {
-          const std::uint32_t n = band.neighbour(c, k);
-          if (n == CellBand::none) continue;
-          for (std::size_t i = 0; i < 6; ++i) sum[i] += tensor[n][i];
-          count += 1.0F;
-        }
-        for (std::size_t i = 0; i < 6; ++i) next[c][i] = sum[i] / count;
+    parallelForEach(band.size(), kGrain, progress, [&](std::size_t c) {
+      Six sum = tensor[c];
+      float count = 1.0F;
+      for (std::size_t k = 0; k < 6; ++k) {
+        const std::uint32_t n = band.neighbour(c, k);
+        if (n == CellBand::none) continue;
+        for (std::size_t i = 0; i < 6; ++i) sum[i] += tensor[n][i];
+        count += 1.0F;
       }
+      for (std::size_t i = 0; i < 6; ++i) next[c][i] = sum[i] / count;
     });
     std::swap(tensor, next);
   }
   std::vector<Eigen::Vector3f> axes(band.size());
-  parallelFor(0, band.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    for (std::size_t c = first; c < last; ++c) axes[c] = leastEigenvector(tensor[c]);
-  });
+  parallelForEach(band.size(), kGrain,
+                  [&](std::size_t c) { axes[c] = leastEigenvector(tensor[c]); });
   return axes;
 }
 

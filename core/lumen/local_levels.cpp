@@ -25,17 +25,14 @@ void blur(Volume<Pair>& blocks) {
   const std::array<std::size_t, 3> stride{1, g.offset(0, 1, 0), g.offset(0, 0, 1)};
   for (std::size_t a = 0; a < 3; ++a) {
     Volume<Pair> out(g, Pair::Zero());
-    parallelFor(0, blocks.voxels.size(), 4096, [&](std::size_t first, std::size_t last) {
-      for (std::size_t at = first; at < last; ++at) {
-        const int here = g.indexOf(at)[a];
-        for (int m = 1 - static_cast<int>(kernel.size()); m < static_cast<int>(kernel.size());
-             ++m) {
-          if (here + m < 0 || here + m >= g.size[a]) continue;
-          const auto next =
-              static_cast<std::ptrdiff_t>(at) + m * static_cast<std::ptrdiff_t>(stride[a]);
-          out.voxels[at] += static_cast<double>(kernel[static_cast<std::size_t>(std::abs(m))]) *
-                            blocks.voxels[static_cast<std::size_t>(next)];
-        }
+    parallelForEach(blocks.voxels.size(), 4096, [&](std::size_t at) {
+      const int here = g.indexOf(at)[a];
+      for (int m = 1 - static_cast<int>(kernel.size()); m < static_cast<int>(kernel.size()); ++m) {
+        if (here + m < 0 || here + m >= g.size[a]) continue;
+        const auto next =
+            static_cast<std::ptrdiff_t>(at) + m * static_cast<std::ptrdiff_t>(stride[a]);
+        out.voxels[at] += static_cast<double>(kernel[static_cast<std::size_t>(std::abs(m))]) *
+                          blocks.voxels[static_cast<std::size_t>(next)];
       }
     });
     blocks = std::move(out);
@@ -58,18 +55,16 @@ void spreadOut(const CellBand& band, std::vector<char> known, std::vector<float>
         next.push_back(n);
       }
     std::sort(next.begin(), next.end());
-    parallelFor(0, next.size(), 4096, [&](std::size_t first, std::size_t last) {
-      for (std::size_t at = first; at < last; ++at) {
-        float sum = 0.0F;
-        float count = 0.0F;
-        for (std::size_t k = 0; k < CellBand::kOffsets.size(); ++k) {
-          const std::uint32_t n = band.neighbour(next[at], k);
-          if (n == CellBand::none || known[n] != 1) continue;
-          sum += mean[n];
-          count += 1.0F;
-        }
-        mean[next[at]] = sum / count;
+    parallelForEach(next.size(), 4096, [&](std::size_t at) {
+      float sum = 0.0F;
+      float count = 0.0F;
+      for (std::size_t k = 0; k < CellBand::kOffsets.size(); ++k) {
+        const std::uint32_t n = band.neighbour(next[at], k);
+        if (n == CellBand::none || known[n] != 1) continue;
+        sum += mean[n];
+        count += 1.0F;
       }
+      mean[next[at]] = sum / count;
     });
     for (const std::uint32_t c : next) known[c] = 1;
     front.swap(next);
@@ -119,11 +114,9 @@ std::vector<float> localMean(const CellBand& band, const std::vector<float>& val
   if (!(all[1] > 0.0)) return mean;
   blur(blocks);
   const Pair prior(kPriorWeight * all[0] / all[1], kPriorWeight);
-  parallelFor(0, band.size(), 8192, [&](std::size_t first, std::size_t last) {
-    for (std::size_t c = first; c < last; ++c) {
-      const Pair sum = interpolated(blocks, band.geometry.indexOf(band.voxel[c])) + prior;
-      mean[c] = static_cast<float>(sum[0] / sum[1]);
-    }
+  parallelForEach(band.size(), 8192, [&](std::size_t c) {
+    const Pair sum = interpolated(blocks, band.geometry.indexOf(band.voxel[c])) + prior;
+    mean[c] = static_cast<float>(sum[0] / sum[1]);
   });
   return mean;
 }
@@ -145,19 +138,16 @@ std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
     return CellBand::Run{first, number[run.first + run.count] - first};
   };
   std::vector<std::uint32_t> first(cells.size() + 1, 0);
-  parallelFor(0, cells.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-      for (std::size_t row = 0; row < 9; ++row) first[n + 1] += runOf(n, row).count;
+  parallelForEach(cells.size(), 4096, [&](std::size_t n) {
+    for (std::size_t row = 0; row < 9; ++row) first[n + 1] += runOf(n, row).count;
   });
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<std::uint32_t> near(first.back());
-  parallelFor(0, cells.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      std::uint32_t at = first[n];
-      for (std::size_t row = 0; row < 9; ++row) {
-        const CellBand::Run run = runOf(n, row);
-        for (std::uint32_t k = 0; k < run.count; ++k) near[at++] = run.first + k;
-      }
+  parallelForEach(cells.size(), 4096, [&](std::size_t n) {
+    std::uint32_t at = first[n];
+    for (std::size_t row = 0; row < 9; ++row) {
+      const CellBand::Run run = runOf(n, row);
+      for (std::uint32_t k = 0; k < run.count; ++k) near[at++] = run.first + k;
     }
   });
   using Sum = std::array<float, 2>;  // of weight * value, of weight
@@ -167,17 +157,15 @@ std::vector<float> meanAlong(const CellBand& band, const std::vector<char>& set,
     sum[n] = {weight[c] * value[c], weight[c]};
   }
   for (int step = 0; step < steps; ++step) {
-    parallelFor(0, cells.size(), 4096, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        Sum all{0.0F, 0.0F};
-        for (std::uint32_t at = first[n]; at < first[n + 1]; ++at) {
-          const Sum& s = sum[near[at]];
-          all[0] += s[0];
-          all[1] += s[1];
-        }
-        const float share = 1.0F / static_cast<float>(first[n + 1] - first[n]);
-        next[n] = {all[0] * share, all[1] * share};
+    parallelForEach(cells.size(), 4096, [&](std::size_t n) {
+      Sum all{0.0F, 0.0F};
+      for (std::uint32_t at = first[n]; at < first[n + 1]; ++at) {
+        const Sum& s = sum[near[at]];
+        all[0] += s[0];
+        all[1] += s[1];
       }
+      const float share = 1.0F / static_cast<float>(first[n + 1] - first[n]);
+      next[n] = {all[0] * share, all[1] * share};
     });
     std::swap(sum, next);
   }

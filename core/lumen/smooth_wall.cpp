@@ -166,20 +166,17 @@ class WallFitter {
 
   [[nodiscard]] std::vector<Reading> residuals() const {
     std::vector<Reading> list(cells_.size());
-    parallelFor(0, cells_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t n = first; n < last; ++n) {
-        const WallCell& cell = cells_[n];
-        const auto d = static_cast<double>(cell.distance);
-        if (std::fabs(d) > kTelling || (evidence_ != nullptr && number_[n] == kNoEvidence))
-          continue;
-        // Around the axis of a vessel the model does not hold.
-        if (frames_[n].radius > 0.0F && d < -0.8 * static_cast<double>(frames_[n].radius)) continue;
-        const double seen = seenAt(n);
-        const double x = profile_.argument(d, bends_[n]);
-        const double slope = profile_.slope(x);
-        const double more = std::clamp(seen - WallProfile::share(x), -1.0, 1.0);
-        list[n] = {static_cast<float>(more / slope), static_cast<float>(slope * slope)};
-      }
+    parallelForEach(cells_.size(), kGrain, [&](std::size_t n) {
+      const WallCell& cell = cells_[n];
+      const auto d = static_cast<double>(cell.distance);
+      if (std::fabs(d) > kTelling || (evidence_ != nullptr && number_[n] == kNoEvidence)) return;
+      // Around the axis of a vessel the model does not hold.
+      if (frames_[n].radius > 0.0F && d < -0.8 * static_cast<double>(frames_[n].radius)) return;
+      const double seen = seenAt(n);
+      const double x = profile_.argument(d, bends_[n]);
+      const double slope = profile_.slope(x);
+      const double more = std::clamp(seen - WallProfile::share(x), -1.0, 1.0);
+      list[n] = {static_cast<float>(more / slope), static_cast<float>(slope * slope)};
     });
     return list;
   }
@@ -190,21 +187,19 @@ class WallFitter {
   void doubt(const std::vector<Reading>& readings) {
     constexpr float reach = 3.5F;
     constexpr int enough = 12;
-    parallelFor(0, cells_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t n = first; n < last; ++n) {
-        if (frames_[n].radius == 0.0F) continue;
-        double sum = 0.0;
-        int count = 0;
-        cells_.forBox(cells_[n].foot, Vector3f::Constant(reach), [&](std::size_t m) {
-          const Reading& r = readings[m];
-          if (r.weight == 0.0F) return;
-          sum += static_cast<double>(r.outwards * r.outwards * r.weight);
-          ++count;
-        });
-        if (count < enough) continue;
-        const auto seen = static_cast<float>(wallUncertainty(std::sqrt(sum / count)));
-        uncertainty_[n] = std::max(uncertainty_[n], seen);
-      }
+    parallelForEach(cells_.size(), kGrain, [&](std::size_t n) {
+      if (frames_[n].radius == 0.0F) return;
+      double sum = 0.0;
+      int count = 0;
+      cells_.forBox(cells_[n].foot, Vector3f::Constant(reach), [&](std::size_t m) {
+        const Reading& r = readings[m];
+        if (r.weight == 0.0F) return;
+        sum += static_cast<double>(r.outwards * r.outwards * r.weight);
+        ++count;
+      });
+      if (count < enough) return;
+      const auto seen = static_cast<float>(wallUncertainty(std::sqrt(sum / count)));
+      uncertainty_[n] = std::max(uncertainty_[n], seen);
     });
   }
 
@@ -221,14 +216,11 @@ class WallFitter {
   /// Moves the wall to the quadrics fitted to the wall, or to what `readings` say if there are any.
   void fit(double reach, const std::vector<Reading>& readings, const Progress& progress) {
     std::vector<char> found(cells_.size(), 0);
-    parallelFor(0, cells_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t n = first; n < last; ++n)
-        if (frames_[n].radius > 0.0F) found[n] = static_cast<char>(fitAt(n, reach, readings));
+    parallelForEach(cells_.size(), kGrain, progress, [&](std::size_t n) {
+      if (frames_[n].radius > 0.0F) found[n] = static_cast<char>(fitAt(n, reach, readings));
     });
-    parallelFor(0, cells_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t n = first; n < last; ++n)
-        if (found[n] == 0) takeOver(n, found);
+    parallelForEach(cells_.size(), kGrain, [&](std::size_t n) {
+      if (found[n] == 0) takeOver(n, found);
     });
     for (std::size_t n = 0; n < cells_.size(); ++n) {
       const auto bound = static_cast<float>(kFarthest);

@@ -67,29 +67,26 @@ WallCells::WallCells(const Volume<float>& phi, double reachVoxels)
 
 void WallCells::place(const SplineField& phi, const Progress& progress) {
   const Vector3d step = step_.cast<double>();
-  parallelFor(0, cells_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t n = first; n < last; ++n) {
-      WallCell& cell = cells_[n];
-      const Index3 p = phi.geometry().indexOf(cell.voxel);
-      const Vector3d x = step.cwiseProduct(Vector3d(p[0], p[1], p[2]));
-      Vector3d at = x, normal = Vector3d::Zero();
-      for (int i = 0; i < 6; ++i) {
-        const SplineField::Jet jet = phi.atIndex(at.cwiseQuotient(step));
-        const Vector3d slope = jet.gradient.cwiseQuotient(step);
-        const double square = slope.squaredNorm();
-        if (square < 1e-12) break;
-        normal = slope / std::sqrt(square);
-        Vector3d move = -jet.value / square * slope;
-        const double length = move.norm();
-        if (length > 0.7) move *= 0.7 / length;
-        at += move;
-        if (length < 1e-3) break;
-      }
-      cell.foot = at.cast<float>();
-      cell.normal = normal.cast<float>();
-      cell.distance = static_cast<float>((x - at).dot(normal));
+  parallelForEach(cells_.size(), kGrain, progress, [&](std::size_t n) {
+    WallCell& cell = cells_[n];
+    const Index3 p = phi.geometry().indexOf(cell.voxel);
+    const Vector3d x = step.cwiseProduct(Vector3d(p[0], p[1], p[2]));
+    Vector3d at = x, normal = Vector3d::Zero();
+    for (int i = 0; i < 6; ++i) {
+      const SplineField::Jet jet = phi.atIndex(at.cwiseQuotient(step));
+      const Vector3d slope = jet.gradient.cwiseQuotient(step);
+      const double square = slope.squaredNorm();
+      if (square < 1e-12) break;
+      normal = slope / std::sqrt(square);
+      Vector3d move = -jet.value / square * slope;
+      const double length = move.norm();
+      if (length > 0.7) move *= 0.7 / length;
+      at += move;
+      if (length < 1e-3) break;
     }
+    cell.foot = at.cast<float>();
+    cell.normal = normal.cast<float>();
+    cell.distance = static_cast<float>((x - at).dot(normal));
   });
 }
 
@@ -98,39 +95,34 @@ std::vector<VesselFrame> vesselFrames(const Volume<float>& phi, const WallCells&
                                       const Progress& progress) {
   const auto reach = static_cast<float>(reachVoxels);
   std::vector<float> depth(cells.size(), 0.0F);
-  parallelFor(0, cells.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t n = first; n < last; ++n)
-      if (std::fabs(cells[n].distance) <= reach) depth[n] = depthBehind(phi, cells[n]);
+  parallelForEach(cells.size(), kGrain, progress, [&](std::size_t n) {
+    if (std::fabs(cells[n].distance) <= reach) depth[n] = depthBehind(phi, cells[n]);
   });
   std::vector<VesselFrame> frames(cells.size());
-  parallelFor(0, cells.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t n = first; n < last; ++n) {
-      const WallCell& cell = cells[n];
-      if (std::fabs(cell.distance) > reach) continue;
-      float sum = 0.0F, count = 0.0F;
-      cells.forBox(cell.foot, Vector3f::Constant(2.5F), [&](std::size_t m) {
-        if (depth[m] == 0.0F || cells[m].normal.dot(cell.normal) < 0.5F) return;
-        sum += depth[m];
-        count += 1.0F;
-      });
-      const float radius = count > 0.0F ? sum / count : depth[n];
-      const float window = std::clamp(1.5F * radius + 1.0F, 3.0F, 8.0F);
-      Eigen::Matrix3f normals = Eigen::Matrix3f::Zero();
-      float weights = 0.0F;
-      cells.forBox(cell.foot, Vector3f::Constant(window), [&](std::size_t m) {
-        const WallCell& other = cells[m];
-        if (depth[m] == 0.0F) return;
-        const float t = 1.0F - (other.foot - cell.foot).squaredNorm() / (window * window);
-        if (t <= 0.0F || !onOneWall(cell, other)) return;
-        const float w = t * t * t;
-        normals += w * other.normal * other.normal.transpose();
-        weights += w;
-      });
-      if (weights > 0.0F) frames[n] = frameOf(normals / weights, static_cast<float>(stretch));
-      frames[n].radius = radius;
-    }
+  parallelForEach(cells.size(), kGrain, progress, [&](std::size_t n) {
+    const WallCell& cell = cells[n];
+    if (std::fabs(cell.distance) > reach) return;
+    float sum = 0.0F, count = 0.0F;
+    cells.forBox(cell.foot, Vector3f::Constant(2.5F), [&](std::size_t m) {
+      if (depth[m] == 0.0F || cells[m].normal.dot(cell.normal) < 0.5F) return;
+      sum += depth[m];
+      count += 1.0F;
+    });
+    const float radius = count > 0.0F ? sum / count : depth[n];
+    const float window = std::clamp(1.5F * radius + 1.0F, 3.0F, 8.0F);
+    Eigen::Matrix3f normals = Eigen::Matrix3f::Zero();
+    float weights = 0.0F;
+    cells.forBox(cell.foot, Vector3f::Constant(window), [&](std::size_t m) {
+      const WallCell& other = cells[m];
+      if (depth[m] == 0.0F) return;
+      const float t = 1.0F - (other.foot - cell.foot).squaredNorm() / (window * window);
+      if (t <= 0.0F || !onOneWall(cell, other)) return;
+      const float w = t * t * t;
+      normals += w * other.normal * other.normal.transpose();
+      weights += w;
+    });
+    if (weights > 0.0F) frames[n] = frameOf(normals / weights, static_cast<float>(stretch));
+    frames[n].radius = radius;
   });
   return frames;
 }

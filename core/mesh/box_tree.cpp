@@ -52,20 +52,17 @@ void BoxTree::sort(double extent, const Progress& progress) {
   constexpr double last = (1U << kKeyBits) - 1;
   const double perMm = extent > 0.0 ? (last + 1.0) / extent : 0.0;
   std::vector<std::uint64_t> items(count);
-  parallelFor(0, count, blockSize, [&](std::size_t first, std::size_t end) {
-    progress.check();
-    for (std::size_t t = first; t < end; ++t) {
-      const auto corners = cornersOf(mesh_, static_cast<std::uint32_t>(t));
-      const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
-      const Eigen::Vector3d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-      std::uint64_t key = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double x = perMm * (0.5 * (low[axis] + high[axis]) - corner_[axis]);
-        const auto cell = static_cast<std::uint32_t>(x > 0.0 ? std::min(x, last) : 0.0);
-        key |= std::uint64_t{spread(cell)} << axis;
-      }
-      items[t] = key << 32U | t;
+  parallelForEach(count, blockSize, progress, [&](std::size_t t) {
+    const auto corners = cornersOf(mesh_, static_cast<std::uint32_t>(t));
+    const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+    const Eigen::Vector3d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double x = perMm * (0.5 * (low[axis] + high[axis]) - corner_[axis]);
+      const auto cell = static_cast<std::uint32_t>(x > 0.0 ? std::min(x, last) : 0.0);
+      key |= std::uint64_t{spread(cell)} << axis;
     }
+    items[t] = key << 32U | t;
   });
   sortByKey(items);
   order_.resize(count);

@@ -53,9 +53,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> selfIntersections(const Tri
   const std::size_t count = mesh.triangles.size();
   const BoxTree tree(mesh, progress);
   std::vector<char> degenerate(count);
-  parallelFor(0, count, blockSize, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      degenerate[i] = isDegenerate(cornersOf(mesh, static_cast<std::uint32_t>(i))) ? 1 : 0;
+  parallelForEach(count, blockSize, [&](std::size_t i) {
+    degenerate[i] = isDegenerate(cornersOf(mesh, static_cast<std::uint32_t>(i))) ? 1 : 0;
   });
 
   constexpr std::size_t leavesAtOnce = blockSize / 8;

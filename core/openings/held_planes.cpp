@@ -55,17 +55,15 @@ void HeldPlanes::holdInBorders(const TriMesh& mesh, const Geometry& grid) {
   for (int a = 0; a < borders.count(); ++a) normals_.push_back(borders.normal(a));
   const Eigen::Matrix3d toIndex = grid.physicalToIndexMatrix();
   std::vector<std::uint8_t> in(mesh.points.size(), 0);
-  parallelFor(0, in.size(), 1024, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      const Vector3d index = toIndex * (mesh.points[v] - grid.origin);
-      for (std::size_t a = 0; a < 3; ++a) {
-        const double at = index[static_cast<Eigen::Index>(a)], end = grid.size[a] - 1;
-        if (at < kHair) in[v] |= static_cast<std::uint8_t>(1U << (2 * a));
-        if (at > end - kHair) in[v] |= static_cast<std::uint8_t>(2U << (2 * a));
-      }
-      for (std::uint16_t a = 0; a < 6; ++a)
-        if ((in[v] >> a & 1U) != 0) hold(static_cast<std::uint32_t>(v), a);
+  parallelForEach(in.size(), 1024, [&](std::size_t v) {
+    const Vector3d index = toIndex * (mesh.points[v] - grid.origin);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double at = index[static_cast<Eigen::Index>(a)], end = grid.size[a] - 1;
+      if (at < kHair) in[v] |= static_cast<std::uint8_t>(1U << (2 * a));
+      if (at > end - kHair) in[v] |= static_cast<std::uint8_t>(2U << (2 * a));
     }
+    for (std::uint16_t a = 0; a < 6; ++a)
+      if ((in[v] >> a & 1U) != 0) hold(static_cast<std::uint32_t>(v), a);
   });
   for (std::size_t t = 0; t < cap_.size(); ++t) {
     const auto& c = mesh.triangles[t];

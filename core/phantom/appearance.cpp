@@ -108,15 +108,12 @@ void addDrift(Volume<float>& image, const PhantomParams& params, const Progress&
   Vector3d direction(randomNormal(seed, 0), randomNormal(seed, 1), randomNormal(seed, 2));
   direction /= std::max(direction.norm(), 1e-9);
   const double strength = 0.01 * params.driftPercent;
-  parallelFor(0, image.voxels.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t i = first; i < last; ++i) {
-      const Index3 at = g.indexOf(i);
-      double t = 0.0;
-      for (int a = 0; a < 3; ++a) t += direction[a] * ((at[a] + 0.5) / g.size[a] - 0.5);
-      const double factor = 1.0 + strength * portableSinTurns(0.75 * t);
-      image.voxels[i] = static_cast<float>(static_cast<double>(image.voxels[i]) * factor);
-    }
+  parallelForEach(image.voxels.size(), kGrain, progress, [&](std::size_t i) {
+    const Index3 at = g.indexOf(i);
+    double t = 0.0;
+    for (int a = 0; a < 3; ++a) t += direction[a] * ((at[a] + 0.5) / g.size[a] - 0.5);
+    const double factor = 1.0 + strength * portableSinTurns(0.75 * t);
+    image.voxels[i] = static_cast<float>(static_cast<double>(image.voxels[i]) * factor);
   });
 }
 
@@ -125,16 +122,13 @@ void addNoise(Volume<float>& image, const PhantomParams& params, const Progress&
   const std::uint64_t seed = params.randomSeed;
   const std::uint64_t other = randomBits(seed, kQuadratureStream);
   const bool rician = params.noiseModel == NoiseModel::Rician;
-  parallelFor(0, image.voxels.size(), kGrain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t i = first; i < last; ++i) {
-      double value = static_cast<double>(image.voxels[i]) + sigma * randomNormal(seed, i);
-      if (rician) {
-        const double imaginary = sigma * randomNormal(other, i);
-        value = std::sqrt(value * value + imaginary * imaginary);
-      }
-      image.voxels[i] = static_cast<float>(value);
+  parallelForEach(image.voxels.size(), kGrain, progress, [&](std::size_t i) {
+    double value = static_cast<double>(image.voxels[i]) + sigma * randomNormal(seed, i);
+    if (rician) {
+      const double imaginary = sigma * randomNormal(other, i);
+      value = std::sqrt(value * value + imaginary * imaginary);
     }
+    image.voxels[i] = static_cast<float>(value);
   });
 }
 

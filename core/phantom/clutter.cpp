@@ -269,29 +269,26 @@ void draw(Phantom& phantom, Volume<float>& bright, Volume<std::uint8_t>& taken, 
     if (first[a] > last[a]) return;
   }
   const auto slices = static_cast<std::size_t>(last[2] - first[2] + 1);
-  parallelFor(0, slices, 1, [&](std::size_t begin, std::size_t end) {
-    progress.check();
-    for (std::size_t slice = begin; slice < end; ++slice) {
-      const int k = first[2] + static_cast<int>(slice);
-      for (int j = first[1]; j <= last[1]; ++j)
-        for (int i = first[0]; i <= last[0]; ++i) {
-          const Vector3d centre = g.spacing.cwiseProduct(Vector3d(i, j, k));
-          if (solid.distance(centre) > reach) continue;
-          int count = 0;
-          for (int corner = 0; corner < 8; ++corner) {
-            const Vector3d sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
-                                (corner & 4) != 0 ? 1.0 : -1.0);
-            if (drawn(solid, placement, centre + sign.cwiseProduct(quarter))) ++count;
-          }
-          std::uint8_t& used = taken.at(i, j, k);
-          count = std::min(count, 8 - used);
-          if (count == 0) continue;
-          used = static_cast<std::uint8_t>(used + count);
-          bright.at(i, j, k) += static_cast<float>(solid.piece.intensity * count / 8.0);
-          if (count >= 4 && phantom.truth.at(i, j, k) == 0)
-            phantom.clutter.at(i, j, k) = solid.piece.label;
+  parallelForEach(slices, 1, progress, [&](std::size_t slice) {
+    const int k = first[2] + static_cast<int>(slice);
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int i = first[0]; i <= last[0]; ++i) {
+        const Vector3d centre = g.spacing.cwiseProduct(Vector3d(i, j, k));
+        if (solid.distance(centre) > reach) continue;
+        int count = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+          const Vector3d sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
+                              (corner & 4) != 0 ? 1.0 : -1.0);
+          if (drawn(solid, placement, centre + sign.cwiseProduct(quarter))) ++count;
         }
-    }
+        std::uint8_t& used = taken.at(i, j, k);
+        count = std::min(count, 8 - used);
+        if (count == 0) continue;
+        used = static_cast<std::uint8_t>(used + count);
+        bright.at(i, j, k) += static_cast<float>(solid.piece.intensity * count / 8.0);
+        if (count >= 4 && phantom.truth.at(i, j, k) == 0)
+          phantom.clutter.at(i, j, k) = solid.piece.label;
+      }
   });
 }
 

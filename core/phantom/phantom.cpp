@@ -24,15 +24,12 @@ void fadeVessels(Phantom& phantom, const PhantomParams& params, const Shape& sha
                  const Progress& progress) {
   const VesselFade fade(params, shape);
   const Geometry& g = phantom.image.geometry;
-  parallelFor(0, phantom.image.voxels.size(), 1U << 14, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t i = first; i < last; ++i) {
-      float& value = phantom.image.voxels[i];
-      if (value == 0.0F) continue;
-      const Index3 at = g.indexOf(i);
-      const Eigen::Vector3d point = g.spacing.cwiseProduct(Eigen::Vector3d(at[0], at[1], at[2]));
-      value = static_cast<float>(static_cast<double>(value) * fade.at(point));
-    }
+  parallelForEach(phantom.image.voxels.size(), 1U << 14, progress, [&](std::size_t i) {
+    float& value = phantom.image.voxels[i];
+    if (value == 0.0F) return;
+    const Index3 at = g.indexOf(i);
+    const Eigen::Vector3d point = g.spacing.cwiseProduct(Eigen::Vector3d(at[0], at[1], at[2]));
+    value = static_cast<float>(static_cast<double>(value) * fade.at(point));
   });
 }
 

@@ -71,25 +71,23 @@ void forEachBrick(const Shape& shape, const Geometry& g, const Progress& progres
     return box;
   };
   std::atomic<std::size_t> done{0};
-  parallelFor(0, columns, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const auto nx = static_cast<std::size_t>(blocks(0));
-      const auto ny = static_cast<std::size_t>(blocks(1));
-      const Box block =
-          cut({static_cast<int>(n % nx) * kBlock, static_cast<int>(n / nx % ny) * kBlock,
-               static_cast<int>(n / nx / ny) * kBlock},
-              kBlock);
-      const Nearby coarse = solidsNear(shape, all, g, block);
-      for (int k = block.first[2]; k < block.last[2]; k += kBrick)
-        for (int j = block.first[1]; j < block.last[1]; j += kBrick) {
-          progress.check();
-          for (int i = block.first[0]; i < block.last[0]; i += kBrick) {
-            const Box brick = cut({i, j, k}, kBrick);
-            body(brick, solidsNear(shape, coarse.solids, g, brick));
-          }
+  parallelForEach(columns, 1, [&](std::size_t n) {
+    const auto nx = static_cast<std::size_t>(blocks(0));
+    const auto ny = static_cast<std::size_t>(blocks(1));
+    const Box block =
+        cut({static_cast<int>(n % nx) * kBlock, static_cast<int>(n / nx % ny) * kBlock,
+             static_cast<int>(n / nx / ny) * kBlock},
+            kBlock);
+    const Nearby coarse = solidsNear(shape, all, g, block);
+    for (int k = block.first[2]; k < block.last[2]; k += kBrick)
+      for (int j = block.first[1]; j < block.last[1]; j += kBrick) {
+        progress.check();
+        for (int i = block.first[0]; i < block.last[0]; i += kBrick) {
+          const Box brick = cut({i, j, k}, kBrick);
+          body(brick, solidsNear(shape, coarse.solids, g, brick));
         }
-      progress.report(static_cast<double>(++done) / static_cast<double>(columns));
-    }
+      }
+    progress.report(static_cast<double>(++done) / static_cast<double>(columns));
   });
 }
 

@@ -140,13 +140,11 @@ class Blur {
   void measureBrightness(const VesselFade& fade) {
     const Geometry& g = volumes_.grid;
     brightness_.assign(volumes_.state.size(), 1.0F);
-    parallelFor(0, brightness_.size(), 1U << 14, [&](std::size_t first, std::size_t last) {
-      for (std::size_t n = first; n < last; ++n) {
-        if (volumes_.state[n] == PartialVolumes::kOutside) continue;
-        const Index3 at = g.indexOf(n);
-        brightness_[n] = static_cast<float>(
-            fade.at(g.origin + g.spacing.cwiseProduct(Eigen::Vector3d(at[0], at[1], at[2]))));
-      }
+    parallelForEach(brightness_.size(), 1U << 14, [&](std::size_t n) {
+      if (volumes_.state[n] == PartialVolumes::kOutside) return;
+      const Index3 at = g.indexOf(n);
+      brightness_[n] = static_cast<float>(
+          fade.at(g.origin + g.spacing.cwiseProduct(Eigen::Vector3d(at[0], at[1], at[2]))));
     });
   }
 

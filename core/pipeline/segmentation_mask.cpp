@@ -39,10 +39,9 @@ Volume<std::uint8_t> segmentationMask(const RunResult& result, const Volume<floa
   const Volume<float>& smooth = *result.evolve->phi;
   Volume<float> mask = *result.evolve->voxelwise;
   const float taken = kTaken * static_cast<float>(phi.geometry.voxelMm());
-  parallelFor(0, mask.voxels.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      if (phi.voxels[i] > smooth.voxels[i] + taken)
-        mask.voxels[i] = std::max(mask.voxels[i], phi.voxels[i]);
+  parallelForEach(mask.voxels.size(), 1 << 16, [&](std::size_t i) {
+    if (phi.voxels[i] > smooth.voxels[i] + taken)
+      mask.voxels[i] = std::max(mask.voxels[i], phi.voxels[i]);
   });
   return maskOnGrid(mask, grid, level);
 }

@@ -37,10 +37,9 @@ Thresholds thresholdsFor(const VesselnessResult& vessels, const ThresholdParams&
 
 Volume<float> speedVolume(const Volume<float>& vesselness, const Thresholds& thresholds) {
   Volume<float> out(vesselness.geometry);
-  parallelFor(0, out.voxels.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      out.voxels[i] =
-          static_cast<float>(vesselSpeed(static_cast<double>(vesselness.voxels[i]), thresholds));
+  parallelForEach(out.voxels.size(), 1 << 16, [&](std::size_t i) {
+    out.voxels[i] =
+        static_cast<float>(vesselSpeed(static_cast<double>(vesselness.voxels[i]), thresholds));
   });
   return out;
 }

@@ -60,18 +60,16 @@ BigVector<float> gaussian(const Volume<float>& image, double sigma) {
   std::size_t stride = 1;
   for (const int size : image.geometry.size) {
     const auto lines = from.size() / stride;  // of `stride` voxels, `size` of them in a row
-    parallelFor(0, lines, 1 + 65536 / stride, [&](std::size_t first, std::size_t last) {
-      for (std::size_t line = first; line < last; ++line) {
-        const int at = static_cast<int>(line % static_cast<std::size_t>(size));
-        float* out = to.data() + line * stride;
-        std::fill_n(out, stride, 0.0F);
-        for (int m = -reach; m <= reach; ++m) {
-          const std::ptrdiff_t step = std::clamp(at + m, 0, size - 1) - at;
-          const float* in = from.data() + (static_cast<std::ptrdiff_t>(line) + step) *
-                                              static_cast<std::ptrdiff_t>(stride);
-          const auto w = static_cast<float>(weight[static_cast<std::size_t>(std::abs(m))] / sum);
-          for (std::size_t i = 0; i < stride; ++i) out[i] += w * in[i];
-        }
+    parallelForEach(lines, 1 + 65536 / stride, [&](std::size_t line) {
+      const int at = static_cast<int>(line % static_cast<std::size_t>(size));
+      float* out = to.data() + line * stride;
+      std::fill_n(out, stride, 0.0F);
+      for (int m = -reach; m <= reach; ++m) {
+        const std::ptrdiff_t step = std::clamp(at + m, 0, size - 1) - at;
+        const float* in = from.data() + (static_cast<std::ptrdiff_t>(line) + step) *
+                                            static_cast<std::ptrdiff_t>(stride);
+        const auto w = static_cast<float>(weight[static_cast<std::size_t>(std::abs(m))] / sum);
+        for (std::size_t i = 0; i < stride; ++i) out[i] += w * in[i];
       }
     });
     std::swap(from, to);

@@ -105,11 +105,9 @@ void countTopology(const TriMesh& mesh, MeshQuality& q, const Progress& progress
 
 std::vector<TriangleShape> shapesOf(const TriMesh& mesh) {
   std::vector<TriangleShape> shapes(mesh.triangles.size());
-  parallelFor(0, shapes.size(), blockSize, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Triangle3 t = cornersOf(mesh, static_cast<std::uint32_t>(i));
-      if (!isDegenerate(t)) shapes[i] = triangleShape(t[0], t[1], t[2]);
-    }
+  parallelForEach(shapes.size(), blockSize, [&](std::size_t i) {
+    const Triangle3 t = cornersOf(mesh, static_cast<std::uint32_t>(i));
+    if (!isDegenerate(t)) shapes[i] = triangleShape(t[0], t[1], t[2]);
   });
   return shapes;
 }
@@ -204,20 +202,17 @@ Deviations deviation(const std::vector<char>& counts, PointAt pointAt, bool with
                      const SplineField& phi, const Progress& progress) {
   const std::size_t count = counts.size();
   std::vector<double> moved(count, -1.0), curved(withCurvature ? count : 0, -1.0);
-  parallelFor(0, count, 512, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t i = first; i < last; ++i) {
-      if (counts[i] == 0) continue;
-      const Eigen::Vector3d start = pointAt(i);
-      // Marching cubes goes half a voxel beyond the outermost voxel centres, where phi is not
-      // known.
-      if (!phi.geometry().holds(start, 1e-6)) continue;
-      Eigen::Vector3d onWall = start;
-      // A point that finds no zero counts with the way it went.
-      static_cast<void>(phi.projectToZero(onWall));
-      moved[i] = (onWall - start).norm();
-      if (withCurvature) curved[i] = moved[i] * largestCurvature(phi, onWall);
-    }
+  parallelForEach(count, 512, progress, [&](std::size_t i) {
+    if (counts[i] == 0) return;
+    const Eigen::Vector3d start = pointAt(i);
+    // Marching cubes goes half a voxel beyond the outermost voxel centres, where phi is not
+    // known.
+    if (!phi.geometry().holds(start, 1e-6)) return;
+    Eigen::Vector3d onWall = start;
+    // A point that finds no zero counts with the way it went.
+    static_cast<void>(phi.projectToZero(onWall));
+    moved[i] = (onWall - start).norm();
+    if (withCurvature) curved[i] = moved[i] * largestCurvature(phi, onWall);
   });
   Deviations result;
   for (auto* values : {&moved, &curved})

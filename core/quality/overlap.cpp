@@ -41,16 +41,14 @@ PointSet surfaceVoxels(const Volume<std::uint8_t>& mask) {
   const auto empty = [&](int i, int j, int k) {
     return g.contains(i, j, k) && mask.at(i, j, k) == 0;
   };
-  parallelFor(0, slices.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t slice = first; slice < last; ++slice) {
-      const int k = static_cast<int>(slice);
-      for (int j = 0; j < g.size[1]; ++j)
-        for (int i = 0; i < g.size[0]; ++i)
-          if (mask.at(i, j, k) != 0 &&
-              (empty(i - 1, j, k) || empty(i + 1, j, k) || empty(i, j - 1, k) ||
-               empty(i, j + 1, k) || empty(i, j, k - 1) || empty(i, j, k + 1)))
-            slices[slice].push_back(voxelCentre(g, {i, j, k}));
-    }
+  parallelForEach(slices.size(), 1, [&](std::size_t slice) {
+    const int k = static_cast<int>(slice);
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i)
+        if (mask.at(i, j, k) != 0 &&
+            (empty(i - 1, j, k) || empty(i + 1, j, k) || empty(i, j - 1, k) || empty(i, j + 1, k) ||
+             empty(i, j, k - 1) || empty(i, j, k + 1)))
+          slices[slice].push_back(voxelCentre(g, {i, j, k}));
   });
   PointSet set;
   for (const auto& slice : slices) set.points.insert(set.points.end(), slice.begin(), slice.end());
@@ -63,14 +61,11 @@ std::vector<double> nearestDistances(const PointSet& from, const PointSet& to,
   if (to.points.empty()) return {};
   const Tree tree(3, to, nanoflann::KDTreeSingleIndexAdaptorParams(16));
   std::vector<double> distances(from.points.size());
-  parallelFor(0, distances.size(), 4096, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t i = first; i < last; ++i) {
-      std::size_t nearest = 0;
-      double square = 0.0;
-      tree.knnSearch(from.points[i].data(), 1, &nearest, &square);
-      distances[i] = std::sqrt(square);
-    }
+  parallelForEach(distances.size(), 4096, progress, [&](std::size_t i) {
+    std::size_t nearest = 0;
+    double square = 0.0;
+    tree.knnSearch(from.points[i].data(), 1, &nearest, &square);
+    distances[i] = std::sqrt(square);
   });
   return distances;
 }
@@ -149,19 +144,17 @@ Volume<std::uint8_t> maskOnGrid(const Volume<float>& phi, const Geometry& grid, 
   const Eigen::Matrix3d step = toIndex * grid.direction * grid.spacing.asDiagonal();
   const Vector3d start = toIndex * (grid.origin - phi.geometry.origin);
   const auto rows = static_cast<std::size_t>(grid.size[1]) * static_cast<std::size_t>(grid.size[2]);
-  parallelFor(0, rows, 64, [&](std::size_t first, std::size_t last) {
-    for (std::size_t row = first; row < last; ++row) {
-      const int j = static_cast<int>(row % static_cast<std::size_t>(grid.size[1]));
-      const int k = static_cast<int>(row / static_cast<std::size_t>(grid.size[1]));
-      for (int i = 0; i < grid.size[0]; ++i) {
-        Vector3d index = start + step * Vector3d(i, j, k);
-        bool inVolume = true;
-        for (int a = 0; a < 3; ++a) {
-          index[a] = snapped(index[a]);
-          inVolume = inVolume && index[a] >= -0.5 && index[a] <= phi.geometry.size[a] - 0.5;
-        }
-        if (inVolume && interpolateLinear(phi, index) < level) mask.at(i, j, k) = 1;
+  parallelForEach(rows, 64, [&](std::size_t row) {
+    const int j = static_cast<int>(row % static_cast<std::size_t>(grid.size[1]));
+    const int k = static_cast<int>(row / static_cast<std::size_t>(grid.size[1]));
+    for (int i = 0; i < grid.size[0]; ++i) {
+      Vector3d index = start + step * Vector3d(i, j, k);
+      bool inVolume = true;
+      for (int a = 0; a < 3; ++a) {
+        index[a] = snapped(index[a]);
+        inVolume = inVolume && index[a] >= -0.5 && index[a] <= phi.geometry.size[a] - 0.5;
       }
+      if (inVolume && interpolateLinear(phi, index) < level) mask.at(i, j, k) = 1;
     }
   });
   return mask;

@@ -119,10 +119,8 @@ class Measure {
     auto every = static_cast<std::size_t>(std::ceil(std::max(1.0, count / kMostPlaces)));
     for (std::size_t n = 0; n < used.size(); n += every) places_.push_back(used[n]);
     radii_.resize(places_.size());
-    parallelFor(0, places_.size(), 512, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t n = first; n < last; ++n) radii_[n] = radiusAt(places_[n]);
-    });
+    parallelForEach(places_.size(), 512, progress,
+                    [&](std::size_t n) { radii_[n] = radiusAt(places_[n]); });
     std::vector<Weighted> known;
     for (std::size_t n = 0; n < places_.size(); ++n)
       if (std::isfinite(radii_[n])) known.emplace_back(radii_[n], areas_[places_[n]]);

@@ -29,13 +29,10 @@ SizingCheck checkSizing(const TriMesh& mesh, const GuidanceField& wanted, const 
   }
 
   std::vector<double> ratios(edges.size()), counts(wall.size(), 0.0);
-  parallelFor(0, edges.size(), 1024, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t i = first; i < last; ++i) {
-      const Eigen::Vector3d& a = mesh.points[edges[i].low];
-      const Eigen::Vector3d& b = mesh.points[edges[i].high];
-      ratios[i] = (b - a).norm() / wanted.at(0.5 * (a + b));
-    }
+  parallelForEach(edges.size(), 1024, progress, [&](std::size_t i) {
+    const Eigen::Vector3d& a = mesh.points[edges[i].low];
+    const Eigen::Vector3d& b = mesh.points[edges[i].high];
+    ratios[i] = (b - a).norm() / wanted.at(0.5 * (a + b));
   });
   parallelFor(0, wall.size(), 1024, [&](std::size_t first, std::size_t last) {
     progress.check();

@@ -85,16 +85,14 @@ template <class ShareOf>
 double radiusFromShares(const Geometry& g, const Cylinder& cylinder, const ShareOf& shareOf) {
   const double reach = 0.5 * g.spacing.norm();
   std::vector<double> slices(static_cast<std::size_t>(g.size[2]), 0.0);
-  parallelFor(0, slices.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t slice = first; slice < last; ++slice) {
-      const int k = static_cast<int>(slice);
-      for (int j = 0; j < g.size[1]; ++j)
-        for (int i = 0; i < g.size[0]; ++i) {
-          const Vector3d centre = voxelCentre(g, {i, j, k});
-          if (cylinder.holds(centre, reach))
-            slices[slice] += shareOf(i, j, k, cylinder.holds(centre, -reach));
-        }
-    }
+  parallelForEach(slices.size(), 1, [&](std::size_t slice) {
+    const int k = static_cast<int>(slice);
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i) {
+        const Vector3d centre = voxelCentre(g, {i, j, k});
+        if (cylinder.holds(centre, reach))
+          slices[slice] += shareOf(i, j, k, cylinder.holds(centre, -reach));
+      }
   });
   double voxels = 0.0;
   for (const double s : slices) voxels += s;
@@ -133,20 +131,18 @@ std::vector<WallSample> wallSamples(const SplineField& phi,
                                     const Progress& progress) {
   const Geometry& g = phi.geometry();
   std::vector<std::vector<WallSample>> slices(static_cast<std::size_t>(g.size[2]));
-  parallelFor(0, slices.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) {
-      progress.check();
-      std::vector<Vector3d> crossings;
-      addCrossings(phi, static_cast<int>(k), crossings);
-      for (const Vector3d& index : crossings) {
-        WallSample sample;
-        sample.point = g.toPhysical(index);
-        Vector3d moved = sample.point;
-        if (phi.projectToZero(moved, 1.0)) sample.point = moved;
-        sample.signedDistanceMm = distanceMm(sample.point);
-        if (!centreLines.empty()) sample.radiusMm = nearestVesselRadius(centreLines, sample.point);
-        slices[k].push_back(sample);
-      }
+  parallelForEach(slices.size(), 1, [&](std::size_t k) {
+    progress.check();
+    std::vector<Vector3d> crossings;
+    addCrossings(phi, static_cast<int>(k), crossings);
+    for (const Vector3d& index : crossings) {
+      WallSample sample;
+      sample.point = g.toPhysical(index);
+      Vector3d moved = sample.point;
+      if (phi.projectToZero(moved, 1.0)) sample.point = moved;
+      sample.signedDistanceMm = distanceMm(sample.point);
+      if (!centreLines.empty()) sample.radiusMm = nearestVesselRadius(centreLines, sample.point);
+      slices[k].push_back(sample);
     }
   });
   std::vector<WallSample> samples;

@@ -102,21 +102,18 @@ std::vector<Place> measureVertices(const TriMesh& mesh, const std::vector<char>&
 std::vector<Place> measureTriangles(const TriMesh& mesh, const std::vector<char>& wall,
                                     const WallTruth& truth, const Progress& progress) {
   std::vector<Place> places(mesh.triangles.size());
-  parallelFor(0, places.size(), kBlock, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t t = first; t < last; ++t) {
-      if (wall[t] == 0) continue;
-      const auto& [a, b, c] = mesh.triangles[t];
-      const Vector3d normal =
-          (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
-      if (!(normal.norm() > 0.0)) continue;
-      const auto foot =
-          footThatCounts((mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0, truth);
-      if (!foot) continue;
-      places[t].counts = true;
-      places[t].angle = angleDegrees(normal.cross(foot->normal).norm(), normal.dot(foot->normal));
-      places[t].radius = truth.radiusAt(foot->point);
-    }
+  parallelForEach(places.size(), kBlock, progress, [&](std::size_t t) {
+    if (wall[t] == 0) return;
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vector3d normal =
+        (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+    if (!(normal.norm() > 0.0)) return;
+    const auto foot =
+        footThatCounts((mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0, truth);
+    if (!foot) return;
+    places[t].counts = true;
+    places[t].angle = angleDegrees(normal.cross(foot->normal).norm(), normal.dot(foot->normal));
+    places[t].radius = truth.radiusAt(foot->point);
   });
   return places;
 }

@@ -182,19 +182,17 @@ ZeroSetMeasure measureZeroSet(const SplineField& phi, const Progress& progress, 
     return (g.size[static_cast<std::size_t>(axis)] + blockCells - 2) / blockCells;
   };
   std::vector<Sums> parts(static_cast<std::size_t>(blocks(1) * blocks(2)));
-  parallelFor(0, parts.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t row = first; row < last; ++row) {
-      CellSums sums(phi, refine);
-      for (int block = 0; block < blocks(0); ++block) {
-        progress.check();
-        const Index3 start{blockCells * block, blockCells * (static_cast<int>(row) % blocks(1)),
-                           blockCells * (static_cast<int>(row) / blocks(1))};
-        Index3 end{};
-        for (std::size_t a = 0; a < 3; ++a) end[a] = std::min(start[a] + blockCells, g.size[a] - 1);
-        addBlock(sums, phi, start, end);
-      }
-      parts[row] = sums.sums();
+  parallelForEach(parts.size(), 1, [&](std::size_t row) {
+    CellSums sums(phi, refine);
+    for (int block = 0; block < blocks(0); ++block) {
+      progress.check();
+      const Index3 start{blockCells * block, blockCells * (static_cast<int>(row) % blocks(1)),
+                         blockCells * (static_cast<int>(row) / blocks(1))};
+      Index3 end{};
+      for (std::size_t a = 0; a < 3; ++a) end[a] = std::min(start[a] + blockCells, g.size[a] - 1);
+      addBlock(sums, phi, start, end);
     }
+    parts[row] = sums.sums();
   });
   ZeroSetMeasure result;
   const double voxelMm3 = std::fabs((g.direction * g.spacing.asDiagonal()).determinant());

@@ -54,10 +54,8 @@ class FacingCheck {
   std::vector<TurnedFace> run(const Progress& progress) {
     const std::size_t n = mesh_.mesh.triangles.size();
     std::vector<Slope> slopes(n);
-    parallelFor(0, n, 1024, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t t = first; t < last; ++t)
-        if (mesh_.patch[t] == 0) slopes[t] = slopeOf(t);
+    parallelForEach(n, 1024, progress, [&](std::size_t t) {
+      if (mesh_.patch[t] == 0) slopes[t] = slopeOf(t);
     });
     boundCells(slopes, progress);
     constexpr std::size_t grain = 512;
@@ -144,10 +142,8 @@ class FacingCheck {
     for (std::size_t i = 0; i < met.size(); ++i)
       if (met[i]) cells_.push_back(i);
     bounds_.resize(cells_.size());
-    parallelFor(0, cells_.size(), 256, [&](std::size_t first, std::size_t last) {
-      progress.check();
-      for (std::size_t i = first; i < last; ++i)
-        bounds_[i] = static_cast<float>(hessianBound(field_, g.indexOf(cells_[i])) * (1.0 + 1e-6));
+    parallelForEach(cells_.size(), 256, progress, [&](std::size_t i) {
+      bounds_[i] = static_cast<float>(hessianBound(field_, g.indexOf(cells_[i])) * (1.0 + 1e-6));
     });
   }
 

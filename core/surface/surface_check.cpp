@@ -124,23 +124,19 @@ void matchLandmarks(const PatchMesh& mesh, const SplineField& field, const Guida
   std::vector<std::uint32_t> labelOf(n, SurfaceCheck::none);
   for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
     for (const std::uint32_t v : mesh.mesh.triangles[t]) labelOf[v] = check.parts.label[t];
-  parallelFor(0, n, 1024, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      vertices[v].point = mesh.mesh.points[v];
-      const Vector3d gradient = field.at(vertices[v].point).gradient;
-      if (gradient.norm() > 1e-12) vertices[v].normal = gradient.normalized();
-      vertices[v].length = size.at(vertices[v].point);
-    }
+  parallelForEach(n, 1024, [&](std::size_t v) {
+    vertices[v].point = mesh.mesh.points[v];
+    const Vector3d gradient = field.at(vertices[v].point).gradient;
+    if (gradient.norm() > 1e-12) vertices[v].normal = gradient.normalized();
+    vertices[v].length = size.at(vertices[v].point);
   });
   SurfaceCover cover(vertices, size.slope());
   cover.update();
   std::vector<std::uint32_t> by(landmarks.points.size(), SurfaceCheck::none);
-  parallelFor(0, by.size(), 1024, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      if (landmarks.valid[v] == 0) continue;
-      const std::uint32_t near = cover.reach(landmarks.points[v]);
-      if (near != SurfaceCover::none) by[v] = labelOf[near];
-    }
+  parallelForEach(by.size(), 1024, [&](std::size_t v) {
+    if (landmarks.valid[v] == 0) return;
+    const std::uint32_t near = cover.reach(landmarks.points[v]);
+    if (near != SurfaceCover::none) by[v] = labelOf[near];
   });
   std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> votes;
   for (std::size_t v = 0; v < by.size(); ++v)

@@ -28,22 +28,20 @@ Volume<float> blockMeans(const Volume<float>& image) {
     coarse.spacing[axis] = g.spacing[axis] * block[a];
   }
   Volume<float> means(coarse);
-  parallelFor(0, means.voxels.size(), 256, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n) {
-      const Index3 at = coarse.indexOf(n);
-      Index3 low{};
-      Index3 high{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        low[a] = at[a] * block[a];
-        high[a] = std::min(low[a] + block[a], g.size[a]);
-      }
-      double sum = 0.0;
-      for (int k = low[2]; k < high[2]; ++k)
-        for (int j = low[1]; j < high[1]; ++j)
-          for (int i = low[0]; i < high[0]; ++i) sum += static_cast<double>(image.at(i, j, k));
-      means.voxels[n] = static_cast<float>(
-          sum / (1.0 * (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2])));
+  parallelForEach(means.voxels.size(), 256, [&](std::size_t n) {
+    const Index3 at = coarse.indexOf(n);
+    Index3 low{};
+    Index3 high{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = at[a] * block[a];
+      high[a] = std::min(low[a] + block[a], g.size[a]);
     }
+    double sum = 0.0;
+    for (int k = low[2]; k < high[2]; ++k)
+      for (int j = low[1]; j < high[1]; ++j)
+        for (int i = low[0]; i < high[0]; ++i) sum += static_cast<double>(image.at(i, j, k));
+    means.voxels[n] = static_cast<float>(
+        sum / (1.0 * (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2])));
   });
   return means;
 }
@@ -59,20 +57,18 @@ std::vector<float> squaredDepth(const std::vector<char>& inside, const Geometry&
   for (std::size_t a = 0; a < 3; ++a) {
     const auto spacing = static_cast<float>(g.spacing[static_cast<Eigen::Index>(a)]);
     const auto step = static_cast<std::ptrdiff_t>(stride);
-    parallelFor(0, from.size(), 4096, [&](std::size_t first, std::size_t last) {
-      for (std::size_t n = first; n < last; ++n) {
-        const int at = g.indexOf(n)[a];
-        const int low = std::max(-kReachBlocks, -at);
-        const int high = std::min(kReachBlocks, g.size[a] - 1 - at);
-        float least = from[n];
-        for (int m = low; m <= high; ++m) {
-          const float along = static_cast<float>(m) * spacing;
-          least = std::min(
-              least, from[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(n) + m * step)] +
-                         along * along);
-        }
-        to[n] = least;
+    parallelForEach(from.size(), 4096, [&](std::size_t n) {
+      const int at = g.indexOf(n)[a];
+      const int low = std::max(-kReachBlocks, -at);
+      const int high = std::min(kReachBlocks, g.size[a] - 1 - at);
+      float least = from[n];
+      for (int m = low; m <= high; ++m) {
+        const float along = static_cast<float>(m) * spacing;
+        least = std::min(least,
+                         from[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(n) + m * step)] +
+                             along * along);
       }
+      to[n] = least;
     });
     std::swap(from, to);
     stride *= static_cast<std::size_t>(g.size[a]);

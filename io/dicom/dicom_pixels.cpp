@@ -395,17 +395,15 @@ std::size_t readFrames(const DicomStack& stack, Volume<float>& image, const Prog
   Padding all;
   std::mutex mutex;
   std::atomic<std::size_t> done{0};
-  parallelFor(0, framesOfFile.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      progress.report(static_cast<double>(done++) / static_cast<double>(framesOfFile.size()));
-      if (framesOfFile[i].empty()) continue;
-      const Padding padding = readFramesOfFile(
-          stack, framesOfFile[i], [&](std::size_t f) { return image.voxels.data() + f * pixels; });
-      if (!stack.files[i].layout.padding) continue;
-      const std::lock_guard lock(mutex);
-      all.voxels += padding.voxels;
-      all.smallest = std::min(all.smallest, padding.smallest);
-    }
+  parallelForEach(framesOfFile.size(), 1, [&](std::size_t i) {
+    progress.report(static_cast<double>(done++) / static_cast<double>(framesOfFile.size()));
+    if (framesOfFile[i].empty()) return;
+    const Padding padding = readFramesOfFile(
+        stack, framesOfFile[i], [&](std::size_t f) { return image.voxels.data() + f * pixels; });
+    if (!stack.files[i].layout.padding) return;
+    const std::lock_guard lock(mutex);
+    all.voxels += padding.voxels;
+    all.smallest = std::min(all.smallest, padding.smallest);
   });
   if (all.voxels > 0) fillPadding(image.voxels.data(), image.voxels.size(), fillingOf(all));
   return all.voxels;
