@@ -2,10 +2,20 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <memory>
 
 #include "app/session/session.h"
 
 namespace angiomesh::cli {
+
+/// Has the command run body(options, progress).
+template <class Options, class Body>
+void setAction(CLI::App* command, Session& session, const std::shared_ptr<Options>& options,
+               const Body& body) {
+  command->callback([options, &session, body] {
+    session.action = [options, &session, body] { return body(*options, session.progress); };
+  });
+}
 
 // Each adds one command to the program; parsing it sets session.action.
 

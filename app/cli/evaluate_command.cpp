@@ -39,9 +39,7 @@ void addEvaluate(CLI::App& program, Session& session) {
   command->add_option("--threshold", options->threshold,
                       "Voxels of the truth of this value and more are inside");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &session] {
-    session.action = [options, &session] { return evaluate(*options, session.progress); };
-  });
+  setAction(command, session, options, evaluate);
 }
 
 }  // namespace angiomesh::cli

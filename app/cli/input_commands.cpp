@@ -256,9 +256,7 @@ void addInfo(CLI::App& program, Session& session) {
   command->add_option("INPUT", options->input, "Image file or DICOM folder")->required();
   addReading(*command, options->reading);
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &session] {
-    session.action = [options, &session] { return info(*options, session.progress); };
-  });
+  setAction(command, session, options, info);
 }
 
 void addPhantom(CLI::App& program, Session& session) {
@@ -300,9 +298,7 @@ void addPhantom(CLI::App& program, Session& session) {
   command->add_option("--axis", options->axis, "Direction x,y,z of the vessel, index axes");
   command->add_option("--offset", options->offset, "Shift x,y,z of the vessel in voxels");
   command->add_flag("--force", options->force, "Replace files of other origin");
-  command->callback([options, &session] {
-    session.action = [options, &session] { return phantom(*options, session.progress); };
-  });
+  setAction(command, session, options, phantom);
 }
 
 }  // namespace angiomesh::cli

@@ -223,9 +223,7 @@ void addMesh(CLI::App& program, Session& session) {
   addSoundness(*command, options->soundness);
   addSettings(*command, options->settings);
   addCuts(*command, options->settings);
-  command->callback([options, &session] {
-    session.action = [options, &session] { return mesh(*options, session.progress); };
-  });
+  setAction(command, session, options, mesh);
 }
 
 }  // namespace angiomesh::cli

@@ -236,9 +236,7 @@ void addRun(CLI::App& program, Session& session) {
   addSoundness(*command, options->soundness);
   command->add_option("--truth", options->truth, "Mask to compare the result with");
   command->add_flag("--force", options->force, "Replace a former run in the output folder");
-  command->callback([options, &session] {
-    session.action = [options, &session] { return run(*options, session.progress); };
-  });
+  setAction(command, session, options, run);
 }
 
 }  // namespace angiomesh::cli

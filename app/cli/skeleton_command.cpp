@@ -111,9 +111,7 @@ void addSkeleton(CLI::App& program, Session& session) {
                    "ParaView, 3D Slicer, VMTK); may be given twice")
       ->take_all();
   command->add_flag("--json", options->json, "Print nodes and branches as JSON");
-  command->callback([options, &session] {
-    session.action = [options, &session] { return skeleton(*options, session.progress); };
-  });
+  setAction(command, session, options, skeleton);
 }
 
 }  // namespace angiomesh::cli

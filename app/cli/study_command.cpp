@@ -231,9 +231,7 @@ void addStudy(CLI::App& program, Session& session) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command->add_flag("--force", options->force, "Replace the figures of a former call");
-  command->callback([options, &session] {
-    session.action = [options, &session] { return figures(*options, session.progress); };
-  });
+  setAction(command, session, options, figures);
 }
 
 }  // namespace angiomesh::cli

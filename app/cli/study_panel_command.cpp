@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/cli/commands.h"
 #include "app/session/options.h"
 #include "app/study/study_panel.h"
 #include "core/base/formatted.h"
@@ -362,9 +363,7 @@ void addCommand(CLI::App& study, Session& session, const char* name, const char*
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
   command->add_flag("--force", options->force, "Replace the tables of a former call");
-  command->callback([options, &session, body] {
-    session.action = [options, &session, body] { return body(*options, session.progress); };
-  });
+  setAction(command, session, options, body);
 }
 
 }  // namespace

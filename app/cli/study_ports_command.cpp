@@ -157,9 +157,7 @@ void addStudyPorts(CLI::App& study, Session& session) {
       ->capture_default_str();
   addSettings(*command, options->settings);
   command->add_flag("--force", options->force, "Replace the results of a former call");
-  command->callback([options, &session] {
-    session.action = [options, &session] { return ports(*options, session.progress); };
-  });
+  setAction(command, session, options, ports);
 }
 
 }  // namespace angiomesh::cli

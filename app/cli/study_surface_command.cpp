@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/cli/commands.h"
 #include "app/session/options.h"
 #include "app/session/wall_text.h"
 #include "app/study/study_surface.h"
@@ -238,9 +239,7 @@ void addStudySurface(CLI::App& study, Session& session) {
       ->capture_default_str();
   command->add_flag("--force", options->force, "Replace the tables of a former call");
   addSettings(*command, options->settings);
-  command->callback([options, &session] {
-    session.action = [options, &session] { return surface(*options, session.progress); };
-  });
+  setAction(command, session, options, surface);
 }
 
 }  // namespace angiomesh::cli

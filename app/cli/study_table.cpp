@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/commands.h"
 #include "app/session/options.h"
 #include "core/base/error.h"
 #include "core/base/formatted.h"
@@ -138,9 +139,7 @@ void addTableA(CLI::App& study, Session& session) {
   command->add_option("--random-seed", options->randomSeed, "Another tree")->capture_default_str();
   command->add_flag("--force", options->force, "Replace the tables of a former call");
   addSettings(*command, options->settings);
-  command->callback([options, &session] {
-    session.action = [options, &session] { return tableA(*options, session.progress); };
-  });
+  setAction(command, session, options, tableA);
 }
 
 }  // namespace angiomesh::cli
