@@ -456,8 +456,4 @@ MaskDistance distanceOfMask(const Volume<std::uint8_t>& mask, const Progress& pr
   return result;
 }
 
-Volume<float> smoothDistance(const Volume<std::uint8_t>& mask, const Progress& progress) {
-  return distanceOfMask(mask, progress).phi;
-}
-
 }  // namespace angiomesh

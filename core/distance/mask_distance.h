@@ -8,6 +8,12 @@
 
 namespace angiomesh {
 
+struct MaskDistance {
+  Volume<float> phi;
+  double largestShiftVoxels = 0.0;  ///< of the surface from the voxel faces along grid edges, < 0.5
+  double maskVolumeMm3 = 0.0;       ///< of its voxels, those at the volume's border by the share of
+                                    ///< them that lies between the outermost voxel centres
+};
 /// A smooth signed distance in mm (negative inside, clamped at +-5 working voxels) to a surface
 /// between the voxels of a mask: phi < 0 where mask != 0 and nowhere else, so that the surface
 /// crosses each grid edge between two voxel centres of different kind, at most half a voxel from
@@ -21,15 +27,6 @@ namespace angiomesh {
 /// much volume as the voxels do. Smoothing goes by voxels, whatever the spacing, because a mask is
 /// uncertain by half a voxel in each direction. The same for any number of threads.
 /// @throws InputError when the mask is empty or full, Cancelled
-Volume<float> smoothDistance(const Volume<std::uint8_t>& mask, const Progress& progress = {});
-
-/// The same with what came of it.
-struct MaskDistance {
-  Volume<float> phi;
-  double largestShiftVoxels = 0.0;  ///< of the surface from the voxel faces along grid edges, < 0.5
-  double maskVolumeMm3 = 0.0;       ///< of its voxels, those at the volume's border by the share of
-                                    ///< them that lies between the outermost voxel centres
-};
 MaskDistance distanceOfMask(const Volume<std::uint8_t>& mask, const Progress& progress = {});
 
 /// Of a mask's voxels, as MaskDistance counts them, mm3.

@@ -18,7 +18,7 @@ enum class SegmentationMethod {
   GeodesicActiveContour,  ///< Caselles, Kimmel, Sapiro 1997
   ConfidenceConnected,    ///< region growing by mean and standard deviation of the region
   Threshold,
-  Label  ///< the image is a segmentation already: see smoothDistance(), not made here
+  Label  ///< the image is a segmentation already: see distanceOfMask(), not made here
 };
 
 /// Of the methods that the thesis compares itself with (chapter 5), as ITK has them.

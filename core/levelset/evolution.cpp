@@ -335,7 +335,6 @@ int LevelSetEvolution::step(int wanted, const Progress& progress) {
 StopReason LevelSetEvolution::stopReason() const { return state_->stop; }
 int LevelSetEvolution::iterations() const { return state_->iterations; }
 double LevelSetEvolution::change() const { return state_->change; }
-std::size_t LevelSetEvolution::activeVoxels() const { return state_->layers[2].size(); }
 const Volume<float>& LevelSetEvolution::phi() const { return state_->phi; }
 Volume<float> LevelSetEvolution::takePhi() { return std::move(state_->phi); }
 

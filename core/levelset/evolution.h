@@ -55,7 +55,6 @@ class LevelSetEvolution {
   /// first check.
   [[nodiscard]] double change() const;
   [[nodiscard]] std::size_t insideVoxels() const;
-  [[nodiscard]] std::size_t activeVoxels() const;
 
   /// phi as it stands, working voxels, clamped beyond the layers.
   [[nodiscard]] const Volume<float>& phi() const;

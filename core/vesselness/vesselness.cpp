@@ -125,21 +125,6 @@ double contrastC(const VesselnessParams& params, const Volume<float>& image) {
   return params.cFraction * contrast;
 }
 
-std::array<Volume<float>, 6> scaledHessian(const Volume<float>& image, double sigmaMm,
-                                           const Progress& progress) {
-  std::array<Volume<float>, 6> out;
-  for (auto& component : out) component = Volume<float>(image.geometry);
-  const std::size_t slice = image.geometry.offset(0, 0, 1);
-  forEachHessianSlice(
-      image, sigmaMm,
-      [&](int k, const HessianSlice& h) {
-        for (std::size_t c = 0; c < 6; ++c)
-          std::copy_n(h[c], slice, out[c].voxels.begin() + static_cast<std::ptrdiff_t>(slice) * k);
-      },
-      progress);
-  return out;
-}
-
 Volume<float> vesselnessAtScale(const Volume<float>& image, double sigmaMm,
                                 const VesselnessParams& params, double c,
                                 const Progress& progress) {

@@ -47,12 +47,6 @@ double contrastC(const VesselnessParams& params, const Volume<float>& image);
 /// <= |l3|.
 std::array<double, 3> symmetricEigenvalues(const std::array<double, 6>& h);
 
-/// The six second derivatives {xx, yy, zz, xy, xz, yz} per mm^2 in index axes at scale sigma, times
-/// sigma^2: discrete Gaussian (Lindeberg 1990; error 0.01, radius at most 30), then central
-/// differences of step sigma with linear interpolation, borders clamped (thesis 5.1).
-std::array<Volume<float>, 6> scaledHessian(const Volume<float>& image, double sigmaMm,
-                                           const Progress& progress = {});
-
 /// Eq. 3.22 (Modified) or 3.15 (Frangi) at each voxel at one scale.
 Volume<float> vesselnessAtScale(const Volume<float>& image, double sigmaMm,
                                 const VesselnessParams& params, double c,

@@ -80,7 +80,7 @@ class TestMaskDistance : public QObject {
     // On the grid's edges the stairs of a mask miss the true wall by 0.29 voxel (uniform, +-1/2).
     const PhantomParams params = oblique(paramsOf(PhantomKind::Tube, 48, 5.0));
     const auto wall = phantomDistance(params);
-    const Volume<float> phi = smoothDistance(makePhantom(params).truth);
+    const Volume<float> phi = distanceOfMask(makePhantom(params).truth).phi;
     const Geometry& g = phi.geometry;
     double sum = 0.0, count = 0.0;
     for (int k = 4; k < 44; ++k)
@@ -119,7 +119,7 @@ class TestMaskDistance : public QObject {
   void vesselsReachTheBorder() {
     const PhantomParams params = oblique(paramsOf(PhantomKind::Tube, 32, 3.0));
     const Phantom phantom = makePhantom(params);
-    const Volume<float> phi = smoothDistance(phantom.truth);
+    const Volume<float> phi = distanceOfMask(phantom.truth).phi;
     const Geometry& g = phi.geometry;
     const auto wall = phantomDistance(params);
     int inside = 0;
@@ -137,7 +137,7 @@ class TestMaskDistance : public QObject {
   void resultIsADistanceInMm() {
     PhantomParams params = oblique(paramsOf(PhantomKind::Tube, 48, 5.0));
     params.spacingMm = {0.4, 0.4, 0.4};
-    const Volume<float> phi = smoothDistance(makePhantom(params).truth);
+    const Volume<float> phi = distanceOfMask(makePhantom(params).truth).phi;
     const auto wall = phantomDistance(params);
     const Geometry& g = phi.geometry;
     for (int k = 6; k < 42; k += 3)
@@ -158,13 +158,13 @@ class TestMaskDistance : public QObject {
     moved.geometry.direction =
         Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     moved.geometry.direction.col(0) *= -1.0;
-    QCOMPARE(smoothDistance(moved).voxels, smoothDistance(phantom.truth).voxels);
+    QCOMPARE(distanceOfMask(moved).phi.voxels, distanceOfMask(phantom.truth).phi.voxels);
   }
 
   void threadsDoNotMatter() {
     const Phantom phantom = makePhantom(paramsOf(PhantomKind::CapsuleTree, 48, 3.0));
     const auto [one, three] =
-        onOneAndSeveralThreads([&] { return smoothDistance(phantom.truth); }, 3);
+        onOneAndSeveralThreads([&] { return distanceOfMask(phantom.truth).phi; }, 3);
     setThreads(0);
     QCOMPARE(one.voxels, three.voxels);
   }
@@ -172,12 +172,12 @@ class TestMaskDistance : public QObject {
   void emptyAndFullMasksAreRefused() {
     Geometry g;
     g.size = {8, 8, 8};
-    QVERIFY_EXCEPTION_THROWN(smoothDistance(Volume<std::uint8_t>(g)), InputError);
-    QVERIFY_EXCEPTION_THROWN(smoothDistance(Volume<std::uint8_t>(g, 1)), InputError);
+    QVERIFY_EXCEPTION_THROWN(distanceOfMask(Volume<std::uint8_t>(g)).phi, InputError);
+    QVERIFY_EXCEPTION_THROWN(distanceOfMask(Volume<std::uint8_t>(g, 1)).phi, InputError);
     const Phantom phantom = makePhantom(paramsOf(PhantomKind::Tube, 32, 3.0));
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(smoothDistance(phantom.truth, progress), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(distanceOfMask(phantom.truth, progress).phi, Cancelled);
   }
 };
 

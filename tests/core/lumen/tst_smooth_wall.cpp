@@ -282,7 +282,7 @@ class TestSmoothWall : public QObject {
         const Index3 p = mask.geometry.indexOf(i);
         mask.voxels[i] = tube(Vector3d(p[0], p[1], p[2])) < 0.0 ? 1 : 0;
       }
-      const Volume<float> phi = smoothDistance(mask);
+      const Volume<float> phi = distanceOfMask(mask).phi;
       const WallError before = errorOf(phi, tube);
       const WallError after = errorOf(redistance(smoothWall(phi, nullptr, {}).phi), tube);
       QVERIFY(isNear(after.mean, 0.0, 0.03));

@@ -43,7 +43,7 @@ struct Outcome {
 
 Outcome surfaceOf(const Volume<std::uint8_t>& mask, MaskConnectivity connectivity) {
   Outcome out;
-  out.phi = smoothMask(smoothDistance(mask), {});
+  out.phi = smoothMask(distanceOfMask(mask).phi, {});
   out.contacts = settleContacts(out.phi, mask, connectivity);
   const SplineField field = wallField(out.phi, SplineKind::InterpolatingBspline);
   const ZeroSetMesh mesh =
@@ -101,7 +101,7 @@ class TestMaskContacts : public QObject {
   void whatTouchesNowhereStaysAsItIs() {
     Volume<std::uint8_t> mask = emptyMask();
     fill(mask, {4, 4, 4}, {12, 9, 15});
-    Volume<float> phi = smoothDistance(mask);
+    Volume<float> phi = distanceOfMask(mask).phi;
     const Volume<float> before = phi;
     const MaskContacts contacts = settleContacts(phi, mask, MaskConnectivity::Faces);
     QCOMPARE(contacts.joined + contacts.parted, std::size_t{0});

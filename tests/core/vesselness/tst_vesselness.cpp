@@ -10,6 +10,7 @@
 #include "core/base/random.h"
 #include "core/phantom/phantom.h"
 #include "core/vesselness/gauss_kernel.h"
+#include "core/vesselness/hessian_slices.h"
 #include "core/vesselness/row_kernels.h"
 #include "core/vesselness/speed.h"
 #include "core/vesselness/thickest.h"
@@ -34,6 +35,20 @@ Volume<float> noisyCube() {
   for (std::size_t i = 0; i < image.voxels.size(); ++i)
     image.voxels[i] = static_cast<float>(randomNormal(5, i) * 20.0 + (i % 97 == 0 ? 200.0 : 0.0));
   return image;
+}
+
+std::array<Volume<float>, 6> scaledHessian(const Volume<float>& image, double sigmaMm) {
+  std::array<Volume<float>, 6> out;
+  for (auto& component : out) component = Volume<float>(image.geometry);
+  const std::size_t slice = image.geometry.offset(0, 0, 1);
+  forEachHessianSlice(
+      image, sigmaMm,
+      [&](int k, const HessianSlice& h) {
+        for (std::size_t c = 0; c < 6; ++c)
+          std::copy_n(h[c], slice, out[c].voxels.begin() + static_cast<std::ptrdiff_t>(slice) * k);
+      },
+      {});
+  return out;
 }
 
 }  // namespace
