@@ -163,14 +163,7 @@ class Placement {
       const double length = (s.to - s.from).norm();
       if (length < unit_) continue;
       const Vector3d along = (s.to - s.from) / length;
-      int least = 0;
-      for (int a = 1; a < 3; ++a)
-        if (std::fabs(along[a]) < std::fabs(along[least])) least = a;
-      Vector3d side = Vector3d::Unit(least) - along[least] * along;
-      side /= side.norm();
-      const Vector3d other(along[1] * side[2] - along[2] * side[1],
-                           along[2] * side[0] - along[0] * side[2],
-                           along[0] * side[1] - along[1] * side[0]);
+      const auto [side, other] = acrossOf(along);
       for (int d = 0; d < kDirections; ++d) {
         const double turns = static_cast<double>(d) / kDirections;
         const Vector3d outwards = portableCosTurns(turns) * side + portableSinTurns(turns) * other;

@@ -157,4 +157,14 @@ double Shape::signedDistance(const Eigen::Vector3d& point, const std::vector<int
   return value;
 }
 
+std::array<Eigen::Vector3d, 2> acrossOf(const Eigen::Vector3d& axis) {
+  int least = 0;
+  for (int a = 1; a < 3; ++a)
+    if (std::fabs(axis[a]) < std::fabs(axis[least])) least = a;
+  Eigen::Vector3d u = Eigen::Vector3d::Unit(least) - axis[least] * axis;
+  u /= u.norm();
+  return {u, Eigen::Vector3d(axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2],
+                             axis[0] * u[1] - axis[1] * u[0])};
+}
+
 }  // namespace angiomesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -70,6 +71,9 @@ struct Shape {
   [[nodiscard]] double signedDistance(const Eigen::Vector3d& point,
                                       const std::vector<int>& numbers) const;
 };
+
+/// Two directions of length 1 across an axis of length 1, and across each other.
+std::array<Eigen::Vector3d, 2> acrossOf(const Eigen::Vector3d& axis);
 
 /// Origin 0, identity direction. @throws InputError for a size or spacing that makes no sense
 Geometry phantomGeometry(const PhantomParams& params);

@@ -63,13 +63,7 @@ class TreeBuilder {
 
   /// A direction across `axis`, of length 1.
   static Vector3d across(const Vector3d& axis, double turns) {
-    int least = 0;
-    for (int a = 1; a < 3; ++a)
-      if (std::fabs(axis[a]) < std::fabs(axis[least])) least = a;
-    Vector3d u = Vector3d::Unit(least) - axis[least] * axis;
-    u /= u.norm();
-    const Vector3d v(axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2],
-                     axis[0] * u[1] - axis[1] * u[0]);
+    const auto [u, v] = acrossOf(axis);
     return portableCosTurns(turns) * u + portableSinTurns(turns) * v;
   }
 
