@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/formatted.h"
+#include "core/image/projection.h"
 
 namespace angiomesh {
 
@@ -18,22 +19,6 @@ char axisLetter(int axis, double component) {
 }
 
 }  // namespace
-
-std::array<int, 3> nearestPatientAxes(const Geometry& geometry) {
-  std::array<int, 3> order{0, 1, 2};
-  std::array<int, 3> best = order;
-  double bestScore = -1.0;
-  do {
-    double score = 0.0;
-    for (int grid = 0; grid < 3; ++grid)
-      score += std::abs(geometry.direction(order[static_cast<std::size_t>(grid)], grid));
-    if (score > bestScore + 1e-12) {
-      bestScore = score;
-      best = order;
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return best;
-}
 
 PaneAxes paneAxes(const Geometry& geometry, int plane) {
   // Patient axes to the right and upwards, and their signs: sagittal +P +S, coronal +L +S,

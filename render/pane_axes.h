@@ -27,9 +27,6 @@ struct PaneAxes {
 /// up, anterior up in axial slices.
 PaneAxes paneAxes(const Geometry& geometry, int plane);
 
-/// Patient axis nearest to each grid axis, one to one.
-std::array<int, 3> nearestPatientAxes(const Geometry& geometry);
-
 /// "L", "R", "P", "A", "S" or "I"; two letters ("LP") when `directionLps` is more than 10 degrees
 /// off the nearest axis.
 std::string orientationLetters(const Eigen::Vector3d& directionLps);

@@ -29,22 +29,6 @@ struct View {
   int width = 0, height = 0;  ///< pixels
 };
 
-/// Which patient axis (0 L, 1 P, 2 S) each grid axis is nearest to, one each.
-std::array<int, 3> nearestPatientAxes(const Eigen::Matrix3d& direction) {
-  std::array<int, 3> axes{0, 1, 2};
-  std::array<int, 3> best = axes;
-  double most = -1.0;
-  do {
-    double sum = 0.0;
-    for (int a = 0; a < 3; ++a) sum += std::fabs(direction(axes[static_cast<std::size_t>(a)], a));
-    if (sum > most + 1e-9) {
-      most = sum;
-      best = axes;
-    }
-  } while (std::next_permutation(axes.begin(), axes.end()));
-  return best;
-}
-
 /// Coronal from the front, sagittal from the patient's left, axial from the feet.
 std::array<View, 3> patientViews(const Geometry& g) {
   struct Plane {
@@ -55,7 +39,7 @@ std::array<View, 3> patientViews(const Geometry& g) {
   static constexpr Plane planes[3] = {{0, 2, 1, 1, -1, 1, 'R', 'L', 'S', 'I'},
                                       {1, 2, 0, 1, -1, -1, 'A', 'P', 'S', 'I'},
                                       {0, 1, 2, 1, 1, 1, 'R', 'L', 'A', 'P'}};
-  const std::array<int, 3> patientAxes = nearestPatientAxes(g.direction);
+  const std::array<int, 3> patientAxes = nearestPatientAxes(g);
   const auto gridAxis = [&](int patient) {
     return static_cast<int>(std::find(patientAxes.begin(), patientAxes.end(), patient) -
                             patientAxes.begin());
@@ -425,6 +409,21 @@ void drawTile(Picture& picture, const Tile& tile, const View& view, int left, in
 }
 
 }  // namespace
+
+std::array<int, 3> nearestPatientAxes(const Geometry& g) {
+  std::array<int, 3> axes{0, 1, 2};
+  std::array<int, 3> best = axes;
+  double most = -1.0;
+  do {
+    double sum = 0.0;
+    for (int a = 0; a < 3; ++a) sum += std::fabs(g.direction(axes[static_cast<std::size_t>(a)], a));
+    if (sum > most + 1e-9) {
+      most = sum;
+      best = axes;
+    }
+  } while (std::next_permutation(axes.begin(), axes.end()));
+  return best;
+}
 
 Picture previewPicture(const Volume<float>& image, const Volume<float>& phi) {
   if (image.voxels.empty() || phi.voxels.empty())
