@@ -1,56 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/volume/finding.h"
 
+#include <array>
+
 namespace angiomesh {
 
 std::string findingWord(FindingKind kind) {
-  switch (kind) {
-    case FindingKind::MissingSlices:
-      return "missing-slices";
-    case FindingKind::UnevenSpacing:
-      return "uneven-spacing";
-    case FindingKind::DuplicatePosition:
-      return "duplicate-position";
-    case FindingKind::MixedOrientation:
-      return "mixed-orientation";
-    case FindingKind::MixedSize:
-      return "mixed-size";
-    case FindingKind::MixedSpacing:
-      return "mixed-spacing";
-    case FindingKind::MixedReference:
-      return "mixed-reference";
-    case FindingKind::RepeatedUid:
-      return "repeated-uid";
-    case FindingKind::GantryTilt:
-      return "gantry-tilt";
-    case FindingKind::ShiftedSlices:
-      return "shifted-slices";
-    case FindingKind::NoPosition:
-      return "no-position";
-    case FindingKind::SeveralVolumes:
-      return "several-volumes";
-    case FindingKind::ColourImage:
-      return "colour-image";
-    case FindingKind::Segmentation:
-      return "segmentation";
-    case FindingKind::MosaicImage:
-      return "mosaic-image";
-    case FindingKind::SingleSlice:
-      return "single-slice";
-    case FindingKind::DamagedFile:
-      return "damaged-file";
-    case FindingKind::RepeatedFile:
-      return "repeated-file";
-    case FindingKind::VaryingRescale:
-      return "varying-rescale";
-    case FindingKind::InvertedValues:
-      return "inverted-values";
-    case FindingKind::PaddedValues:
-      return "padded-values";
-    case FindingKind::ValueTable:
-      return "value-table";
-  }
-  return {};
+  static constexpr std::array words{
+      "missing-slices", "uneven-spacing", "duplicate-position", "mixed-orientation",
+      "mixed-size",     "mixed-spacing",  "mixed-reference",    "repeated-uid",
+      "gantry-tilt",    "shifted-slices", "no-position",        "several-volumes",
+      "colour-image",   "mosaic-image",   "segmentation",       "single-slice",
+      "damaged-file",   "repeated-file",  "varying-rescale",    "inverted-values",
+      "padded-values",  "value-table"};
+  static_assert(words.size() == static_cast<std::size_t>(FindingKind::ValueTable) + 1);
+  return words[static_cast<std::size_t>(kind)];
 }
 
 bool canBeEvenedOut(FindingKind kind) {

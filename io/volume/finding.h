@@ -8,6 +8,7 @@
 
 namespace angiomesh {
 
+/// findingWord() has their words in this order.
 enum class FindingKind {
   MissingSlices,
   UnevenSpacing,
