@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <istream>
 #include <map>
@@ -40,6 +44,16 @@ std::uintmax_t productOf(const std::vector<std::uintmax_t>& sizes);
 /// The whole number in the text. @throws InputError naming `field`
 long long parseWhole(const std::string& text, const std::string& field,
                      const std::filesystem::path& path);
+
+/// A number of a binary header; `swap`: of the other byte order.
+template <class T>
+T fromBytes(const std::string& bytes, std::size_t at, bool swap) {
+  std::array<char, sizeof(T)> raw{};
+  std::memcpy(raw.data(), bytes.data() + at, sizeof(T));
+  if (swap)
+    for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(raw[i], raw[sizeof(T) - 1 - i]);
+  return std::bit_cast<T>(raw);
+}
 
 /// How the header says where the voxels are.
 struct VoxelPlace {

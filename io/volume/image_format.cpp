@@ -4,11 +4,8 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <new>
 #include <system_error>
@@ -18,6 +15,7 @@
 #include "io/file/files.h"
 #include "io/file/open_file.h"
 #include "io/file/text_scanner.h"
+#include "io/volume/header_text.h"
 #include "io/volume/image_header.h"
 #include "io/volume/writable_image.h"
 
@@ -49,15 +47,6 @@ std::string firstBytes(const fs::path& path, std::size_t count, bool& gzip) {
   if (fault == Z_MEM_ERROR) throw std::bad_alloc();
   bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   return bytes;
-}
-
-template <class T>
-T fromBytes(const std::string& bytes, std::size_t at, bool swap) {
-  std::array<char, sizeof(T)> raw{};
-  std::memcpy(raw.data(), bytes.data() + at, sizeof(T));
-  if (swap)
-    for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(raw[i], raw[sizeof(T) - 1 - i]);
-  return std::bit_cast<T>(raw);
 }
 
 bool isMetaImage(const std::string& head, const fs::path& /*path*/) {

@@ -2,11 +2,8 @@
 #include <zlib.h>
 
 #include <Eigen/Dense>
-#include <array>
-#include <bit>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <numbers>
 #include <sstream>
@@ -32,11 +29,11 @@ constexpr double kLongestQuaternion = 1.001;  // single precision leaves less
 class Fields {
  public:
   explicit Fields(std::string bytes) : bytes_(std::move(bytes)) {
-    swap_ = raw<std::int32_t>(0, false) != static_cast<std::int32_t>(kHeader);
+    swap_ = fromBytes<std::int32_t>(bytes_, 0, false) != static_cast<std::int32_t>(kHeader);
   }
   template <class T>
   [[nodiscard]] T at(std::size_t offset) const {
-    return raw<T>(offset, swap_);
+    return fromBytes<T>(bytes_, offset, swap_);
   }
   [[nodiscard]] double real(std::size_t offset) const {
     return static_cast<double>(at<float>(offset));
@@ -47,15 +44,6 @@ class Fields {
   [[nodiscard]] int unitsOfSpace() const { return bytes_[123] & 7; }
 
  private:
-  template <class T>
-  [[nodiscard]] T raw(std::size_t offset, bool swap) const {
-    std::array<char, sizeof(T)> value{};
-    std::memcpy(value.data(), bytes_.data() + offset, sizeof(T));
-    if (swap)
-      for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(value[i], value[sizeof(T) - 1 - i]);
-    return std::bit_cast<T>(value);
-  }
-
   std::string bytes_;
   bool swap_ = false;
 };
