@@ -58,7 +58,6 @@ struct SurfaceScene::Parts {
   PortMarks ports{renderer};
   std::shared_ptr<const TriMesh> mesh;
   bool meshVisible = true;
-  SurfaceActor comparison{{0.45, 0.62, 0.80}};
   ColourBar colourBar{renderer};
   vtkNew<vtkPolyData> seedData;
   vtkNew<vtkActor> seedActor;
@@ -101,7 +100,6 @@ SurfaceScene::Parts::Parts() {
   renderer->SetLayer(1);
   backRenderer->SetActiveCamera(renderer->GetActiveCamera());
   renderer->AddActor(surface.actor());
-  renderer->AddActor(comparison.actor());
   backRenderer->AddViewProp(projection.prop());
 
   vtkNew<vtkPolyDataMapper> seedMapper;
@@ -166,9 +164,7 @@ void SurfaceScene::Parts::chooseQuality() {
   projection.setCoarseness(std::clamp(fitting, interactive ? 1.5 : 1.0, 6.0));
 }
 
-void SurfaceScene::Parts::showColourBar() {
-  colourBar.setVisible(surface.coloured() || comparison.coloured());
-}
+void SurfaceScene::Parts::showColourBar() { colourBar.setVisible(surface.coloured()); }
 
 bool SurfaceScene::Parts::visibleBounds(std::array<double, 6>& bounds) const {
   vtkBoundingBox box;
@@ -276,18 +272,11 @@ void SurfaceScene::setInteractive(bool interactive) {
   parts_->chooseQuality();
 }
 
-bool SurfaceScene::softwareOpenGl() const { return parts_->software; }
-
 void SurfaceScene::setSurface(std::shared_ptr<const TriMesh> mesh) {
   parts_->mesh = mesh;
   parts_->surface.setMesh(mesh);
   parts_->showColourBar();
   parts_->fitOnce();
-}
-
-void SurfaceScene::setComparison(std::shared_ptr<const TriMesh> mesh) {
-  parts_->comparison.setMesh(mesh);
-  parts_->showColourBar();
 }
 
 void SurfaceScene::setSurfaceVisible(bool visible) {
@@ -296,15 +285,7 @@ void SurfaceScene::setSurfaceVisible(bool visible) {
   parts_->showColourBar();
 }
 
-void SurfaceScene::setComparisonVisible(bool visible) {
-  parts_->comparison.setVisible(visible);
-  parts_->showColourBar();
-}
-
-void SurfaceScene::setEdgesVisible(bool visible) {
-  parts_->surface.setEdgesVisible(visible);
-  parts_->comparison.setEdgesVisible(visible);
-}
+void SurfaceScene::setEdgesVisible(bool visible) { parts_->surface.setEdgesVisible(visible); }
 
 void SurfaceScene::setSurfaceColours(std::vector<float> perTriangle, const std::string& title,
                                      double lo, double hi) {
@@ -313,14 +294,8 @@ void SurfaceScene::setSurfaceColours(std::vector<float> perTriangle, const std::
   parts_->showColourBar();
 }
 
-void SurfaceScene::setComparisonColours(std::vector<float> perTriangle) {
-  parts_->comparison.setTriangleValues(std::move(perTriangle), parts_->colourBar.table());
-  parts_->showColourBar();
-}
-
 void SurfaceScene::clearSurfaceColours() {
   parts_->surface.setTriangleValues({}, nullptr);
-  parts_->comparison.setTriangleValues({}, nullptr);
   parts_->showColourBar();
 }
 

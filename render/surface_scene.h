@@ -40,23 +40,16 @@ class SurfaceScene {
   void setMipWindow(double from, double to);
   /// Coarser sampling while the camera moves or surfaces arrive; full quality when false.
   void setInteractive(bool interactive);
-  /// True when OpenGL runs in software here, where a full-quality projection takes a good part of
-  /// a second. Known after the first frame.
-  [[nodiscard]] bool softwareOpenGl() const;
 
   /// Replacing a surface never moves the camera (the very first thing shown does).
   void setSurface(std::shared_ptr<const TriMesh> mesh);
-  void setComparison(std::shared_ptr<const TriMesh> mesh);
   void setSurfaceVisible(bool visible);
-  void setComparisonVisible(bool visible);
   void setEdgesVisible(bool visible);
 
   /// One scalar per triangle of the surface, shown from red (lo) over yellow to blue (hi) with a
   /// colour bar. Dropped when a surface with another number of triangles comes.
   void setSurfaceColours(std::vector<float> perTriangle, const std::string& title, double lo,
                          double hi);
-  /// The same for the comparison surface; title and range are those of setSurfaceColours().
-  void setComparisonColours(std::vector<float> perTriangle);
   void clearSurfaceColours();
 
   /// Of the patches 1.. of the surface, shown where it has no other colours.

@@ -60,8 +60,6 @@ void SliceView::setPlane(int plane) {
   if (slice() != before) Q_EMIT sliceChanged(slice());
 }
 
-int SliceView::plane() const { return state_->scene.axes().plane; }
-
 void SliceView::setWindowLevel(double window, double level) {
   if (window == windowWidth() && level == windowLevel()) return;
   state_->scene.setWindowLevel(window, level);
@@ -102,11 +100,7 @@ void SliceView::setContour(std::shared_ptr<const Volume<float>> phi) {
     layers.emplace_back();
     layers.back().phi = std::move(phi);
   }
-  setContours(std::move(layers));
-}
-
-void SliceView::setContours(std::vector<ContourLayer> contours) {
-  state_->scene.setContours(std::move(contours));
+  state_->scene.setContours(std::move(layers));
   requestRender();
 }
 
@@ -134,9 +128,7 @@ void SliceView::setTool(Tool tool) {
   showPointer(state_->last);
 }
 
-Tool SliceView::tool() const { return state_->tool; }
 void SliceView::setScheme(MouseScheme scheme) { state_->scheme = scheme; }
-MouseScheme SliceView::scheme() const { return state_->scheme; }
 
 void SliceView::resetView() {
   state_->scene.fit();

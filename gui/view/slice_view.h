@@ -31,7 +31,6 @@ class SliceView : public VtkView {
   /// Null shows nothing. Another image of the same geometry keeps slice, zoom and crosshair.
   void setImage(std::shared_ptr<const Volume<float>> image);
   void setPlane(int plane);  ///< 0 sagittal, 1 coronal, 2 axial
-  [[nodiscard]] int plane() const;
   void setWindowLevel(double window, double level);
   [[nodiscard]] double windowWidth() const;
   [[nodiscard]] double windowLevel() const;
@@ -44,14 +43,11 @@ class SliceView : public VtkView {
   [[nodiscard]] double slabThicknessMm() const;
   /// The zero level set to outline; it may live on another grid. Null removes it.
   void setContour(std::shared_ptr<const Volume<float>> phi);
-  void setContours(std::vector<ContourLayer> contours);
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setRoi(std::optional<RoiBox> roi);
   void setPorts(std::vector<PortMark> marks);
   void setTool(Tool tool);
-  [[nodiscard]] Tool tool() const;
   void setScheme(MouseScheme scheme);
-  [[nodiscard]] MouseScheme scheme() const;
   void resetView();
 
   [[nodiscard]] int slice() const;

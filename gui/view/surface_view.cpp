@@ -41,7 +41,7 @@ struct SurfaceView::State {
   QTimer refine;
   bool buttonDown = false;
   // What is set already: telling it again must not cost a frame of the projection.
-  bool mipVisible = true, surfaceVisible = true, comparisonVisible = true, edgesVisible = false;
+  bool mipVisible = true, surfaceVisible = true, edgesVisible = false;
   std::vector<Eigen::Vector3d> seeds;
   std::optional<RoiBox> roi;
   std::vector<std::array<double, 3>> patchColours;
@@ -89,30 +89,14 @@ void SurfaceView::setMipVisible(bool visible) {
   changed();
 }
 
-void SurfaceView::setMipWindow(double from, double to) {
-  state_->scene.setMipWindow(from, to);
-  changed();
-}
-
 void SurfaceView::setSurface(std::shared_ptr<const TriMesh> mesh) {
   state_->scene.setSurface(std::move(mesh));
-  changed();
-}
-
-void SurfaceView::setComparison(std::shared_ptr<const TriMesh> mesh) {
-  state_->scene.setComparison(std::move(mesh));
   changed();
 }
 
 void SurfaceView::setSurfaceVisible(bool visible) {
   if (std::exchange(state_->surfaceVisible, visible) == visible) return;
   state_->scene.setSurfaceVisible(visible);
-  changed();
-}
-
-void SurfaceView::setComparisonVisible(bool visible) {
-  if (std::exchange(state_->comparisonVisible, visible) == visible) return;
-  state_->scene.setComparisonVisible(visible);
   changed();
 }
 
@@ -125,11 +109,6 @@ void SurfaceView::setEdgesVisible(bool visible) {
 void SurfaceView::setSurfaceColours(std::vector<float> perTriangle, const QString& title, double lo,
                                     double hi) {
   state_->scene.setSurfaceColours(std::move(perTriangle), title.toStdString(), lo, hi);
-  changed();
-}
-
-void SurfaceView::setComparisonColours(std::vector<float> perTriangle) {
-  state_->scene.setComparisonColours(std::move(perTriangle));
   changed();
 }
 

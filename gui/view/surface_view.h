@@ -31,21 +31,15 @@ class SurfaceView : public VtkView {
 
   void setImage(std::shared_ptr<const Volume<float>> image);
   void setMipVisible(bool visible);
-  /// Values shown from transparent up to white. setImage() proposes them from the image.
-  void setMipWindow(double from, double to);
 
   /// Replacing the surface keeps the camera. Null removes it.
   void setSurface(std::shared_ptr<const TriMesh> mesh);
-  /// A second surface (marching cubes), shown in another colour.
-  void setComparison(std::shared_ptr<const TriMesh> mesh);
   void setSurfaceVisible(bool visible);
-  void setComparisonVisible(bool visible);
   void setEdgesVisible(bool visible);
 
   /// One scalar per triangle, red at `lo`, blue at `hi`, with a colour bar.
   void setSurfaceColours(std::vector<float> perTriangle, const QString& title, double lo,
                          double hi);
-  void setComparisonColours(std::vector<float> perTriangle);
   void clearSurfaceColours();
 
   /// Of the patches 1.. of the surface.
