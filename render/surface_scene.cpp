@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "render/colour_bar.h"
@@ -365,32 +366,12 @@ void SurfaceScene::setRoi(const std::optional<RoiBox>& roi) {
 }
 
 void SurfaceScene::viewFrom(char side) {
-  Viewpoint view;
-  switch (side) {
-    case 'A':
-      view.from = {0.0, -1.0, 0.0};
-      break;
-    case 'P':
-      view.from = {0.0, 1.0, 0.0};
-      break;
-    case 'L':
-      view.from = {1.0, 0.0, 0.0};
-      break;
-    case 'R':
-      view.from = {-1.0, 0.0, 0.0};
-      break;
-    case 'S':
-      view.from = {0.0, 0.0, 1.0};
-      view.up = {0.0, -1.0, 0.0};
-      break;
-    case 'I':
-      view.from = {0.0, 0.0, -1.0};
-      view.up = {0.0, -1.0, 0.0};
-      break;
-    default:
-      return;
-  }
-  parts_->lookFrom(view);
+  static const std::map<char, Viewpoint> sides{
+      {'A', {{0.0, -1.0, 0.0}, {0.0, 0.0, 1.0}}}, {'P', {{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}},
+      {'L', {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}},  {'R', {{-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}},
+      {'S', {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}}}, {'I', {{0.0, 0.0, -1.0}, {0.0, -1.0, 0.0}}}};
+  const auto found = sides.find(side);
+  if (found != sides.end()) parts_->lookFrom(found->second);
 }
 
 void SurfaceScene::resetView() { parts_->resetView(); }

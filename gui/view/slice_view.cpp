@@ -154,20 +154,13 @@ void SliceView::setSlice(int slice) {
   Q_EMIT cursorMoved(lps[0], lps[1], lps[2]);
 }
 
-Eigen::Vector2d SliceView::toDisplay(const QPointF& position) const {
-  // Mouse positions name a pixel; its centre is half a pixel further.
-  const double ratio = devicePixelRatioF();
-  return {(position.x() + 0.5) * ratio, (height() - position.y() - 0.5) * ratio};
-}
-
 Eigen::Vector3d SliceView::lpsAt(const QPointF& position) const {
   const Eigen::Vector2d display = toDisplay(position);
   return state_->scene.lpsAt(display[0], display[1]);
 }
 
 QPointF SliceView::positionOf(const Eigen::Vector3d& lps) const {
-  const Eigen::Vector2d display = state_->scene.displayAt(lps) / devicePixelRatioF();
-  return {display[0] - 0.5, height() - display[1] - 0.5};
+  return fromDisplay(state_->scene.displayAt(lps));
 }
 
 void SliceView::pixelRatioChanged(double ratio) { state_->scene.setPixelRatio(ratio); }

@@ -89,7 +89,6 @@ class SliceView : public VtkView {
   void pixelRatioChanged(double ratio) override;
 
  private:
-  [[nodiscard]] Eigen::Vector2d toDisplay(const QPointF& position) const;
   [[nodiscard]] std::optional<RoiBox> roiTo(const QPointF& position) const;
   void moveCrosshair(const QPointF& position);
   void stepSlices(int towardsHead);

@@ -169,14 +169,8 @@ void SurfaceView::takeCameraOf(const SurfaceView& other) {
 
 void SurfaceView::pixelRatioChanged(double ratio) { state_->scene.setPixelRatio(ratio); }
 
-Eigen::Vector2d SurfaceView::toDisplay(const QPointF& position) const {
-  const double ratio = devicePixelRatioF();
-  return {(position.x() + 0.5) * ratio, (height() - position.y() - 0.5) * ratio};
-}
-
 QPointF SurfaceView::positionOf(const Eigen::Vector3d& lps) const {
-  const Eigen::Vector2d display = state_->scene.displayAt(lps) / devicePixelRatioF();
-  return {display[0] - 0.5, height() - display[1] - 0.5};
+  return fromDisplay(state_->scene.displayAt(lps));
 }
 
 QPointF SurfaceView::arrowTipOf(const QString& port) const {

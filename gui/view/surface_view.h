@@ -82,7 +82,6 @@ class SurfaceView : public VtkView {
 
  private:
   void changed();
-  [[nodiscard]] Eigen::Vector2d toDisplay(const QPointF& position) const;
   bool grabPort(const QPointF& position);
   void dragPort(const QPointF& position, bool free);
   void clicked(const QMouseEvent& event);

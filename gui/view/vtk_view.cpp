@@ -70,24 +70,12 @@ class WidgetInteractor : public vtkRenderWindowInteractor {
 vtkStandardNewMacro(WidgetInteractor);
 
 const char* keySymbol(int key) {
-  switch (key) {
-    case Qt::Key_Left:
-      return "Left";
-    case Qt::Key_Right:
-      return "Right";
-    case Qt::Key_Up:
-      return "Up";
-    case Qt::Key_Down:
-      return "Down";
-    case Qt::Key_Escape:
-      return "Escape";
-    case Qt::Key_Shift:
-      return "Shift_L";
-    case Qt::Key_Control:
-      return "Control_L";
-    default:
-      return nullptr;
-  }
+  static const std::map<int, const char*> symbols{
+      {Qt::Key_Left, "Left"},        {Qt::Key_Right, "Right"},   {Qt::Key_Up, "Up"},
+      {Qt::Key_Down, "Down"},        {Qt::Key_Escape, "Escape"}, {Qt::Key_Shift, "Shift_L"},
+      {Qt::Key_Control, "Control_L"}};
+  const auto found = symbols.find(key);
+  return found == symbols.end() ? nullptr : found->second;
 }
 
 }  // namespace
@@ -250,6 +238,17 @@ void VtkView::mouseDoubleClickEvent(QMouseEvent* event) {
     Q_EMIT maximiseRequested();
   else
     mousePressEvent(event);
+}
+
+Eigen::Vector2d VtkView::toDisplay(const QPointF& position) const {
+  // Mouse positions name a pixel; its centre is half a pixel further.
+  const double ratio = devicePixelRatioF();
+  return {(position.x() + 0.5) * ratio, (height() - position.y() - 0.5) * ratio};
+}
+
+QPointF VtkView::fromDisplay(const Eigen::Vector2d& display) const {
+  const Eigen::Vector2d at = display / devicePixelRatioF();
+  return {at[0] - 0.5, height() - at[1] - 0.5};
 }
 
 int VtkView::wheelSteps(const QWheelEvent* event) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <QOpenGLWidget>
 #include <memory>
 
@@ -47,6 +48,9 @@ class VtkView : public QOpenGLWidget {
   void releaseGl();
   /// Whole notches of the wheel since the last call, away from the user positive.
   int wheelSteps(const QWheelEvent* event);
+  /// VTK's pixels of the window of a position in Qt's pixels, and back.
+  [[nodiscard]] Eigen::Vector2d toDisplay(const QPointF& position) const;
+  [[nodiscard]] QPointF fromDisplay(const Eigen::Vector2d& display) const;
 
  private:
   void syncSize();
