@@ -23,6 +23,7 @@
 #include "gui/panel/help_dialogs.h"
 #include "gui/panel/inspector_panel.h"
 #include "gui/panel/log_panel.h"
+#include "gui/panel/named.h"
 #include "gui/panel/pipeline_panel.h"
 #include "gui/panel/plot_widget.h"
 #include "gui/panel/port_panel.h"
@@ -102,8 +103,7 @@ MainWindow::~MainWindow() {
 void MainWindow::buildDocks() {
   const auto dock = [this](const char* name, const QString& title, Qt::DockWidgetArea area,
                            QWidget* content) {
-    auto* widget = new QDockWidget(title, this);
-    widget->setObjectName(QLatin1String(name));
+    auto* widget = named(new QDockWidget(title, this), QLatin1String(name));
     widget->setWidget(content);
     addDockWidget(area, widget);
     return widget;
@@ -200,10 +200,8 @@ void MainWindow::buildRunMenu() {
 }
 
 void MainWindow::buildStatusBar() {
-  hover_ = new QLabel(this);
-  hover_->setObjectName("hover");
-  work_ = new QLabel(this);
-  work_->setObjectName("work");
+  hover_ = named(new QLabel(this), "hover");
+  work_ = named(new QLabel(this), "work");
   progress_ = new QProgressBar(this);
   progress_->setRange(0, 1000);
   progress_->setMaximumWidth(180);

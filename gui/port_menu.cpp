@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <utility>
 
+#include "gui/panel/named.h"
 #include "gui/window_actions.h"
 
 namespace angiomesh {
@@ -87,8 +88,7 @@ void PortMenu::refresh() {
 
 void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                     const QString& port) {
-  auto* menu = new QMenu(window_);
-  menu->setObjectName("portMenu");
+  auto* menu = named(new QMenu(window_), "portMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (port.isEmpty()) {
     QAction* cut = menu->addAction(tr("Cut here"), this, [this, place] { ports_.cutHere(*place); });
@@ -104,8 +104,7 @@ void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& 
 }
 
 void PortMenu::askForEnds() {
-  auto* dialog = new QInputDialog(window_);
-  dialog->setObjectName("endsDialog");
+  auto* dialog = named(new QInputDialog(window_), "endsDialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Cut all ends"));
   dialog->setLabelText(

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "gui/model/step_text.h"
+#include "gui/panel/named.h"
 #include "gui/view/slice_view.h"
 #include "gui/window_actions.h"
 
@@ -98,19 +99,16 @@ void ViewTools::buildToolBar() {
   add({"runAll", "cancelRun"});
   add({"toolNavigate", "toolSeed", "toolRoi", "toolCut"});
   bar->addWidget(new QLabel(tr(" Layer "), bar));
-  layer_ = new QComboBox(bar);
-  layer_->setObjectName("layer");
+  layer_ = named(new QComboBox(bar), "layer");
   for (int i = 0; i < kLayerCount; ++i) {
     layer_->addItem(layerTitle(static_cast<Layer>(i)));
   }
   bar->addWidget(layer_);
   bar->addWidget(new QLabel(tr("  Slab "), bar));
-  slab_ = new QComboBox(bar);
-  slab_->setObjectName("slab");
+  slab_ = named(new QComboBox(bar), "slab");
   slab_->addItems({tr("off"), tr("MIP"), tr("MinIP"), tr("mean")});
   bar->addWidget(slab_);
-  thickness_ = new QDoubleSpinBox(bar);
-  thickness_->setObjectName("thickness");
+  thickness_ = named(new QDoubleSpinBox(bar), "thickness");
   thickness_->setRange(0.1, kThickestSlabMm);
   thickness_->setDecimals(1);
   thickness_->setSuffix(tr(" mm"));

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "gui/model/case_models.h"
+#include "gui/panel/named.h"
 
 namespace angiomesh {
 
@@ -33,15 +34,12 @@ QVBoxLayout* tightColumn(QWidget* parent) {
 
 SeedList::SeedList(CaseModels& models, QWidget* parent) : QWidget(parent), models_(models) {
   auto* column = tightColumn(this);
-  summary_ = new QLabel(this);
-  summary_->setObjectName("seedSummary");
+  summary_ = named(new QLabel(this), "seedSummary");
   column->addWidget(summary_);
-  list_ = new QListWidget(this);
-  list_->setObjectName("seedList");
+  list_ = named(new QListWidget(this), "seedList");
   list_->setMaximumHeight(84);
   column->addWidget(list_);
-  remove_ = new QPushButton(tr("Remove seed"), this);
-  remove_->setObjectName("removeSeed");
+  remove_ = named(new QPushButton(tr("Remove seed"), this), "removeSeed");
   column->addWidget(remove_, 0, Qt::AlignLeft);
   connect(remove_, &QPushButton::clicked, this,
           [this] { models_.document.removeSeed(list_->currentRow()); });
@@ -81,11 +79,9 @@ void SeedList::refresh() {
 ComponentTable::ComponentTable(CaseModels& models, QWidget* parent)
     : QWidget(parent), models_(models) {
   auto* column = tightColumn(this);
-  summary_ = new QLabel(this);
-  summary_->setObjectName("componentSummary");
+  summary_ = named(new QLabel(this), "componentSummary");
   column->addWidget(summary_);
-  table_ = new QTableWidget(0, 5, this);
-  table_->setObjectName("components");
+  table_ = named(new QTableWidget(0, 5, this), "components");
   table_->setHorizontalHeaderLabels(
       {tr("Part"), tr("Voxels"), tr("mm³"), tr("Length"), tr("Radius")});
   table_->horizontalHeaderItem(3)->setToolTip(tr("Of the centre lines, all branches, mm"));
@@ -151,17 +147,13 @@ void ComponentTable::refresh() {
 EvolutionControls::EvolutionControls(CaseModels& models, QWidget* parent)
     : QWidget(parent), models_(models) {
   auto* column = tightColumn(this);
-  text_ = new QLabel(this);
-  text_->setObjectName("evolutionText");
+  text_ = named(new QLabel(this), "evolutionText");
   column->addWidget(text_);
   auto* row = new QHBoxLayout;
-  pause_ = new QPushButton(tr("Pause"), this);
-  pause_->setObjectName("pause");
-  step_ = new QPushButton(tr("Step"), this);
-  step_->setObjectName("step");
+  pause_ = named(new QPushButton(tr("Pause"), this), "pause");
+  step_ = named(new QPushButton(tr("Step"), this), "step");
   step_->setToolTip(tr("%1 iterations, then pause again").arg(kStepIterations));
-  finish_ = new QPushButton(tr("Finish"), this);
-  finish_->setObjectName("finish");
+  finish_ = named(new QPushButton(tr("Finish"), this), "finish");
   finish_->setToolTip(tr("Takes the surface as it stands"));
   for (QPushButton* button : {pause_, step_, finish_}) {
     row->addWidget(button);

@@ -20,6 +20,7 @@
 #include "core/base/formatted.h"
 #include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
+#include "gui/panel/named.h"
 #include "gui/panel/shared_history.h"
 #include "io/mesh/mesh_format.h"
 #include "io/volume/image_format.h"
@@ -112,8 +113,7 @@ ExportDialog::ExportDialog(CaseModels& models, PathChooser chooser, QWidget* par
   addChoices(form);
   addNotes(form, column);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  QPushButton* go = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
-  go->setObjectName("exportGo");
+  auto* go = named(buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole), "exportGo");
   go->setDefault(true);
   column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -127,8 +127,7 @@ ExportDialog::ExportDialog(CaseModels& models, PathChooser chooser, QWidget* par
 
 void ExportDialog::addChoices(QFormLayout* form) {
   const auto combo = [&](const char* name, const QString& label, const QStringList& items) {
-    auto* made = new QComboBox(this);
-    made->setObjectName(name);
+    auto* made = named(new QComboBox(this), name);
     made->addItems(items);
     form->addRow(label, made);
     return made;
@@ -149,14 +148,12 @@ void ExportDialog::addChoices(QFormLayout* form) {
 
 void ExportDialog::addNotes(QFormLayout* form, QVBoxLayout* below) {
   const auto check = [&](const char* name, const QString& text, bool on) {
-    auto* made = new QCheckBox(text, this);
-    made->setObjectName(name);
+    auto* made = named(new QCheckBox(text, this), name);
     made->setChecked(on);
     form->addRow(made);
     return made;
   };
-  size_ = new QLabel(this);
-  size_->setObjectName("exportSize");
+  size_ = named(new QLabel(this), "exportSize");
   form->addRow(tr("Size of the result"), size_);
   normals_ = check("exportNormals", tr("Normals of the vertices"), false);
   quality_ = check("exportQuality", tr("Quality of the triangles (radius ratio)"), false);
@@ -164,8 +161,7 @@ void ExportDialog::addNotes(QFormLayout* form, QVBoxLayout* below) {
   ports_ = check("exportPortsFile", tr("Write NAME.ports.json beside it: where the ports lie"),
                  !models_.document.parameters().ports.cuts.empty());
   patches_ = check("exportPatches", tr("Write each patch to a file of its own, too"), false);
-  hint_ = new QLabel(this);
-  hint_->setObjectName("exportHint");
+  hint_ = named(new QLabel(this), "exportHint");
   note_ = new QLabel(tr("The mesh belongs to earlier parameters: run again for the present ones."),
                      this);
   for (QLabel* label : {hint_, note_}) {

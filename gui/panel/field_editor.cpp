@@ -2,6 +2,7 @@
 #include "gui/panel/field_editor.h"
 
 #include "core/parameters/field.h"
+#include "gui/panel/named.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -54,8 +55,7 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent) : QWidget(parent),
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
   if (field.kind == FieldKind::Boolean) {
-    check_ = new QCheckBox(labelOf(field), this);
-    check_->setObjectName("check");
+    check_ = named(new QCheckBox(labelOf(field), this), "check");
     row->addWidget(check_);
     connect(check_, &QCheckBox::clicked, this,
             [this](bool on) { Q_EMIT edited(QString::fromStdString(field_.key), on, false); });
@@ -95,14 +95,12 @@ bool FieldEditor::eventFilter(QObject* watched, QEvent* event) {
 void FieldEditor::buildNumber(QHBoxLayout& row) {
   lowest_ =
       field_.logarithmic && field_.minimum <= 0.0 ? field_.maximum / kDecades : field_.minimum;
-  slider_ = new QSlider(Qt::Horizontal, this);
-  slider_->setObjectName("slider");
+  slider_ = named(new QSlider(Qt::Horizontal, this), "slider");
   slider_->setRange(0, kSliderSteps);
   slider_->setMinimumWidth(40);
   keepFromWheel(slider_);
   row.addWidget(slider_, 1);
-  spin_ = new QDoubleSpinBox(this);
-  spin_->setObjectName("spin");
+  spin_ = named(new QDoubleSpinBox(this), "spin");
   spin_->setDecimals(decimalsFor(field_, field_.shownTimes));
   spin_->setRange(field_.minimum * field_.shownTimes, field_.maximum * field_.shownTimes);
   if (field_.kind == FieldKind::Integer) {
@@ -120,8 +118,7 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
   keepFromWheel(spin_);
   row.addWidget(spin_);
   if (!field_.emptyWord.empty()) {
-    empty_ = new QCheckBox(QString::fromStdString(field_.emptyWord), this);
-    empty_->setObjectName("empty");
+    empty_ = named(new QCheckBox(QString::fromStdString(field_.emptyWord), this), "empty");
     row.addWidget(empty_);
     connect(empty_, &QCheckBox::clicked, this, &FieldEditor::autoToggled);
   }
@@ -131,8 +128,7 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
 }
 
 void FieldEditor::buildChoice(QHBoxLayout& row) {
-  combo_ = new QComboBox(this);
-  combo_->setObjectName("combo");
+  combo_ = named(new QComboBox(this), "combo");
   for (const std::string& choice : field_.choices) {
     combo_->addItem(QString::fromStdString(choice));
   }
@@ -144,11 +140,9 @@ void FieldEditor::buildChoice(QHBoxLayout& row) {
 }
 
 void FieldEditor::buildNumbers(QHBoxLayout& row) {
-  summary_ = new QLabel(this);
-  summary_->setObjectName("summary");
+  summary_ = named(new QLabel(this), "summary");
   row.addWidget(summary_, 1);
-  clear_ = new QPushButton(tr("Clear"), this);
-  clear_->setObjectName("clear");
+  clear_ = named(new QPushButton(tr("Clear"), this), "clear");
   row.addWidget(clear_);
   connect(clear_, &QPushButton::clicked, this, [this] {
     FieldValue none = std::vector<double>();

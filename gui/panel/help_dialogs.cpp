@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/pipeline/report.h"
+#include "gui/panel/named.h"
 
 namespace angiomesh {
 
@@ -39,13 +40,11 @@ const std::vector<std::pair<const char*, const char*>>& paneShortcuts() {
 }  // namespace
 
 void showShortcuts(QWidget* window) {
-  auto* dialog = new QDialog(window);
-  dialog->setObjectName("shortcutsDialog");
+  auto* dialog = named(new QDialog(window), "shortcutsDialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(QObject::tr("Shortcuts"));
   dialog->resize(560, 640);
-  auto* table = new QTableWidget(0, 2, dialog);
-  table->setObjectName("shortcutsTable");
+  auto* table = named(new QTableWidget(0, 2, dialog), "shortcutsTable");
   table->setHorizontalHeaderLabels({QObject::tr("Key or mouse"), QObject::tr("What it does")});
   table->verticalHeader()->hide();
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);

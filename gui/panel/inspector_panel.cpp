@@ -18,6 +18,7 @@
 #include "core/quality/quality_table.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
+#include "gui/panel/named.h"
 #include "gui/panel/plot_widget.h"
 #include "gui/panel/surface_note.h"
 
@@ -87,35 +88,32 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* pa
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
   auto* form = new QFormLayout;
-  mesh_ = new QComboBox(this);
-  mesh_->setObjectName("meshShown");
+  mesh_ = named(new QComboBox(this), "meshShown");
   for (int kind = 0; kind < kMeshKindCount; ++kind) {
     mesh_->addItem(meshTitle(static_cast<MeshKind>(kind)));
   }
   form->addRow(tr("Mesh shown"), mesh_);
-  colour_ = new QComboBox(this);
-  colour_->setObjectName("meshColour");
+  colour_ = named(new QComboBox(this), "meshColour");
   colour_->addItems({tr("plain"), tr("smallest angle"), tr("radius ratio")});
   form->addRow(tr("Colour"), colour_);
-  comparison_ = new QCheckBox(tr("Marching cubes beside it"), this);
-  comparison_->setObjectName("comparison");
+  comparison_ = named(new QCheckBox(tr("Marching cubes beside it"), this), "comparison");
   form->addRow(comparison_);
   column->addLayout(form);
-  hints_ = new QLabel(this);
-  hints_->setObjectName("hints");
+  hints_ = named(new QLabel(this), "hints");
   hints_->setWordWrap(true);
   column->addWidget(hints_);
   auto* splitter = new QSplitter(Qt::Vertical, this);
-  table_ = new QTableWidget(static_cast<int>(rows().size()), kMeshKindCount, splitter);
-  table_->setObjectName("quality");
+  table_ =
+      named(new QTableWidget(static_cast<int>(rows().size()), kMeshKindCount, splitter), "quality");
   buildTable();
   auto* plots = new QWidget(splitter);
   auto* plotColumn = new QVBoxLayout(plots);
   plotColumn->setContentsMargins(0, 0, 0, 0);
-  angles_ = new HistogramWidget(tr("Smallest angle, ° (% of triangles)"), 0.0, 60.0, 60, plots);
-  angles_->setObjectName("angleHistogram");
-  ratios_ = new HistogramWidget(tr("Radius ratio (% of triangles)"), 0.0, 1.0, 50, plots);
-  ratios_->setObjectName("ratioHistogram");
+  angles_ =
+      named(new HistogramWidget(tr("Smallest angle, ° (% of triangles)"), 0.0, 60.0, 60, plots),
+            "angleHistogram");
+  ratios_ = named(new HistogramWidget(tr("Radius ratio (% of triangles)"), 0.0, 1.0, 50, plots),
+                  "ratioHistogram");
   plotColumn->addWidget(angles_);
   plotColumn->addWidget(ratios_);
   splitter->setStretchFactor(0, 3);

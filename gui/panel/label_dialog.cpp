@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/panel/named.h"
+
 namespace angiomesh {
 
 namespace {
@@ -29,8 +31,8 @@ LabelDialog::LabelDialog(const std::vector<Label>& labels, double voxelMm3, QWid
                           this);
   note->setWordWrap(true);
   layout->addWidget(note);
-  table_ = new QTableWidget(static_cast<int>(labels.size()), ColumnCount, this);
-  table_->setObjectName("labelTable");
+  table_ =
+      named(new QTableWidget(static_cast<int>(labels.size()), ColumnCount, this), "labelTable");
   table_->setHorizontalHeaderLabels({tr("Label"), tr("Name"), tr("Voxels"), tr("Volume, ml")});
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -52,20 +54,20 @@ LabelDialog::LabelDialog(const std::vector<Label>& labels, double voxelMm3, QWid
   }
   table_->resizeColumnsToContents();
   table_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
-  const bool named = std::any_of(labels.begin(), labels.end(),
-                                 [](const Label& label) { return !label.name.empty(); });
+  const bool haveNames = std::any_of(labels.begin(), labels.end(),
+                                     [](const Label& label) { return !label.name.empty(); });
   const bool layered =
       std::any_of(labels.begin(), labels.end(), [](const Label& label) { return label.layer > 0; });
-  table_->setColumnHidden(Name, !named);
-  table_->horizontalHeader()->setStretchLastSection(!named);
+  table_->setColumnHidden(Name, !haveNames);
+  table_->horizontalHeader()->setStretchLastSection(!haveNames);
   layout->addWidget(table_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  auto* open = buttons->addButton(tr("Open the label"), QDialogButtonBox::AcceptRole);
-  open->setObjectName("labelOpen");
+  auto* open =
+      named(buttons->addButton(tr("Open the label"), QDialogButtonBox::AcceptRole), "labelOpen");
   open->setDefault(true);
   if (!layered) {
-    auto* scan = buttons->addButton(tr("It is a scan"), QDialogButtonBox::ActionRole);
-    scan->setObjectName("labelScan");
+    auto* scan =
+        named(buttons->addButton(tr("It is a scan"), QDialogButtonBox::ActionRole), "labelScan");
     connect(scan, &QPushButton::clicked, this, [this] {
       asScan_ = true;
       accept();

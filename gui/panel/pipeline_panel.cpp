@@ -11,6 +11,7 @@
 
 #include "gui/model/case_models.h"
 #include "gui/panel/case_tables.h"
+#include "gui/panel/named.h"
 #include "gui/panel/step_panel.h"
 #include "gui/panel/surface_note.h"
 
@@ -22,18 +23,15 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
   column->setContentsMargins(4, 4, 4, 4);
   auto* top = new QHBoxLayout;
   top->addWidget(new QLabel(tr("Preset"), this));
-  preset_ = new QComboBox(this);
-  preset_->setObjectName("preset");
+  preset_ = named(new QComboBox(this), "preset");
   for (const std::string& name : presetNames()) {
     preset_->addItem(QString::fromStdString(name));
   }
   preset_->setPlaceholderText(tr("(changed)"));
   top->addWidget(preset_, 1);
-  run_ = new QPushButton(tr("Run"), this);
-  run_->setObjectName("run");
+  run_ = named(new QPushButton(tr("Run"), this), "run");
   run_->setToolTip(tr("Runs the whole pipeline; what is fresh is not computed again"));
-  cancel_ = new QPushButton(tr("Cancel"), this);
-  cancel_->setObjectName("cancel");
+  cancel_ = named(new QPushButton(tr("Cancel"), this), "cancel");
   top->addWidget(run_);
   top->addWidget(cancel_);
   column->addLayout(top);

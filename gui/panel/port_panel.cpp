@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "gui/model/case_ports.h"
+#include "gui/panel/named.h"
 
 namespace angiomesh {
 
@@ -63,8 +64,7 @@ PortPanel::PortPanel(CasePorts& ports, QWidget* parent)
   column_->setContentsMargins(4, 4, 4, 4);
   column_->setSpacing(3);
   buildTable();
-  notice_ = new QLabel(this);
-  notice_->setObjectName("portNotice");
+  notice_ = named(new QLabel(this), "portNotice");
   notice_->setWordWrap(true);
   column_->addWidget(notice_);
   connect(&ports_, &CasePorts::changed, this, &PortPanel::refresh);
@@ -72,8 +72,7 @@ PortPanel::PortPanel(CasePorts& ports, QWidget* parent)
 }
 
 void PortPanel::buildTable() {
-  table_ = new QTableWidget(0, ColumnCount, this);
-  table_->setObjectName("ports");
+  table_ = named(new QTableWidget(0, ColumnCount, this), "ports");
   table_->setHorizontalHeaderLabels({tr("Port"), tr("Ø mm"), tr("mm²"), tr("State")});
   table_->horizontalHeaderItem(Diameter)->setToolTip(tr("Diameter of the circle of the same area"));
   QHeaderView* header = table_->horizontalHeader();

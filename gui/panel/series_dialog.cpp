@@ -10,6 +10,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "gui/panel/named.h"
+
 namespace angiomesh {
 
 namespace {
@@ -48,8 +50,8 @@ SeriesDialog::SeriesDialog(const std::vector<ImageSummary>& entries,
   resize(1040, 560);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(new QLabel(tr("%n volumes were found.", nullptr, int(entries_.size())), this));
-  table_ = new QTableWidget(static_cast<int>(entries_.size()), State + 1, this);
-  table_->setObjectName("seriesTable");
+  table_ =
+      named(new QTableWidget(static_cast<int>(entries_.size()), State + 1, this), "seriesTable");
   table_->setHorizontalHeaderLabels({QString(), tr("Description"), tr("Modality"), tr("Size"),
                                      tr("Spacing, mm"), tr("Orientation"), tr("No."), tr("Date"),
                                      tr("State")});
@@ -66,14 +68,12 @@ SeriesDialog::SeriesDialog(const std::vector<ImageSummary>& entries,
   table_->setColumnWidth(Thumbnail, kPicture + 12);
   table_->horizontalHeader()->setSectionResizeMode(Description, QHeaderView::Stretch);
   layout->addWidget(table_, 1);
-  note_ = new QLabel(this);
-  note_->setObjectName("seriesNote");
+  note_ = named(new QLabel(this), "seriesNote");
   note_->setWordWrap(true);
   note_->setMinimumHeight(3 * note_->fontMetrics().height());
   layout->addWidget(note_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  open_ = buttons->addButton(tr("Open"), QDialogButtonBox::AcceptRole);
-  open_->setObjectName("seriesOpen");
+  open_ = named(buttons->addButton(tr("Open"), QDialogButtonBox::AcceptRole), "seriesOpen");
   open_->setDefault(true);
   layout->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -10,6 +10,7 @@
 #include "core/parameters/field.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/field_editor.h"
+#include "gui/panel/named.h"
 
 namespace angiomesh {
 
@@ -64,31 +65,26 @@ void StepPanel::buildHeader(QVBoxLayout& column) {
   title->setFont(bold);
   row->addWidget(title);
   row->addStretch(1);
-  state_ = new QLabel(this);
-  state_->setObjectName("state");
+  state_ = named(new QLabel(this), "state");
   row->addWidget(state_);
-  run_ = new QToolButton(this);
-  run_->setObjectName("runToHere");
+  run_ = named(new QToolButton(this), "runToHere");
   run_->setText(tr("Run to here"));
   run_->setToolTip(tr("Runs the pipeline up to this step"));
   row->addWidget(run_);
   connect(run_, &QToolButton::clicked, this, [this] { models_.runs.run(step_); });
   column.addLayout(row);
-  progress_ = new QProgressBar(this);
-  progress_->setObjectName("progress");
+  progress_ = named(new QProgressBar(this), "progress");
   progress_->setMaximumHeight(8);
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
   column.addWidget(progress_);
-  reason_ = new QLabel(this);
-  reason_->setObjectName("reason");
+  reason_ = named(new QLabel(this), "reason");
   reason_->setWordWrap(true);
   column.addWidget(reason_);
 }
 
 void StepPanel::buildFields(QVBoxLayout& column) {
-  rest_ = new QWidget(this);
-  rest_->setObjectName("rest");
+  rest_ = named(new QWidget(this), "rest");
   auto* restColumn = new QVBoxLayout(rest_);
   restColumn->setContentsMargins(0, 0, 0, 0);
   restColumn->setSpacing(3);
@@ -109,8 +105,7 @@ void StepPanel::buildFields(QVBoxLayout& column) {
   extras_->setSpacing(3);
   column.addLayout(extras_);
   if (restColumn->count() > 0) {
-    more_ = new QToolButton(this);
-    more_->setObjectName("more");
+    more_ = named(new QToolButton(this), "more");
     more_->setText(tr("More"));
     more_->setCheckable(true);
     more_->setAutoRaise(true);

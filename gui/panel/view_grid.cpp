@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "gui/model/case_ports.h"
+#include "gui/panel/named.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 
@@ -25,17 +26,14 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, QWidg
   grid->setSpacing(2);
   const std::array<const char*, 3> names{"sagittal", "coronal", "axial"};
   for (int plane = 0; plane < 3; ++plane) {
-    auto* view = new SliceView(this);
-    view->setObjectName(names[static_cast<std::size_t>(plane)]);
+    auto* view = named(new SliceView(this), names[static_cast<std::size_t>(plane)]);
     view->setPlane(plane);
     slices_[static_cast<std::size_t>(plane)] = view;
     connectSlice(view);
   }
   pane3d_ = new QWidget(this);
-  surface_ = new SurfaceView(pane3d_);
-  surface_->setObjectName("surface3d");
-  comparison_ = new SurfaceView(pane3d_);
-  comparison_->setObjectName("comparison3d");
+  surface_ = named(new SurfaceView(pane3d_), "surface3d");
+  comparison_ = named(new SurfaceView(pane3d_), "comparison3d");
   comparison_->setMipVisible(false);
   comparison_->hide();
   auto* beside = new QHBoxLayout(pane3d_);
