@@ -14,7 +14,6 @@
 #include "io/volume/geometry_check.h"
 #include "io/volume/header_text.h"
 #include "io/volume/image_header.h"
-#include "io/volume/itk_image.h"
 #include "io/volume/mask_values.h"
 #include "io/volume/not_finite.h"
 #include "io/volume/voxel_convert.h"
@@ -69,13 +68,7 @@ OpenImage openImage(const fs::path& path, const std::string& seriesUid,
   image.header = readHeader(path, format);
   const ImageHeader& header = image.header;
   image.value = chosenValue(header, component, path);
-  image.geometry = header.geometry ? *header.geometry : itkMetaGeometry(path);
-  image.geometry.spacing *= header.unitMm;
-  image.geometry.origin *= header.unitMm;
-  for (std::size_t a = 0; a < 3; ++a)
-    if (image.geometry.size[a] != static_cast<int>(header.size[a]))
-      throw InputError("the size of the image is not clear (" + sizeText(header) + ")",
-                       path.string(), "write the image again with another program");
+  image.geometry = header.geometry;
   image.info.format = format.name;
   image.info.pixelType = voxelTypeName(header.data.type);
   image.info.modality = header.modality;

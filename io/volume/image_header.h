@@ -4,12 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "io/file/memory_file.h"
+#include "core/image/volume.h"
 #include "io/volume/image_format.h"
 #include "io/volume/voxel_data.h"
 
@@ -22,8 +20,7 @@ struct ImageHeader {
   VoxelData data;
   std::string modality;                       ///< "MR", "CT", "" when not stated
   std::vector<std::string> warnings;          ///< without the file's name
-  std::optional<Geometry> geometry;           ///< of NRRD and NIfTI
-  double unitMm = 1.0;                        ///< of MetaImage: of its lengths
+  Geometry geometry;                          ///< of the axes of space
   std::map<std::string, std::string> fields;  ///< of NRRD: the keys of other programs
 };
 
@@ -35,11 +32,6 @@ ImageHeader readHeader(const std::filesystem::path& path, const ImageFormat& for
 ImageHeader readMetaImageHeader(const std::filesystem::path& path);
 ImageHeader readNrrdHeader(const std::filesystem::path& path);
 ImageHeader readNiftiHeader(const std::filesystem::path& path);
-
-/// The size and the place in space of a MetaImage file in a header of our own, for ITK, whose own
-/// parser hangs on damaged ones.
-/// @throws InputError (a number is missing)
-std::unique_ptr<MemoryFile> plainMetaImage(const std::filesystem::path& path);
 
 /// "2 x 3 x 4", and "2 x 3 x 4 x 5" where there are several volumes.
 std::string sizeText(const ImageHeader& header);

@@ -7,18 +7,14 @@
 
 #include <gdcmTrace.h>
 #include <itkGDCMImageIO.h>
-#include <itkMetaImageIO.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <new>
 #include <string>
 
 #include "core/base/error.h"
-#include "io/file/memory_file.h"
 #include "io/file/quiet_terminal.h"
-#include "io/volume/image_header.h"
 
 namespace angiomesh {
 namespace {
@@ -76,25 +72,6 @@ bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, std::vect
   }
 }
 
-Geometry geometryOf(const Io& io) {
-  Geometry geometry;
-  for (unsigned a = 0; a < 3 && a < io.GetNumberOfDimensions(); ++a) {
-    geometry.size[a] = static_cast<int>(io.GetDimensions(a));
-    geometry.spacing[a] = io.GetSpacing(a);
-    geometry.origin[a] = io.GetOrigin(a);
-    const std::vector<double> column = io.GetDirection(a);
-    for (unsigned row = 0; row < 3 && row < column.size(); ++row)
-      geometry.direction(row, a) = column[row];
-    // A negative spacing is the same grid with this axis turned round.
-    if (geometry.spacing[a] < 0.0) {
-      geometry.spacing[a] = -geometry.spacing[a];
-      geometry.direction.col(a) = -geometry.direction.col(a);
-    }
-  }
-  geometry.direction.array() += 0.0;  // -0 becomes 0
-  return geometry;
-}
-
 template <class Function>
 auto guarded(const fs::path& path, const Function& function) {
   const QuietTerminal quiet;
@@ -125,17 +102,6 @@ std::vector<char> readBytes(Io& io) {
 }
 
 }  // namespace
-
-Geometry itkMetaGeometry(const fs::path& path) {
-  return guarded(path, [&] {
-    itk::Object::GlobalWarningDisplayOff();
-    const std::unique_ptr<MemoryFile> copy = plainMetaImage(path);
-    const auto io = itk::MetaImageIO::New();
-    io->SetFileName(copy->path().string());
-    io->ReadImageInformation();
-    return geometryOf(*io);
-  });
-}
 
 std::vector<float> itkReadDicomPixels(const fs::path& path, const fs::path& named,
                                       std::size_t count) {

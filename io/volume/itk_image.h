@@ -5,13 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/image/volume.h"
-
 namespace angiomesh {
-
-/// The geometry of a MetaImage file, from its header; that of space where the image has more axes.
-/// @throws IoError, InputError
-Geometry itkMetaGeometry(const std::filesystem::path& path);
 
 /// The stored values of all frames of one DICOM file, in file order, for the transfer syntaxes that
 /// DCMTK does not decode. `count` pixels are expected; errors name the file `named`.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <fstream>
+#include <initializer_list>
+#include <sstream>
 
 #include "io/file/length_unit.h"
 #include "io/volume/header_text.h"
@@ -61,24 +64,49 @@ VoxelPlace metaPlace(std::map<std::string, std::string>& fields, std::istream& i
 
 using Fields = HeaderFields;
 
-/// The first three of `all` numbers, or of `all` by `all` those of space.
-std::string numbersOfSpace(const Fields& fields, const std::string& key, std::size_t all,
-                           bool square, const fs::path& path) {
-  const auto found = fields.find(key);
-  if (found == fields.end()) return {};
-  std::istringstream in(found->second);
-  std::ostringstream out;
-  out.precision(17);
-  out << key << " =";
-  const std::size_t rows = square ? all : 1;
-  for (std::size_t row = 0; row < rows; ++row)
-    for (std::size_t column = 0; column < all; ++column) {
-      double value = 0.0;
-      if (!(in >> value)) throwBadHeader(path, key + " is '" + found->second + "'");
-      if (row < 3 && column < 3) out << ' ' << value;
-    }
-  out << '\n';
-  return out.str();
+/// The first three of `all` numbers, or of `all` by `all` those of space, of the first of the
+/// fields that is there; empty: none is.
+std::vector<double> numbersOfSpace(const Fields& fields, std::initializer_list<const char*> keys,
+                                   std::size_t all, bool square, const fs::path& path) {
+  std::vector<double> first;
+  for (const char* key : keys) {
+    const auto found = fields.find(key);
+    if (found == fields.end()) continue;
+    std::istringstream in(found->second);
+    std::vector<double> numbers;
+    for (std::size_t row = 0; row < (square ? all : 1); ++row)
+      for (std::size_t column = 0; column < all; ++column) {
+        double value = 0.0;
+        if (!(in >> value)) throwBadHeader(path, std::string(key) + " is '" + found->second + "'");
+        if (row < 3 && column < 3) numbers.push_back(value);
+      }
+    if (first.empty()) first = std::move(numbers);
+  }
+  return first;
+}
+
+/// That of space, of an image with `dimensions` axes; lengths as they stand in the file.
+Geometry metaGeometry(const Fields& fields, const std::vector<std::uintmax_t>& size,
+                      std::size_t dimensions, const fs::path& path) {
+  const auto numbers = [&](std::initializer_list<const char*> keys, bool square) {
+    return numbersOfSpace(fields, keys, dimensions, square, path);
+  };
+  const std::vector<double> spacing = numbers({"ElementSpacing", "ElementSize"}, false);
+  const std::vector<double> origin = numbers({"Offset", "Position", "Origin"}, false);
+  const std::vector<double> axes = numbers({"TransformMatrix", "Rotation", "Orientation"}, true);
+  Geometry g;
+  if (!spacing.empty()) g.spacing = Eigen::Vector3d(spacing.data());
+  if (!origin.empty()) g.origin = Eigen::Vector3d(origin.data());
+  if (!axes.empty()) g.direction = Eigen::Matrix3d(axes.data());  // one after the other
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    g.size[a] = static_cast<int>(size[a]);
+    // A negative spacing is the same grid with this axis turned round.
+    if (g.spacing[i] < 0.0) g.direction.col(i) *= -1.0;
+    g.spacing[i] = std::fabs(g.spacing[i]);
+  }
+  g.direction.array() += 0.0;  // -0 becomes 0
+  return g;
 }
 
 /// The fields of a header, in which no two names of one thing have different values.
@@ -102,24 +130,6 @@ Fields metaFields(std::istream& in, const fs::path& path) {
 
 }  // namespace
 
-std::unique_ptr<MemoryFile> plainMetaImage(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  Fields fields = metaFields(in, path);
-  const std::size_t dimensions = parseSizes(fields["DimSize"]).size();
-  if (dimensions < 3) throwBadHeader(path, "DimSize is '" + fields["DimSize"] + "'");
-  metaType(fields["ElementType"], path);
-  std::string header = "ObjectType = Image\nNDims = 3\nBinaryData = True\n";
-  for (const char* key :
-       {"DimSize", "ElementSpacing", "ElementSize", "Offset", "Position", "Origin"})
-    header += numbersOfSpace(fields, key, dimensions, false, path);
-  for (const char* key : {"TransformMatrix", "Rotation", "Orientation"})
-    header += numbersOfSpace(fields, key, dimensions, true, path);
-  header += "ElementType = " + fields["ElementType"] + "\nElementDataFile = LOCAL\n";
-  auto copy = std::make_unique<MemoryFile>();
-  if (!copy->append(header)) throw std::bad_alloc();
-  return copy;
-}
-
 ImageHeader readMetaImageHeader(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   Fields fields = metaFields(in, path);
@@ -136,6 +146,7 @@ ImageHeader readMetaImageHeader(const fs::path& path) {
     channels = productOf(parseSizes(fields["ElementNumberOfChannels"]));
     if (channels > 4096) throwBadHeader(path, "ElementNumberOfChannels");
   }
+  const std::size_t dimensions = header.size.size();
   const std::uintmax_t all = productOf(header.size);
   header.size.resize(std::min<std::size_t>(header.size.size(), 3));
   data.voxels = productOf(header.size);
@@ -151,10 +162,10 @@ ImageHeader readMetaImageHeader(const fs::path& path) {
   if (fields.count("ElementSpacing") == 0 && fields.count("ElementSize") == 0)
     header.warnings.emplace_back(kNoSpacing);
 
+  std::optional<double> unitMm;
   if (const std::string& unit = fields["DistanceUnits"]; !unit.empty() && unit != "?") {
-    const std::optional<double> mm = millimetresOf(unit);
-    if (!mm) header.warnings.push_back(unknownUnit(unit));
-    header.unitMm = mm.value_or(1.0);
+    unitMm = millimetresOf(unit);
+    if (!unitMm) header.warnings.push_back(unknownUnit(unit));
   }
 
   const VoxelPlace place = metaPlace(fields, in, path);
@@ -163,6 +174,9 @@ ImageHeader readMetaImageHeader(const fs::path& path) {
     placeText(place, path, VoxelText::Numbers, header);
   else
     placeVoxels(place, path, header);
+  if (dimensions >= 3) header.geometry = metaGeometry(fields, header.size, dimensions, path);
+  header.geometry.spacing *= unitMm.value_or(1.0);
+  header.geometry.origin *= unitMm.value_or(1.0);
   return header;
 }
 
