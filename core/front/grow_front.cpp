@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/base/exact_math.h"
 #include "core/base/parallel.h"
@@ -114,7 +115,7 @@ class Wall {
     const Vector3d n = seed.normal;
     const Vector3d side = n.unitOrthogonal();
     for (const double radians : {0.0, 0.7, 1.4, 2.1}) {
-      const double turns = radians / (2.0 * M_PI);
+      const double turns = radians / (2.0 * std::numbers::pi);
       const Vector3d u = portableCosTurns(turns) * side + portableSinTurns(turns) * n.cross(side);
       FrontPoint second, third;
       // The wished corner of a base that has no other side yet: along the tangent.

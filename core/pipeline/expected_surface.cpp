@@ -92,7 +92,7 @@ void addSmooth(ExpectedSurface& expected, const SplineField& field, const Sizing
     if (!part.kept) continue;
     ++expected.parts;
     const double before = expected.smoothTriangles;
-    double radius = portableCubeRoot(0.75 * part.volumeMm3 / M_PI);
+    double radius = portableCubeRoot(0.75 * part.volumeMm3 / std::numbers::pi);
     int tips = 2;
     if (part.measure && part.measure->meanRadiusMm > 0.0) {
       for (const VesselPiece& piece : part.measure->pieces)

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -14,7 +15,7 @@
 namespace angiomesh {
 namespace {
 
-constexpr double turn = 2.0 * 3.14159265358979323846;
+constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int brickCells = 8;
 
 /// Eq. 4.1 for a curvature of 1: the chord of a part of a circle.
