@@ -146,7 +146,7 @@ PartialVolumes::Cells cellShares(const Shape& shape, const std::vector<int>& sol
   for (std::size_t n = 0; n < d.size(); ++n) {
     const Eigen::Vector3d at(static_cast<double>(n % kCells),
                              static_cast<double>(n / kCells % kCells),
-                             static_cast<double>(n / (kCells * kCells)));
+                             static_cast<double>(n / kCells / kCells % kCells));
     d[n] = shape.signedDistance(
         centre + h.cwiseProduct(at - Eigen::Vector3d::Constant(0.5 * (kCells - 1))), solids);
   }

@@ -20,7 +20,8 @@ Volume<std::uint8_t> countSubvoxels(const Shape& shape, const Geometry& geometry
 /// within 0.002.
 struct PartialVolumes {
   static constexpr int kCells = 4;
-  using Cells = std::array<std::uint8_t, kCells * kCells * kCells>;  ///< x fastest, 255 is full
+  /// x fastest, 255 is full
+  using Cells = std::array<std::uint8_t, std::size_t{kCells} * kCells * kCells>;
   static constexpr std::int32_t kOutside = -1, kInside = -2;
 
   Geometry grid;
