@@ -84,15 +84,11 @@ void CaseDialogs::refreshModified() {
   const bool modified = models_.document.modified();
   window_->setWindowModified(modified);
   const QString wanted = modified ? models_.files.caseFolder() : QString();
-  if (wanted == unfinished_) {
-    return;
-  }
+  if (wanted == unfinished_) return;
   QSettings settings;
   QStringList folders = settings.value(kUnfinished).toStringList();
   folders.removeAll(std::exchange(unfinished_, wanted));
-  if (!wanted.isEmpty()) {
-    folders << wanted;
-  }
+  if (!wanted.isEmpty()) folders << wanted;
   settings.setValue(kUnfinished, folders);
   settings.sync();
 }
@@ -105,11 +101,10 @@ void CaseDialogs::open(const QString& path) {
 }
 
 void CaseDialogs::save() {
-  if (models_.files.caseFolder().isEmpty()) {
+  if (models_.files.caseFolder().isEmpty())
     saveAs();
-  } else {
+  else
     saveTo(models_.files.caseFolder());
-  }
 }
 
 void CaseDialogs::saveAs() {
@@ -121,9 +116,7 @@ void CaseDialogs::saveAs() {
     return;
   }
   path = outOfCase(path);
-  if (!path.endsWith(kExtension)) {
-    path += kExtension;
-  }
+  if (!path.endsWith(kExtension)) path += kExtension;
   if (path != present && isCase(pathOf(path)) &&
       !questions_.replaceCase(window_, QFileInfo(path).completeBaseName())) {
     afterSave_ = nullptr;
@@ -139,9 +132,7 @@ void CaseDialogs::saveTo(const QString& folder) {
 }
 
 bool CaseDialogs::mayLeave(const std::function<void()>& onceSaved) {
-  if (!models_.document.modified()) {
-    return true;
-  }
+  if (!models_.document.modified()) return true;
   switch (questions_.saveChanges(window_, models_.document.caseName())) {
     case SaveAnswer::Discard:
       return true;
@@ -170,22 +161,20 @@ void CaseDialogs::askForSource(const QString& what, const QString& reason) {
     case SourceAnswer::Cancel:
       break;
   }
-  if (path.isEmpty()) {
+  if (path.isEmpty())
     models_.files.giveUpCase();
-  } else {
+  else
     models_.files.giveSource(path);
-  }
 }
 
 void CaseDialogs::askToRestore(int count) {
   const QString what =
       tr("%1 of the case %2")
           .arg(changesText(static_cast<std::size_t>(count)), models_.document.caseName());
-  if (questions_.restore(window_, what, false) == RestoreAnswer::Discard) {
+  if (questions_.restore(window_, what, false) == RestoreAnswer::Discard)
     models_.files.forgetEdits();
-  } else {
+  else
     models_.files.restoreEdits();
-  }
 }
 
 bool CaseDialogs::offerRestore() {
@@ -206,9 +195,7 @@ bool CaseDialogs::offerRestore() {
       models_.files.openCase(std::move(request));
       return true;
     }
-    if (answer == RestoreAnswer::Discard) {
-      removeRecovery(*recovery.place);
-    }
+    if (answer == RestoreAnswer::Discard) removeRecovery(*recovery.place);
   }
   return offerUnfinished();
 }
@@ -223,9 +210,7 @@ bool CaseDialogs::offerUnfinished() {
     std::size_t steps = 0;
     try {
       const int saves = readCase(request.folder).document.saves;
-      if (lockPlace(*request.place) == LockEnd::InUse) {
-        continue;
-      }
+      if (lockPlace(*request.place) == LockEnd::InUse) continue;
       steps = readJournal(request.folder, saves).size();
     } catch (const std::exception&) {
       // It was moved, or is not for this program: whoever opens it is asked then.
@@ -236,9 +221,7 @@ bool CaseDialogs::offerUnfinished() {
       answer =
           questions_.restore(window_, tr("%1 of the case %2").arg(changesText(steps), name), true);
     }
-    if (answer == RestoreAnswer::Later) {
-      continue;
-    }
+    if (answer == RestoreAnswer::Later) continue;
     folders.removeAll(folder);
     QSettings().setValue(kUnfinished, folders);
     if (answer == RestoreAnswer::Restore) {
@@ -247,9 +230,7 @@ bool CaseDialogs::offerUnfinished() {
       models_.files.openCase(std::move(request));
       return true;
     }
-    if (steps > 0) {
-      removeJournal(request.folder);
-    }
+    if (steps > 0) removeJournal(request.folder);
   }
   return false;
 }

@@ -160,9 +160,7 @@ void MainWindow::buildMenus() {
 void MainWindow::buildFileMenu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   addMenuAction(this, file, "open", tr("Open…"), QKeySequence::Open, [this] {
-    if (const QString path = options_.chooser.openFile(this); !path.isEmpty()) {
-      open(path);
-    }
+    if (const QString path = options_.chooser.openFile(this); !path.isEmpty()) open(path);
   });
   addMenuAction(this, file, "openFolder", tr("Open folder or case…"),
                 QKeySequence(tr("Ctrl+Shift+O")), [this] {
@@ -212,27 +210,18 @@ void MainWindow::buildStatusBar() {
 }
 
 void MainWindow::open(const QString& path, bool thenRun) {
-  if (!cases_->mayLeave([this, path, thenRun] { open(path, thenRun); })) {
-    return;
-  }
+  if (!cases_->mayLeave([this, path, thenRun] { open(path, thenRun); })) return;
   thenRun_ = thenRun;
-  if (thenRun) {
-    runOnceLoaded();
-  }
-  if (isCase(caseFolder(path.toStdString()))) {
+  if (thenRun) runOnceLoaded();
+  if (isCase(caseFolder(path.toStdString())))
     cases_->open(path);
-  } else {
+  else
     models_->files.open(path);
-  }
 }
 
 void MainWindow::openSample(bool thenRun) {
-  if (!cases_->mayLeave([this, thenRun] { openSample(thenRun); })) {
-    return;
-  }
-  if (thenRun) {
-    runOnceLoaded();
-  }
+  if (!cases_->mayLeave([this, thenRun] { openSample(thenRun); })) return;
+  if (thenRun) runOnceLoaded();
   models_->files.openSample();
 }
 
@@ -256,16 +245,12 @@ bool MainWindow::offerRestore() { return cases_->offerRestore(); }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
-  if (!urls.isEmpty() && urls.first().isLocalFile()) {
-    event->acceptProposedAction();
-  }
+  if (!urls.isEmpty() && urls.first().isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.isEmpty() || !urls.first().isLocalFile()) {
-    return;
-  }
+  if (urls.isEmpty() || !urls.first().isLocalFile()) return;
   event->acceptProposedAction();
   open(urls.first().toLocalFile());
 }
@@ -336,9 +321,7 @@ void MainWindow::showProgress() {
 
 void MainWindow::chooseSeries(const QString& path, const std::vector<ImageSummary>& entries) {
   if (const auto chosen = options_.opening.choose(this, entries, options_.makeRunner)) {
-    if (thenRun_) {
-      runOnceLoaded();
-    }
+    if (thenRun_) runOnceLoaded();
     models_->files.openSeries(path, entries[*chosen], false);
   }
 }
@@ -346,9 +329,7 @@ void MainWindow::chooseSeries(const QString& path, const std::vector<ImageSummar
 void MainWindow::askToResample(const QString& path, const ImageSummary& entry,
                                const QString& reason) {
   if (options_.opening.resample(this, reason)) {
-    if (thenRun_) {
-      runOnceLoaded();
-    }
+    if (thenRun_) runOnceLoaded();
     models_->files.openSeries(path, entry, true);
   }
 }
@@ -356,9 +337,7 @@ void MainWindow::askToResample(const QString& path, const ImageSummary& entry,
 void MainWindow::chooseLabel(const QString& path, const std::vector<Label>& labels,
                              double voxelMm3) {
   if (const auto answer = options_.opening.label(this, labels, voxelMm3)) {
-    if (thenRun_) {
-      runOnceLoaded();
-    }
+    if (thenRun_) runOnceLoaded();
     models_->files.openLabel(path, *answer ? std::optional(labels[**answer]) : std::nullopt);
   }
 }
@@ -375,9 +354,8 @@ void MainWindow::remember(const QString& path) {
 void MainWindow::refreshRecent() {
   recent_->clear();
   const QStringList paths = QSettings().value("recent").toStringList();
-  for (const QString& path : paths) {
+  for (const QString& path : paths)
     recent_->addAction(QFileInfo(path).fileName(), this, [this, path] { open(path); });
-  }
   recent_->menuAction()->setVisible(!paths.isEmpty());
 }
 

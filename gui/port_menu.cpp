@@ -33,9 +33,7 @@ PortMenu::PortMenu(QMainWindow* window, CaseModels& models, CasePorts& ports, Po
   // A copy of the name: the edit makes the rows anew.
   const auto onSelected = [this](auto edit) {
     return [this, edit] {
-      if (const PortRow* row = ports_.selected()) {
-        edit(QString(row->name));
-      }
+      if (const PortRow* row = ports_.selected()) edit(QString(row->name));
     };
   };
   QAction* cut = addMenuAction(window, menu, "cutHere", tr("Cut here"), QKeySequence(tr("Ctrl+K")),
@@ -59,9 +57,8 @@ PortMenu::PortMenu(QMainWindow* window, CaseModels& models, CasePorts& ports, Po
   flip->setToolTip(tr("Cuts away the other side (Ctrl+Shift+F)"));
   QAction* rename = addMenuAction(window, menu, "renamePort", tr("Rename"),
                                   QKeySequence(tr("Ctrl+Shift+N")), [this] {
-                                    if (const PortRow* row = ports_.selected()) {
+                                    if (const PortRow* row = ports_.selected())
                                       panel_.edit(row->name);
-                                    }
                                   });
   QAction* remove =
       addMenuAction(window, menu, "deletePort", tr("Delete"), QKeySequence(tr("Ctrl+Del")),
@@ -96,9 +93,8 @@ void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& 
   } else {
     ports_.select(port);
     menu->addSection(port);
-    for (const char* name : {"cutAcross", "flipPort", "renamePort", "deletePort"}) {
+    for (const char* name : {"cutAcross", "flipPort", "renamePort", "deletePort"})
       menu->addAction(actionOf(window_, name));
-    }
   }
   menu->popup(global);
 }
@@ -121,19 +117,13 @@ void PortMenu::askForEnds() {
 
 void PortMenu::importPorts() {
   const QString path = chooser_.openPorts(window_);
-  if (!path.isEmpty()) {
-    ports_.importPorts(path);
-  }
+  if (!path.isEmpty()) ports_.importPorts(path);
 }
 
 void PortMenu::exportPorts() {
   QString path = chooser_.save(window_, QStringLiteral("ports.json"), tr("Ports (*.json)"));
-  if (path.isEmpty()) {
-    return;
-  }
-  if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
-    path += QStringLiteral(".json");
-  }
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) path += QStringLiteral(".json");
   models_.exports.exportPorts(path);
 }
 

@@ -79,9 +79,8 @@ void ViewTools::buildViewMenu() {
                   [this, name] { views_.toggleMaximised(views_.findChild<QWidget*>(name)); });
   }
   view->addSeparator();
-  for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
+  for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
     view->addAction(dock->toggleViewAction());
-  }
 }
 
 void ViewTools::buildToolBar() {
@@ -89,9 +88,7 @@ void ViewTools::buildToolBar() {
   bar->setObjectName("toolBar");
   bar->setMovable(false);
   const auto add = [&](std::initializer_list<const char*> names) {
-    for (const char* name : names) {
-      bar->addAction(actionOf(window_, name));
-    }
+    for (const char* name : names) bar->addAction(actionOf(window_, name));
     bar->addSeparator();
   };
   add({"open", "saveCase", "export"});
@@ -100,9 +97,7 @@ void ViewTools::buildToolBar() {
   add({"toolNavigate", "toolSeed", "toolRoi", "toolCut"});
   bar->addWidget(new QLabel(tr(" Layer "), bar));
   layer_ = named(new QComboBox(bar), "layer");
-  for (int i = 0; i < kLayerCount; ++i) {
-    layer_->addItem(layerTitle(static_cast<Layer>(i)));
-  }
+  for (int i = 0; i < kLayerCount; ++i) layer_->addItem(layerTitle(static_cast<Layer>(i)));
   bar->addWidget(layer_);
   bar->addWidget(new QLabel(tr("  Slab "), bar));
   slab_ = named(new QComboBox(bar), "slab");
@@ -115,9 +110,8 @@ void ViewTools::buildToolBar() {
   thickness_->setKeyboardTracking(false);
   bar->addWidget(thickness_);
   bar->addSeparator();
-  for (const char* name : {"contours", "mip", "surface", "edges"}) {
+  for (const char* name : {"contours", "mip", "surface", "edges"})
     bar->addAction(actionOf(window_, name));
-  }
   connect(layer_, &QComboBox::activated, this,
           [this](int layer) { state_.setLayer(static_cast<Layer>(layer)); });
   connect(slab_, &QComboBox::activated, this, [this](int mode) {
@@ -136,9 +130,8 @@ void ViewTools::refresh() {
   const std::array<bool, kLayerCount> there{
       any, models_.results.layer(Layer::Preprocessed) != nullptr, vesselness, vesselness};
   auto* items = qobject_cast<QStandardItemModel*>(layer_->model());
-  for (int i = 0; i < kLayerCount; ++i) {
+  for (int i = 0; i < kLayerCount; ++i)
     items->item(i)->setEnabled(there[static_cast<std::size_t>(i)]);
-  }
 }
 
 void ViewTools::refreshActions() {

@@ -33,9 +33,7 @@ QAction* actionOf(const QMainWindow* window, const char* name) {
 }
 
 void enableActions(const QMainWindow* window, std::initializer_list<const char*> names, bool on) {
-  for (const char* name : names) {
-    actionOf(window, name)->setEnabled(on);
-  }
+  for (const char* name : names) actionOf(window, name)->setEnabled(on);
 }
 
 }  // namespace angiomesh

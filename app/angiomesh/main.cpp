@@ -46,13 +46,10 @@ int main(int argc, char** argv) {
       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString() + "/recovery";
   MainWindow window(options);
   window.show();
-  if (window.offerRestore()) {
-    return QApplication::exec();
-  }
-  if (!input.empty()) {
+  if (window.offerRestore()) return QApplication::exec();
+  if (!input.empty())
     window.open(QString::fromStdString(input), run);
-  } else if (sample || run) {
+  else if (sample || run)
     window.openSample(run);
-  }
   return QApplication::exec();
 }

@@ -33,9 +33,8 @@ constexpr const char* kRemoved = ".removed";
 void removeUnused(CasePlace& place) {
   std::error_code error;
   const auto made = fs::last_write_time(place.folder / "case.json", error);
-  if (!error && fs::file_time_type::clock::now() - made > std::chrono::minutes(1)) {
+  if (!error && fs::file_time_type::clock::now() - made > std::chrono::minutes(1))
     removeRecovery(place);
-  }
 }
 
 /// The recovery folders are for the user alone.
@@ -48,13 +47,10 @@ void makeRoot(const fs::path& root) {
 }  // namespace
 
 LockEnd lockPlace(CasePlace& place) {
-  if (place.lock) {
-    return LockEnd::Locked;
-  }
+  if (place.lock) return LockEnd::Locked;
   auto lock = std::make_unique<FileLock>(place.folder / "case.lock");
-  if (lock->state() != FileLock::State::Held) {
+  if (lock->state() != FileLock::State::Held)
     return lock->state() == FileLock::State::Taken ? LockEnd::InUse : LockEnd::Impossible;
-  }
   place.lock = std::move(lock);
   return LockEnd::Locked;
 }
@@ -68,16 +64,12 @@ std::vector<Recovery> findRecoveries(const fs::path& root) {
       std::error_code ignored;
       fs::remove_all(entry->path(), ignored);
     }
-    if (entry->path().extension() != ".angiomesh") {
-      continue;
-    }
+    if (entry->path().extension() != ".angiomesh") continue;
     Recovery recovery;
     recovery.place = std::make_shared<CasePlace>();
     recovery.place->folder = entry->path();
     recovery.place->recovery = true;
-    if (lockPlace(*recovery.place) != LockEnd::Locked) {
-      continue;
-    }
+    if (lockPlace(*recovery.place) != LockEnd::Locked) continue;
     try {
       const CaseReading reading = readCase(entry->path());
       recovery.steps = readJournal(entry->path(), reading.document.saves).size();
@@ -161,16 +153,12 @@ struct CaseStore::Task {
     try {
       writeCase(place->folder, document);
     } catch (...) {
-      if (left != place) {
-        place->lock.reset();
-      }
+      if (left != place) place->lock.reset();
       throw;
     }
     lockPlace(*place);
     removeJournal(place->folder);
-    if (left && left != place) {
-      leavePlace(*left);
-    }
+    if (left && left != place) leavePlace(*left);
   }
 };
 
@@ -199,17 +187,14 @@ void CaseStore::begin(SavedCase start, std::shared_ptr<CasePlace> place) {
 }
 
 void CaseStore::note(JournalStep step) {
-  if (!begun_ || (!place_ && recoveryRoot_.empty())) {
-    return;
-  }
+  if (!begun_ || (!place_ && recoveryRoot_.empty())) return;
   step.saves = saves_;
   if (!queue_.empty() && queue_.back()->kind == Task::Kind::Note &&
       queue_.back()->generation == generation_) {
     std::vector<JournalStep>& waiting = queue_.back()->steps;
     const JournalStep& last = waiting.back();
-    if (last.position == step.position && last.text == step.text && last.saves == step.saves) {
+    if (last.position == step.position && last.text == step.text && last.saves == step.saves)
       waiting.pop_back();
-    }
     waiting.push_back(std::move(step));
     return;
   }
@@ -220,9 +205,7 @@ void CaseStore::note(JournalStep step) {
 }
 
 void CaseStore::forgetEdits() {
-  if (!place_) {
-    return;
-  }
+  if (!place_) return;
   const auto task = std::make_shared<Task>();
   task->kind = Task::Kind::Forget;
   task->place = place_;
@@ -240,9 +223,7 @@ void CaseStore::save(const fs::path& folder, SavedCase document) {
 }
 
 void CaseStore::cache(CachedEvolve evolve) {
-  if (!begun_) {
-    return;
-  }
+  if (!begun_) return;
   const auto task = std::make_shared<Task>();
   task->kind = Task::Kind::Cache;
   task->evolve = std::move(evolve);
@@ -250,9 +231,7 @@ void CaseStore::cache(CachedEvolve evolve) {
 }
 
 void CaseStore::leave() {
-  if (!begun_) {
-    return;
-  }
+  if (!begun_) return;
   begun_ = false;
   queue_.erase(std::remove_if(queue_.begin(), queue_.end(),
                               [](const auto& task) { return task->kind == Task::Kind::Note; }),
@@ -307,21 +286,16 @@ void CaseStore::startNext() {
       continue;
     } else if (task.kind == Task::Kind::Save && task.generation == generation_) {
       task.left = place_;
-      if (place_ && !place_->recovery && place_->folder == task.place->folder) {
-        task.place = place_;
-      }
+      if (place_ && !place_->recovery && place_->folder == task.place->folder) task.place = place_;
     }
     runner_->start([job = current_] { job->execute(); });
-    if (!runner_->running()) {
-      finish();
-    }
+    if (!runner_->running()) finish();
   }
 }
 
 void CaseStore::startCache() {
-  if (waitingCache_ && !cacheRunner_->running()) {
+  if (waitingCache_ && !cacheRunner_->running())
     cacheRunner_->start([job = std::exchange(waitingCache_, nullptr)] { job->execute(); });
-  }
 }
 
 void CaseStore::finish() {

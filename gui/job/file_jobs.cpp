@@ -22,9 +22,8 @@ constexpr double kSampleNoise = 20.0;
 
 void replaceAll(std::string& text, const std::string& what, const std::string& with) {
   for (std::size_t at = text.find(what); !what.empty() && at != std::string::npos;
-       at = text.find(what, at + with.size())) {
+       at = text.find(what, at + with.size()))
     text.replace(at, what.size(), with);
-  }
 }
 
 }  // namespace
@@ -32,9 +31,8 @@ void replaceAll(std::string& text, const std::string& what, const std::string& w
 std::string withoutPath(std::string message, const std::filesystem::path& path,
                         const std::string& name) {
   replaceAll(message, path.string(), name);
-  if (path.has_parent_path() && path.parent_path() != path.root_path()) {
+  if (path.has_parent_path() && path.parent_path() != path.root_path())
     replaceAll(message, path.parent_path().string(), "its folder");
-  }
   return message;
 }
 
@@ -90,9 +88,7 @@ Source LoadJob::obtain() {
     }
     const std::string others = leftOutText(entries);
     entry_ = std::move(entries[*lone]);
-    if (!others.empty()) {
-      entry_->info.warnings.push_back(others);
-    }
+    if (!others.empty()) entry_->info.warnings.push_back(others);
   }
   LoadedImage loaded;
   try {
@@ -104,9 +100,7 @@ Source LoadJob::obtain() {
       loaded = readLayer(path_, label_->layer, progress_.sub(0.2, 0.8));
     } else {
       loaded = readImage(*entry_, path_, evenOut_, progress_.sub(0.2, 0.8));
-      if (!entry_->stack && findLabels(loaded.image)) {
-        return {};
-      }
+      if (!entry_->stack && findLabels(loaded.image)) return {};
     }
   } catch (const UnevenSlicesError& failure) {
     uneven_ = withoutPath(failure.what(), path_, name_);
@@ -118,9 +112,7 @@ Source LoadJob::obtain() {
 }
 
 bool LoadJob::findLabels(const Volume<float>& image) {
-  if (asScan_ || label_) {
-    return false;
-  }
+  if (asScan_ || label_) return false;
   labels_ = labelsOfSegmentation(path_, image, progress_);
   if (labels_.size() == 1) {
     label_ = labels_.front();
@@ -131,9 +123,7 @@ bool LoadJob::findLabels(const Volume<float>& image) {
 
 void LoadJob::load() {
   Source source = obtain();
-  if (!source.image) {
-    return;
-  }
+  if (!source.image) return;
   progress_.report(0.9);
   const Volume<float>& image = *source.image;
   const auto extremes = valueRange(image);
@@ -185,16 +175,14 @@ void ExportJob::writeMeshFiles() {
   warnings_ = writeMesh(*request_.mesh, request_.path, request_.options);
   facts_ = checkMeshFile(*request_.mesh, request_.path, request_.options);
   std::filesystem::path beside = request_.path;
-  if (request_.report) {
+  if (request_.report)
     writeText(beside.replace_extension(".report.json"), runReportJson(*request_.report));
-  }
   if (request_.extras.ports) {
     beside = request_.path;
     writePorts(request_.ports, beside.replace_extension(".ports.json"));
   }
-  if (request_.extras.patches && !request_.mesh->patch.empty()) {
+  if (request_.extras.patches && !request_.mesh->patch.empty())
     patchFiles_ = writePatchFiles(*request_.mesh, request_.path, request_.options).size();
-  }
 }
 
 }  // namespace angiomesh

@@ -15,9 +15,7 @@ void ThreadedJobRunner::start(std::function<void()> work) {
 }
 
 void ThreadedJobRunner::wait() {
-  if (thread_.joinable()) {
-    thread_.join();
-  }
+  if (thread_.joinable()) thread_.join();
 }
 
 std::unique_ptr<JobRunner> makeThreadedJobRunner() { return std::make_unique<ThreadedJobRunner>(); }

@@ -17,28 +17,19 @@ JobTimer::JobTimer(QObject* parent) : QObject(parent) {
 void JobTimer::wake() {
   wanted_ = true;
   // A timer that is started again with each move of a slider would never come to its end.
-  if (!timer_.isActive()) {
-    timer_.start();
-  }
+  if (!timer_.isActive()) timer_.start();
 }
 
 void JobTimer::poll() {
   // What ends may begin something that was looked at already, or call this again.
   const bool outermost = !std::exchange(polling_, true);
-  if (outermost) {
-    wanted_ = false;
-  }
+  if (outermost) wanted_ = false;
   const std::vector<Polled*> now = polled_;
-  for (Polled* polled : now) {
-    if (polled->poll()) {
-      wanted_ = true;
-    }
-  }
+  for (Polled* polled : now)
+    if (polled->poll()) wanted_ = true;
   if (outermost) {
     polling_ = false;
-    if (!wanted_) {
-      timer_.stop();
-    }
+    if (!wanted_) timer_.stop();
   }
   Q_EMIT ticked();
 }

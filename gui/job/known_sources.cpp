@@ -20,9 +20,7 @@ void keepSettingsPrivate() {
   namespace fs = std::filesystem;
   const QFileInfo folder(QFileInfo(QSettings().fileName()).path());
   // Where the settings share a folder with those of other programs, it is left as it is.
-  if (folder.fileName() != QCoreApplication::organizationName()) {
-    return;
-  }
+  if (folder.fileName() != QCoreApplication::organizationName()) return;
   const fs::path path = folder.filePath().toStdString();
   std::error_code error;
   fs::create_directories(path, error);
@@ -49,11 +47,8 @@ void rememberSource(const std::string& hash, const std::filesystem::path& path) 
 
 std::vector<std::filesystem::path> placesOf(const std::string& hash, const KnownSources& known) {
   std::vector<std::filesystem::path> places;
-  for (const auto& [each, path] : known) {
-    if (each == hash) {
-      places.push_back(path);
-    }
-  }
+  for (const auto& [each, path] : known)
+    if (each == hash) places.push_back(path);
   return places;
 }
 

@@ -15,9 +15,8 @@ OpenCaseJob::OpenCaseJob(CaseRequest request)
 void OpenCaseJob::readFolder() {
   CaseReading reading = readCase(request_.folder);
   document_ = std::move(reading.document);
-  for (const std::string& warning : reading.warnings) {
+  for (const std::string& warning : reading.warnings)
     warnings_.push_back(withoutPath(warning, request_.folder, name()));
-  }
   place_ = request_.place ? request_.place : std::make_shared<CasePlace>();
   place_->folder = request_.folder;
   const LockEnd end = lockPlace(*place_);
@@ -46,32 +45,24 @@ Source OpenCaseJob::obtainSample() {
 Source OpenCaseJob::obtain() {
   readFolder();
   if (request_.source.empty() && document_.source.format == "phantom") {
-    if (Source sample = obtainSample(); sample.image) {
-      return sample;
-    }
+    if (Source sample = obtainSample(); sample.image) return sample;
   }
   std::optional<FoundSource> found;
   if (!request_.source.empty()) {
     try {
       found = sourceAt(request_.source, document_.source, progress().sub(0.0, 0.8));
-      if (!found) {
-        difference_ = "this is not the volume that the case was made of";
-      }
+      if (!found) difference_ = "this is not the volume that the case was made of";
     } catch (const Error& failure) {
       difference_ = withoutPath(failure.what(), request_.source, "the volume");
     }
   } else {
     std::vector<std::filesystem::path> places = placesOf(document_.source.hash, request_.known);
-    if (!place_ || !place_->recovery) {
-      for (std::filesystem::path& near : placesNear(request_.folder)) {
+    if (!place_ || !place_->recovery)
+      for (std::filesystem::path& near : placesNear(request_.folder))
         places.push_back(std::move(near));
-      }
-    }
     found = findSource(places, document_.source, progress().sub(0.0, 0.8));
   }
-  if (!found) {
-    return {};
-  }
+  if (!found) return {};
   sourcePath_ = found->path;
   setInfo(std::move(found->loaded.info));
   Source source;
@@ -84,9 +75,7 @@ Source OpenCaseJob::obtain() {
 void OpenCaseJob::prepare(Pipeline& pipeline) {
   const Parameters& params = document_.params;
   const auto cached = readCache(request_.folder, pipeline.key(Step::Evolve, params));
-  if (!cached) {
-    return;
-  }
+  if (!cached) return;
   try {
     RunOptions options;
     options.until = Step::Preprocess;

@@ -15,11 +15,9 @@
 namespace angiomesh {
 
 std::string portWords(std::string message) {
-  for (const char* place : {", surface cuts: ", ", ports.cuts: "}) {
-    if (const std::size_t at = message.find(place); at != std::string::npos) {
+  for (const char* place : {", surface cuts: ", ", ports.cuts: "})
+    if (const std::size_t at = message.find(place); at != std::string::npos)
       message.replace(at, std::string(place).size(), ": ");
-    }
-  }
   return message;
 }
 
@@ -50,13 +48,11 @@ void PortJob::execute() noexcept {
 }
 
 void PortJob::prepare(bool withSkeleton) {
-  if (!ground.field) {
+  if (!ground.field)
     ground.field = std::make_shared<const SplineField>(wallField(*ground.phi, ground.spline));
-  }
   progress.check();
-  if (withSkeleton && !ground.skeleton) {
+  if (withSkeleton && !ground.skeleton)
     ground.skeleton = std::make_shared<const Skeleton>(skeletonOf(*ground.phi, progress));
-  }
 }
 
 PortJob::Made PortJob::check() {
@@ -112,21 +108,16 @@ PortJob::Made PortJob::together(const std::vector<std::size_t>& possible,
 }
 
 void PortJob::advise(const Made& made) {
-  for (PortAdvice& advice : portAdvice(*ground.skeleton, made.away)) {
+  for (PortAdvice& advice : portAdvice(*ground.skeleton, made.away))
     findings[made.cuts[advice.cut]].advice.push_back(std::move(advice.words));
-  }
   for (CutFinding& finding : findings) {
     finding.advised = true;
-    if (!finding.plane) {
-      continue;
-    }
+    if (!finding.plane) continue;
     if (const auto place =
-            placeOnSkeleton(*ground.skeleton, *ground.field, finding.plane->pointLps)) {
+            placeOnSkeleton(*ground.skeleton, *ground.field, finding.plane->pointLps))
       for (const SkeletonPoint& point :
-           ground.skeleton->branches[static_cast<std::size_t>(place->branch)].points) {
+           ground.skeleton->branches[static_cast<std::size_t>(place->branch)].points)
         finding.path.push_back(point.pointLps);
-      }
-    }
   }
 }
 

@@ -80,9 +80,7 @@ void RunJob::collect(Step step, const RunResult& soFar) {
   result.step = step;
   result.key = soFar.key;
   result.run = std::make_shared<const RunResult>(soFar);
-  if (step == Step::Quality) {
-    result.facts = measureFacts(soFar);
-  }
+  if (step == Step::Quality) result.facts = measureFacts(soFar);
   const std::lock_guard lock(mutex_);
   results_.push_back(std::move(result));
 }

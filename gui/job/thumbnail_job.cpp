@@ -10,9 +10,7 @@ void ThumbnailJob::execute() noexcept {
   for (std::size_t i = 0; i < entries_.size() && !cancelled_; ++i) {
     try {
       Picture picture = thumbnail(entries_[i], size_);
-      if (picture.width == 0) {
-        continue;
-      }
+      if (picture.width == 0) continue;
       const std::lock_guard lock(mutex_);
       made_.emplace_back(static_cast<int>(i), std::move(picture));
     } catch (const std::exception&) {

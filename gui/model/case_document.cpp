@@ -26,9 +26,7 @@ class CaseDocument::Change final : public QUndoCommand {
 
   bool mergeWith(const QUndoCommand* other) override {
     const auto* next = static_cast<const Change*>(other);
-    if (!next->continued_ || next->mergeKey_ != mergeKey_) {
-      return false;
-    }
+    if (!next->continued_ || next->mergeKey_ != mergeKey_) return false;
     after_ = next->after_;
     return true;
   }
@@ -82,9 +80,7 @@ void CaseDocument::setField(const QString& key, const FieldValue& value, bool co
     angiomesh::setField(after, field.key, value);
     pushPartners(after, field);
     // That there are no seeds is told by the step that needs them.
-    if (field.step != Step::Seeds) {
-      validate(after);
-    }
+    if (field.step != Step::Seeds) validate(after);
   } catch (const Error& failure) {
     log_.say(Severity::Error, std::string(failure.what()));
     Q_EMIT parametersChanged();
@@ -103,9 +99,7 @@ QString CaseDocument::presetName() const {
   for (const std::string& name : presetNames()) {
     Parameters candidate = preset(name);
     copyPlaces(params_, candidate);
-    if (candidate == params_) {
-      return QString::fromStdString(name);
-    }
+    if (candidate == params_) return QString::fromStdString(name);
   }
   return {};
 }
@@ -113,9 +107,8 @@ QString CaseDocument::presetName() const {
 std::vector<Eigen::Vector3d> CaseDocument::seeds() const {
   std::vector<Eigen::Vector3d> points;
   const std::vector<double>& numbers = params_.seeds.points;
-  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
     points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-  }
   return points;
 }
 
@@ -129,9 +122,7 @@ void CaseDocument::removeSeed(int index) {
   Parameters after = params_;
   std::vector<double>& points = after.seeds.points;
   const auto at = static_cast<std::ptrdiff_t>(index) * 3;
-  if (index < 0 || at + 3 > static_cast<std::ptrdiff_t>(points.size())) {
-    return;
-  }
+  if (index < 0 || at + 3 > static_cast<std::ptrdiff_t>(points.size())) return;
   points.erase(points.begin() + at, points.begin() + at + 3);
   change(after, tr("remove a seed"));
 }

@@ -17,9 +17,7 @@ constexpr std::size_t kMostRestored = 50;
 /// The file's name without extensions. A folder's name often is a patient's, so it is not used.
 QString nameOf(const QString& path) {
   const QFileInfo info(path);
-  if (info.isDir()) {
-    return QStringLiteral("DICOM series");
-  }
+  if (info.isDir()) return QStringLiteral("DICOM series");
   const ImageEnding* ending = imageEndingOf(path.toStdString());
   return ending ? info.fileName().chopped(QLatin1String(ending->text).size())
                 : info.completeBaseName();
@@ -65,9 +63,7 @@ CaseFiles::CaseFiles(CaseDocument& document, ResultModel& results, RunModel& run
   timer_.add(*this);
   connect(document_.undoStack(), &QUndoStack::indexChanged, this, &CaseFiles::noteEdit);
   connect(&runs_, &RunModel::ended, this, [this] {
-    if (!document_.modified()) {
-      cacheEvolve();
-    }
+    if (!document_.modified()) cacheEvolve();
   });
 }
 
@@ -78,9 +74,7 @@ CaseFiles::~CaseFiles() {
 }
 
 void CaseFiles::cancelLoad() {
-  if (slot_) {
-    slot_.job()->progress().cancel();
-  }
+  if (slot_) slot_.job()->progress().cancel();
 }
 
 void CaseFiles::open(const QString& path) {
@@ -110,9 +104,7 @@ void CaseFiles::openCase(CaseRequest request) {
 }
 
 void CaseFiles::giveSource(const QString& path) {
-  if (!pending_) {
-    return;
-  }
+  if (!pending_) return;
   CaseRequest request = pending_->request();
   request.place = pending_->place();
   request.source = absolute(path);
@@ -121,9 +113,7 @@ void CaseFiles::giveSource(const QString& path) {
 }
 
 void CaseFiles::takeParametersOnly() {
-  if (!pending_ || pending_->request().source.empty()) {
-    return;
-  }
+  if (!pending_ || pending_->request().source.empty()) return;
   const auto job = std::make_shared<LoadJob>(pending_->request().source, "volume");
   job->startWith(pending_->document().params);
   pending_.reset();
@@ -149,9 +139,8 @@ void CaseFiles::finishLoad(const std::shared_ptr<LoadJob>& job) {
   }
   const QString path = QString::fromStdString(job->path().string());
   if (!usable) {
-    if (!job->cancelled()) {
+    if (!job->cancelled())
       log_.say(Severity::Error, tr("Cannot open: %1").arg(QString::fromStdString(job->error())));
-    }
   } else if (const auto opening = std::dynamic_pointer_cast<const OpenCaseJob>(job)) {
     takeCase(opening);
   } else if (!job->choices().empty()) {
@@ -164,9 +153,7 @@ void CaseFiles::finishLoad(const std::shared_ptr<LoadJob>& job) {
     takeVolume(*job);
   }
   Q_EMIT loadingChanged();
-  if (next_) {
-    startLoad(std::exchange(next_, nullptr));
-  }
+  if (next_) startLoad(std::exchange(next_, nullptr));
 }
 
 void CaseFiles::begin(const LoadJob& job, const QString& name, const Parameters& params) {
@@ -189,9 +176,7 @@ void CaseFiles::takeVolume(const LoadJob& job) {
         withoutPlaces(job.label(), job.startParameters().value_or(document_.parameters())));
   store_.begin({describeSource(), document_.parameters(), {}, 0}, nullptr);
   sayOpened(job.info());
-  if (job.label()) {
-    sayLabel(*job.label());
-  }
+  if (job.label()) sayLabel(*job.label());
   announce();
   if (!job.path().empty()) {
     const QString path = QString::fromStdString(job.path().string());
@@ -201,16 +186,13 @@ void CaseFiles::takeVolume(const LoadJob& job) {
 }
 
 void CaseFiles::takeCase(const std::shared_ptr<const OpenCaseJob>& job) {
-  for (const std::string& warning : job->warnings()) {
-    log_.say(Severity::Warning, warning);
-  }
+  for (const std::string& warning : job->warnings()) log_.say(Severity::Warning, warning);
   if (!job->pipeline()) {
     pending_ = job;
-    if (job->difference().empty()) {
+    if (job->difference().empty())
       Q_EMIT sourceMissing(inWords(job->document().source));
-    } else {
+    else
       Q_EMIT sourceDiffers(QString::fromStdString(job->difference()));
-    }
     return;
   }
   const bool recovery = job->request().place && job->request().place->recovery;
@@ -219,23 +201,17 @@ void CaseFiles::takeCase(const std::shared_ptr<const OpenCaseJob>& job) {
   store_.begin(job->document(), job->place());
   sayOpened(job->info());
   announce();
-  if (!recovery) {
-    Q_EMIT opened(QString::fromStdString(job->path().string()));
-  }
-  if (!job->sourcePath().empty()) {
+  if (!recovery) Q_EMIT opened(QString::fromStdString(job->path().string()));
+  if (!job->sourcePath().empty())
     Q_EMIT sourceSeen(QString::fromStdString(job->sourcePath().string()));
-  }
   Q_EMIT caseFound(job->document().view);
   runs_.refreshFromCache();
   foundSteps_ = job->steps();
-  if (foundSteps_.empty()) {
-    return;
-  }
-  if (job->request().restore) {
+  if (foundSteps_.empty()) return;
+  if (job->request().restore)
     restoreEdits();
-  } else {
+  else
     Q_EMIT editsFound(static_cast<int>(foundSteps_.size()));
-  }
 }
 
 void CaseFiles::sayOpened(const InputInfo& info) {
@@ -244,9 +220,7 @@ void CaseFiles::sayOpened(const InputInfo& info) {
   log_.say(Severity::Info,
            tr("Opened %1: %2%3.")
                .arg(document_.caseName(), gridText(document_.image()->geometry), modality));
-  for (const std::string& warning : screenWarnings(info)) {
-    log_.say(Severity::Warning, warning);
-  }
+  for (const std::string& warning : screenWarnings(info)) log_.say(Severity::Warning, warning);
 }
 
 void CaseFiles::sayLabel(const Label& label) {
@@ -262,14 +236,11 @@ void CaseFiles::sayLabel(const Label& label) {
 
 void CaseFiles::restoreEdits() {
   const std::vector<JournalStep> steps = std::exchange(foundSteps_, {});
-  if (steps.empty()) {
-    return;
-  }
+  if (steps.empty()) return;
   restoring_ = true;
   const std::size_t first = steps.size() > kMostRestored ? steps.size() - kMostRestored : 0;
-  for (std::size_t i = first; i < steps.size(); ++i) {
+  for (std::size_t i = first; i < steps.size(); ++i)
     document_.change(steps[i].params, QString::fromStdString(steps[i].text));
-  }
   restoring_ = false;
   const std::size_t count = steps.size() - first;
   log_.say(Severity::Info, count == 1
@@ -293,9 +264,7 @@ CaseSource CaseFiles::describeSource() const {
 }
 
 void CaseFiles::saveCase(const QString& folder, const CaseView& view) {
-  if (!document_.hasCase()) {
-    return;
-  }
+  if (!document_.hasCase()) return;
   store_.save(absolute(folder), {describeSource(), document_.parameters(), view, 0});
   cacheEvolve();
   timer_.wake();
@@ -306,9 +275,7 @@ void CaseFiles::cacheEvolve() {
   const std::shared_ptr<const EvolveResult> evolve = results_.evolveResult();
   const bool fresh =
       evolve && evolve->stopReason != StopReason::Stopped && results_.fresh(Step::Evolve);
-  if (!fresh || (store_.folder().empty() && !store_.saving())) {
-    return;
-  }
+  if (!fresh || (store_.folder().empty() && !store_.saving())) return;
   store_.cache({*evolve, results_.report(Step::Evolve)});
   timer_.wake();
 }
@@ -316,9 +283,7 @@ void CaseFiles::cacheEvolve() {
 QString CaseFiles::caseFolder() const { return QString::fromStdString(store_.folder().string()); }
 
 void CaseFiles::leaveCase() {
-  if (!store_.begun()) {
-    return;
-  }
+  if (!store_.begun()) return;
   store_.leave();
   foundSteps_.clear();
   noteFailed_ = false;
@@ -326,18 +291,14 @@ void CaseFiles::leaveCase() {
 }
 
 void CaseFiles::noteEdit() {
-  if (restoring_ || !store_.begun()) {
-    return;
-  }
+  if (restoring_ || !store_.begun()) return;
   QUndoStack& undo = *document_.undoStack();
   store_.note({0, undo.index(), undo.undoText().toStdString(), document_.parameters()});
   timer_.wake();
 }
 
 bool CaseFiles::poll() {
-  for (const CaseStore::Outcome& outcome : store_.poll()) {
-    takeOutcome(outcome);
-  }
+  for (const CaseStore::Outcome& outcome : store_.poll()) takeOutcome(outcome);
   return store_.busy();
 }
 
@@ -348,15 +309,12 @@ void CaseFiles::takeOutcome(const CaseStore::Outcome& outcome) {
   switch (outcome.kind) {
     case Kind::Saved:
       log_.say(Severity::Info, tr("Saved the case %1.").arg(QString::fromStdString(name)));
-      if (!outcome.present) {
-        return;
-      }
+      if (!outcome.present) return;
       document_.setCaseName(QString::fromStdString(name));
-      if (outcome.document.params == document_.parameters()) {
+      if (outcome.document.params == document_.parameters())
         document_.undoStack()->setClean();
-      } else {
+      else
         document_.undoStack()->resetClean();
-      }
       Q_EMIT caseSaved(QString::fromStdString(outcome.folder.string()));
       return;
     case Kind::NotSaved:

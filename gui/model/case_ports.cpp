@@ -37,9 +37,7 @@ CasePorts::CasePorts(CaseModels& models, const JobRunnerFactory& makeRunner, QOb
 
 CasePorts::~CasePorts() {
   queue_.clear();
-  if (slot_) {
-    slot_.job()->progress.cancel();
-  }
+  if (slot_) slot_.job()->progress.cancel();
 }
 
 const PortRow* CasePorts::find(const QString& name) const {
@@ -78,11 +76,8 @@ QString CasePorts::freeName() const {
 
 std::optional<std::size_t> CasePorts::indexOf(const QString& name) const {
   const std::vector<std::string> all = cuts();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (QString::fromStdString(nameOf(all[i])) == name) {
-      return i;
-    }
-  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (QString::fromStdString(nameOf(all[i])) == name) return i;
   return std::nullopt;
 }
 
@@ -94,14 +89,10 @@ const CutFinding* CasePorts::findingOf(const std::string& text) const {
 bool CasePorts::replace(const QString& name, const GivenCut& cut, const QString& what) {
   std::vector<std::string> all = cuts();
   const auto index = indexOf(name);
-  if (!index) {
-    return false;
-  }
+  if (!index) return false;
   all[*index] = cutText(cut);
   notice_ = QString::fromStdString(portWords(models_.document.setCuts(all, what).toStdString()));
-  if (!notice_.isEmpty()) {
-    Q_EMIT changed();
-  }
+  if (!notice_.isEmpty()) Q_EMIT changed();
   return notice_.isEmpty();
 }
 
@@ -129,9 +120,7 @@ void CasePorts::cutAllAcross() {
 
 void CasePorts::cutAcross(const QString& name) {
   const PortRow* row = find(name);
-  if (!row || !row->across) {
-    return;
-  }
+  if (!row || !row->across) return;
   const CutPlane plane = *row->across;
   const auto same = [&](const std::string& text) {
     return (parseCut(text).pointLps - plane.pointLps).norm() < 0.5 * row->radiusMm;
@@ -147,9 +136,7 @@ void CasePorts::cutAcross(const QString& name) {
   selected_ = QString::fromStdString(chosen);
   notice_.clear();
   const QString refusal = models_.document.setPorts(after, tr("cut across %1").arg(name));
-  if (!refusal.isEmpty()) {
-    tell(Severity::Warning, refusal);
-  }
+  if (!refusal.isEmpty()) tell(Severity::Warning, refusal);
 }
 
 /// A cut across an opening takes over the name that the user has given it.
@@ -159,9 +146,8 @@ std::string CasePorts::nameAcross(const CutPlane& plane, PortParams& ports,
   for (const PortRow& row : rows_) {
     const std::string name = row.name.toStdString();
     if (row.cut || !row.across || given.count(name) == 0 ||
-        (row.across->pointLps - plane.pointLps).norm() > row.radiusMm) {
+        (row.across->pointLps - plane.pointLps).norm() > row.radiusMm)
       continue;
-    }
     ports = withOpeningNamed(ports, name, row.plane.pointLps, {});
     return name;
   }
@@ -179,9 +165,7 @@ QString CasePorts::importPorts(const QString& path) {
     notice_.clear();
     const QString refusal = models_.document.setPorts(
         withPortsRead(models_.document.parameters().ports, read), tr("import ports"));
-    if (!refusal.isEmpty()) {
-      tell(Severity::Error, refusal);
-    }
+    if (!refusal.isEmpty()) tell(Severity::Error, refusal);
     return refusal;
   } catch (const Error& failure) {
     tell(Severity::Error, QString::fromStdString(failure.what()));
@@ -210,9 +194,7 @@ void CasePorts::remove(const QString& name) {
 QString CasePorts::rename(const QString& name, const QString& wanted) {
   const PortRow* row = find(name);
   const QString trimmed = wanted.trimmed();
-  if (!row || trimmed == name) {
-    return {};
-  }
+  if (!row || trimmed == name) return {};
   QString refusal;
   try {
     const PortParams after =
@@ -248,12 +230,8 @@ PortParams CasePorts::withCutNamed(std::size_t index, const std::string& name) c
 QString CasePorts::renamed(const QString& name, const QString& wanted, const PortParams& after,
                            const QString& what) {
   const bool chosen = selected_ == name && !wanted.isEmpty();
-  if (chosen) {
-    selected_ = wanted;
-  }
-  if (!wanted.isEmpty()) {
-    colourNumbers_.rename(name, wanted);
-  }
+  if (chosen) selected_ = wanted;
+  if (!wanted.isEmpty()) colourNumbers_.rename(name, wanted);
   notice_.clear();
   const QString refusal = QString::fromStdString(
       portWords(models_.document.setPorts(after, what.arg(name, wanted)).toStdString()));
@@ -267,13 +245,9 @@ QString CasePorts::renamed(const QString& name, const QString& wanted, const Por
 void CasePorts::drag(const QString& name, const CutPlane& plane) {
   const auto row = std::find_if(rows_.begin(), rows_.end(),
                                 [&](const PortRow& each) { return each.name == name; });
-  if (row == rows_.end() || !row->cut) {
-    return;
-  }
+  if (row == rows_.end() || !row->cut) return;
   const bool tilted = (plane.pointLps - row->plane.pointLps).norm() < 1e-9;
-  if (!drag_ || drag_->name != name) {
-    drag_ = Drag{name, plane, tilted};
-  }
+  if (!drag_ || drag_->name != name) drag_ = Drag{name, plane, tilted};
   drag_->plane = plane;
   drag_->tilted = drag_->tilted && tilted;
   row->plane = plane;
@@ -296,16 +270,12 @@ void CasePorts::tell(Severity severity, const QString& text) {
 void CasePorts::refreshGround() {
   const std::shared_ptr<const Volume<float>> phi = models_.results.uncutPhi();
   const SplineKind spline = models_.document.parameters().surface.spline;
-  if (phi == ground_.phi && spline == ground_.spline) {
-    return;
-  }
+  if (phi == ground_.phi && spline == ground_.spline) return;
   ground_ = {phi, spline, nullptr, nullptr};
   findings_.clear();
   checked_.clear();
   queue_.clear();
-  if (slot_) {
-    slot_.job()->progress.cancel();
-  }
+  if (slot_) slot_.job()->progress.cancel();
 }
 
 void CasePorts::refresh() {
@@ -322,28 +292,18 @@ PortRow CasePorts::cutRow(const std::string& text) const {
     row.radiusMm = before->radiusMm;
     row.path = before->path;
   }
-  if (drag_ && drag_->name == row.name) {
-    row.plane = drag_->plane;
-  }
+  if (drag_ && drag_->name == row.name) row.plane = drag_->plane;
   return row;
 }
 
 void CasePorts::rebuild() {
   std::vector<PortRow> rows;
-  for (const std::string& text : cuts()) {
-    rows.push_back(cutRow(text));
-  }
-  for (PortRow& row : openingRows(models_)) {
-    rows.push_back(std::move(row));
-  }
+  for (const std::string& text : cuts()) rows.push_back(cutRow(text));
+  for (PortRow& row : openingRows(models_)) rows.push_back(std::move(row));
   QStringList names;
-  for (const PortRow& row : rows) {
-    names << row.name;
-  }
+  for (const PortRow& row : rows) names << row.name;
   colourNumbers_.use(names);
-  for (PortRow& row : rows) {
-    row.colour = portColour(colourNumbers_.of(row.name));
-  }
+  for (PortRow& row : rows) row.colour = portColour(colourNumbers_.of(row.name));
   rows_ = std::move(rows);
   Q_EMIT changed();
 }
@@ -354,57 +314,45 @@ void CasePorts::request(std::shared_ptr<PortJob> job) {
 }
 
 void CasePorts::requestCuts(std::shared_ptr<PortJob> job) {
-  if (ready()) {
+  if (ready())
     request(std::move(job));
-  } else {
+  else
     tell(Severity::Warning, tr("There are no vessels to cut yet: run to Evolve first."));
-  }
 }
 
 void CasePorts::requestCheck() {
   const std::vector<std::string> wanted = cuts();
-  if (!ready() || wanted.empty() || wanted == checked_) {
-    return;
-  }
+  if (!ready() || wanted.empty() || wanted == checked_) return;
   checked_ = wanted;
   const auto looking = [](const std::shared_ptr<PortJob>& job) {
     return job->kind == PortJob::Kind::Check || job->kind == PortJob::Kind::Advise;
   };
   std::erase_if(queue_, looking);
-  if (slot_ && looking(slot_.job())) {
-    slot_.job()->progress.cancel();
-  }
+  if (slot_ && looking(slot_.job())) slot_.job()->progress.cancel();
   auto job = std::make_shared<PortJob>();
   job->cuts = wanted;
   request(std::move(job));
 }
 
 void CasePorts::startNext() {
-  if (slot_ || queue_.empty()) {
-    return;
-  }
+  if (slot_ || queue_.empty()) return;
   const std::shared_ptr<PortJob> job = queue_.front();
   queue_.pop_front();
   job->ground = ground_;
-  if (slot_.startAndPoll(job)) {
-    Q_EMIT changed();
-  }
+  if (slot_.startAndPoll(job)) Q_EMIT changed();
 }
 
 void CasePorts::finish(PortJob& job) {
   const bool present = job.ground.phi == ground_.phi && job.ground.spline == ground_.spline;
-  if (present) {
-    ground_ = job.ground;
-  }
+  if (present) ground_ = job.ground;
   if (present && !job.cancelled) {
     switch (job.kind) {
       case PortJob::Kind::Check:
       case PortJob::Kind::Advise:
         if (job.cuts == cuts()) {
           findings_.clear();
-          for (std::size_t i = 0; i < job.findings.size(); ++i) {
+          for (std::size_t i = 0; i < job.findings.size(); ++i)
             findings_[job.cuts[i]] = std::move(job.findings[i]);
-          }
           if (job.kind == PortJob::Kind::Check) {
             auto next = std::make_shared<PortJob>();
             next->kind = PortJob::Kind::Advise;
@@ -446,9 +394,8 @@ void CasePorts::finishProposed(const PortJob& job) {
     tell(Severity::Warning, QString::fromStdString(job.error));
     return;
   }
-  for (const std::string& remark : job.remarks) {
+  for (const std::string& remark : job.remarks)
     Q_EMIT models_.log.message(Severity::Warning, QString::fromStdString(remark));
-  }
   const bool ends = job.kind == PortJob::Kind::CutEnds;
   PortParams after = models_.document.parameters().ports;
   int added = 0;

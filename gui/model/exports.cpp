@@ -21,9 +21,8 @@ ExportRequest Exports::request(MeshKind kind, const QString& path) const {
   request.path = path.toStdString();
   request.mesh = results_.mesh(kind);
   request.ports = results_.ports(kind);
-  if (request.mesh && !request.mesh->patch.empty()) {
+  if (request.mesh && !request.mesh->patch.empty())
     request.options.patchNames = patchNamesOf(request.ports);
-  }
   return request;
 }
 
@@ -48,9 +47,7 @@ void Exports::exportMesh(MeshKind kind, const QString& path, const MeshWriteOpti
   request.extras = extras;
   const Step step = kind == MeshKind::Exported ? Step::Smooth : Step::Surface;
   request.options.key = results_.key(step);
-  if (extras.report) {
-    request.report = results_.meshRun();
-  }
+  if (extras.report) request.report = results_.meshRun();
   warnIfUnsound(kind);
   start(std::move(request));
 }
@@ -91,9 +88,8 @@ void Exports::finish(const ExportJob& job) {
     log_.say(Severity::Error, tr("Cannot export: %1").arg(QString::fromStdString(job.error())));
     return;
   }
-  for (const std::string& warning : job.warnings()) {
+  for (const std::string& warning : job.warnings())
     log_.say(Severity::Warning, job.fileName() + ": " + warning);
-  }
   sayExported(job);
   Q_EMIT exported(QString::fromStdString(job.request().path.string()));
 }
@@ -113,15 +109,9 @@ void Exports::sayExported(const ExportJob& job) {
       break;
   }
   QStringList beside;
-  if (job.request().report) {
-    beside << tr("its report");
-  }
-  if (job.request().extras.ports) {
-    beside << tr("its ports");
-  }
-  if (job.patchFiles() > 0) {
-    beside << tr("%1 files of single patches").arg(job.patchFiles());
-  }
+  if (job.request().report) beside << tr("its report");
+  if (job.request().extras.ports) beside << tr("its ports");
+  if (job.patchFiles() > 0) beside << tr("%1 files of single patches").arg(job.patchFiles());
   const MeshFileFacts& facts = job.facts();
   log_.say(
       Severity::Info,

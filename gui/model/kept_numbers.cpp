@@ -17,21 +17,15 @@ void KeptNumbers::use(const QStringList& names) {
   }
   std::size_t next = 0;
   for (const QString& name : names) {
-    if (numbers.count(name) != 0) {
-      continue;
-    }
-    while (!taken.insert(next).second) {
-      ++next;
-    }
+    if (numbers.count(name) != 0) continue;
+    while (!taken.insert(next).second) ++next;
     numbers.emplace(name, next);
   }
   numbers_ = std::move(numbers);
 }
 
 void KeptNumbers::rename(const QString& from, const QString& to) {
-  if (numbers_.count(to) != 0) {
-    return;
-  }
+  if (numbers_.count(to) != 0) return;
   if (auto entry = numbers_.extract(from)) {
     entry.key() = to;
     numbers_.insert(std::move(entry));

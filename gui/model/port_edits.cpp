@@ -27,30 +27,22 @@ GivenCut writtenCut(const CutPlane& plane, const std::string& name) {
 
 std::set<std::string> namesIn(const PortParams& ports) {
   std::set<std::string> names = cutNames(ports.cuts);
-  for (const std::string& text : ports.names) {
-    names.insert(parsePortNaming(text).name);
-  }
+  for (const std::string& text : ports.names) names.insert(parsePortNaming(text).name);
   return names;
 }
 
 std::string freePortName(const PortParams& ports) {
   const std::set<std::string> taken = namesIn(ports);
-  if (taken.count("inlet") == 0) {
-    return "inlet";
-  }
+  if (taken.count("inlet") == 0) return "inlet";
   std::string name = "outlet";
-  for (int n = 2; taken.count(name) != 0; ++n) {
-    name = "outlet-" + std::to_string(n);
-  }
+  for (int n = 2; taken.count(name) != 0; ++n) name = "outlet-" + std::to_string(n);
   return name;
 }
 
 PortParams withOpeningNamed(PortParams ports, const std::string& name,
                             const Eigen::Vector3d& placeLps, const std::string& wanted) {
   forget(ports, {name});
-  if (!wanted.empty()) {
-    ports.names.push_back(portNamingText({"", rounded(placeLps, 1e3), wanted}));
-  }
+  if (!wanted.empty()) ports.names.push_back(portNamingText({"", rounded(placeLps, 1e3), wanted}));
   return ports;
 }
 

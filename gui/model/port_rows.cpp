@@ -40,9 +40,7 @@ void tell(const CutFinding& finding, const CaseModels& models, PortRow& row) {
     words << QString::fromStdString(failed ? portWords(failure.toStdString()) : finding.error);
   } else {
     row.state = finding.advice.empty() ? PortRow::State::Good : PortRow::State::Advised;
-    for (const std::string& sentence : finding.advice) {
-      words << QString::fromStdString(sentence);
-    }
+    for (const std::string& sentence : finding.advice) words << QString::fromStdString(sentence);
   }
   if (models.results.meshFresh() && !isMade(models, row.name)) {
     row.state = PortRow::State::Advised;
@@ -78,9 +76,7 @@ PortRow openingRow(const Port& port) {
 double PortRow::diameterMm() const { return equivalentDiameterMm(areaMm2); }
 
 CutPlane planeOf(const std::string& cut, const CutFinding* finding) {
-  if (finding && finding->plane) {
-    return *finding->plane;
-  }
+  if (finding && finding->plane) return *finding->plane;
   const GivenCut given = parseCut(cut);
   return {given.pointLps,
           given.normalLps ? given.normalLps->normalized() : Eigen::Vector3d(0.0, 0.0, 1.0)};
@@ -109,18 +105,13 @@ PortRow cutRow(const std::string& cut, const CutFinding* finding, const CaseMode
 
 std::vector<PortRow> openingRows(const CaseModels& models) {
   std::set<std::string> cuts = cutNames(models.document.parameters().ports.cuts);
-  if (const Parameters* then = models.results.meshParameters()) {
+  if (const Parameters* then = models.results.meshParameters())
     cuts.merge(cutNames(then->ports.cuts));
-  }
   std::vector<PortRow> rows;
   for (const Port& port : meshPorts(models)) {
-    if (cuts.count(port.name) != 0) {
-      continue;
-    }
+    if (cuts.count(port.name) != 0) continue;
     rows.push_back(openingRow(port));
-    if (!models.results.meshFresh()) {
-      rows.back().note += Words::tr(", in the last mesh");
-    }
+    if (!models.results.meshFresh()) rows.back().note += Words::tr(", in the last mesh");
   }
   return rows;
 }

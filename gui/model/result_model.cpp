@@ -37,11 +37,8 @@ void ResultModel::accept(const StepResult& result) {
   const RunResult& run = *result.run;
   const auto i = static_cast<std::size_t>(result.step);
   keys_[i] = result.key;
-  for (const StageReport& stage : run.stages) {
-    if (stage.step == result.step) {
-      reports_[i] = stage;
-    }
-  }
+  for (const StageReport& stage : run.stages)
+    if (stage.step == result.step) reports_[i] = stage;
   switch (result.step) {
     case Step::Preprocess:
       shown_.preprocessed = run.preprocessed;
@@ -106,9 +103,7 @@ std::shared_ptr<const Volume<float>> ResultModel::layer(Layer layer) {
     case Layer::Speed:
       break;
   }
-  if (!shown_.vesselness) {
-    return nullptr;
-  }
+  if (!shown_.vesselness) return nullptr;
   const std::string wanted = document_.pipeline()->speedKey(document_.parameters());
   if (speedKey_ != wanted && !speedSlot_) {
     auto job = std::make_shared<SpeedJob>();
@@ -122,33 +117,23 @@ std::shared_ptr<const Volume<float>> ResultModel::layer(Layer layer) {
 }
 
 void ResultModel::finishSpeed(const SpeedJob& job) {
-  if (job.vesselness != shown_.vesselness) {
-    return;
-  }
+  if (job.vesselness != shown_.vesselness) return;
   speed_ = job.speed;
   speedKey_ = job.key;
-  if (!job.error.empty()) {
-    log_.say(Severity::Error, job.error);
-  }
-  if (!quiet_) {
-    Q_EMIT resultsChanged();
-  }
+  if (!job.error.empty()) log_.say(Severity::Error, job.error);
+  if (!quiet_) Q_EMIT resultsChanged();
 }
 
 std::shared_ptr<const Volume<float>> ResultModel::phi() const {
-  if (livePhi_) {
-    return livePhi_;
-  }
-  if (meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve) {
+  if (livePhi_) return livePhi_;
+  if (meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve)
     return meshRun_->surface->phi;
-  }
   return shown_.evolve ? shown_.evolve->phi : nullptr;
 }
 
 std::shared_ptr<const Volume<float>> ResultModel::uncutPhi() const {
-  if (meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve) {
+  if (meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve)
     return meshRun_->surface->uncutPhi;
-  }
   return shown_.evolve ? shown_.evolve->phi : nullptr;
 }
 
@@ -160,18 +145,15 @@ std::vector<std::size_t> ResultModel::dropsIn(const SegmentComponent& component,
     const Eigen::Vector3d point(drop[i], drop[i + 1], drop[i + 2]);
     // Points from an earlier evolution or another program may lie elsewhere in the component.
     if (point.isApprox(component.innerPointLps) ||
-        std::count(component.droppedBy.begin(), component.droppedBy.end(), point) > 0) {
+        std::count(component.droppedBy.begin(), component.droppedBy.end(), point) > 0)
       found.push_back(i / 3);
-    }
   }
   return found;
 }
 
 std::vector<ComponentRow> ResultModel::components() const {
   std::vector<ComponentRow> rows;
-  if (!meshRun_ || !meshRun_->surface) {
-    return rows;
-  }
+  if (!meshRun_ || !meshRun_->surface) return rows;
   for (const SegmentComponent& component : meshRun_->surface->components) {
     ComponentRow row;
     row.voxels = component.voxels;
@@ -186,9 +168,8 @@ std::vector<ComponentRow> ResultModel::components() const {
 
 void ResultModel::setComponentTicked(int index, bool ticked) {
   if (!meshRun_ || !meshRun_->surface || index < 0 ||
-      index >= static_cast<int>(meshRun_->surface->components.size())) {
+      index >= static_cast<int>(meshRun_->surface->components.size()))
     return;
-  }
   const SegmentComponent& component =
       meshRun_->surface->components[static_cast<std::size_t>(index)];
   Parameters after = document_.parameters();
@@ -207,9 +188,7 @@ void ResultModel::setComponentTicked(int index, bool ticked) {
 }
 
 std::shared_ptr<const TriMesh> ResultModel::mesh(MeshKind kind) const {
-  if (!meshRun_) {
-    return nullptr;
-  }
+  if (!meshRun_) return nullptr;
   switch (kind) {
     case MeshKind::Exported:
       return meshRun_->smoothed;
@@ -227,15 +206,11 @@ MeshKind ResultModel::kindAtHand(MeshKind wanted) const {
 
 std::vector<Port> ResultModel::ports(MeshKind kind) const {
   const std::shared_ptr<const TriMesh> shown = mesh(kind);
-  if (!shown || shown->patch.empty()) {
-    return {};
-  }
+  if (!shown || shown->patch.empty()) return {};
   std::vector<Port> ports = meshRun_->surface->ports;
   if (kind == MeshKind::Exported) {
     ports = meshRun_->ports;
-    for (std::size_t n = 0; n < ports.size(); ++n) {
-      ports[n].name = meshRun_->surface->ports[n].name;
-    }
+    for (std::size_t n = 0; n < ports.size(); ++n) ports[n].name = meshRun_->surface->ports[n].name;
   }
   // Names are given at once, without a run.
   (void)namePorts(document_.parameters().ports, ports);
@@ -243,9 +218,7 @@ std::vector<Port> ResultModel::ports(MeshKind kind) const {
 }
 
 const MeshQuality* ResultModel::quality(MeshKind kind) const {
-  if (!meshRun_ || !meshRun_->quality) {
-    return nullptr;
-  }
+  if (!meshRun_ || !meshRun_->quality) return nullptr;
   const QualityResult& quality = *meshRun_->quality;
   switch (kind) {
     case MeshKind::Exported:
@@ -263,9 +236,8 @@ const SurfaceOrigin* ResultModel::surfaceOrigin() const {
 }
 
 std::optional<double> ResultModel::estimatedTriangles() {
-  if (fresh(Step::Surface) && meshRun_ && meshRun_->surface) {
+  if (fresh(Step::Surface) && meshRun_ && meshRun_->surface)
     return meshRun_->surface->origin.estimatedTriangles;
-  }
   const std::optional<ExpectedSurface> expected = expectedSurface();
   return expected ? std::optional(expected->triangles) : std::nullopt;
 }
@@ -273,17 +245,11 @@ std::optional<double> ResultModel::estimatedTriangles() {
 std::optional<ExpectedSurface> ResultModel::expectedSurface() {
   const Parameters& params = document_.parameters();
   const std::shared_ptr<const Volume<float>> phi = uncutPhi();
-  if (params.surface.method == SurfaceMethod::MarchingCubes || !phi) {
-    return std::nullopt;
-  }
+  if (params.surface.method == SurfaceMethod::MarchingCubes || !phi) return std::nullopt;
   const std::string wanted = document_.key(Step::Surface);
-  if (estimateKey_ == wanted && estimatePhi_.lock() == phi) {
-    return estimate_;
-  }
+  if (estimateKey_ == wanted && estimatePhi_.lock() == phi) return estimate_;
   if (estimateSlot_) {
-    if (estimateSlot_.job()->key != wanted) {
-      cancelEstimate();
-    }
+    if (estimateSlot_.job()->key != wanted) cancelEstimate();
   } else if (!running_) {
     auto job = std::make_shared<EstimateJob>();
     job->phi = phi;
@@ -302,30 +268,22 @@ void ResultModel::finishEstimate(const EstimateJob& job) {
     estimateKey_ = job.key;
     estimatePhi_ = job.phi;
   }
-  if (!quiet_) {
-    Q_EMIT resultsChanged();
-  }
+  if (!quiet_) Q_EMIT resultsChanged();
 }
 
 void ResultModel::cancelEstimate() {
-  if (estimateSlot_) {
-    estimateSlot_.job()->progress.cancel();
-  }
+  if (estimateSlot_) estimateSlot_.job()->progress.cancel();
 }
 
 QStringList ResultModel::expectationWarnings() {
   QStringList list;
-  if (fresh(Step::Surface)) {
-    return list;
-  }
+  if (fresh(Step::Surface)) return list;
   if (const std::optional<ExpectedSurface> expected = expectedSurface()) {
-    for (const std::string& warning : warningsOf(*expected)) {
+    for (const std::string& warning : warningsOf(*expected))
       list << QString::fromStdString(warning);
-    }
     if (const auto why =
-            refusal(*expected, document_.parameters().surface, SurfaceLimits::ofMachine())) {
+            refusal(*expected, document_.parameters().surface, SurfaceLimits::ofMachine()))
       list << tr("Such a surface is not begun: %1.").arg(QString::fromStdString(*why));
-    }
   }
   return list;
 }
@@ -336,9 +294,7 @@ FieldContext ResultModel::fieldContext() const {
     context.scalesMm = shown_.vesselness->scalesMm;
     context.c = shown_.vesselness->c;
   }
-  if (shown_.evolve && shown_.evolve->thresholds.b > 0.0) {
-    context.b = shown_.evolve->thresholds.b;
-  }
+  if (shown_.evolve && shown_.evolve->thresholds.b > 0.0) context.b = shown_.evolve->thresholds.b;
   return context;
 }
 

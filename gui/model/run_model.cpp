@@ -47,15 +47,11 @@ RunModel::RunModel(CaseDocument& document, ResultModel& results, MessageLog& log
 }
 
 RunModel::~RunModel() {
-  if (slot_) {
-    slot_.job()->cancel();
-  }
+  if (slot_) slot_.job()->cancel();
 }
 
 void RunModel::run(Step until) {
-  if (!document_.hasCase()) {
-    return;
-  }
+  if (!document_.hasCase()) return;
   if (slot_) {
     runAgain_ = until;
     slot_.job()->stopAfterStep();
@@ -113,9 +109,7 @@ void RunModel::setPaused(bool paused) {
 }
 
 void RunModel::stepEvolution(int iterations) {
-  if (slot_) {
-    slot_.job()->control().stepsWanted += iterations;
-  }
+  if (slot_) slot_.job()->control().stepsWanted += iterations;
 }
 
 void RunModel::finishEvolution() {
@@ -131,12 +125,8 @@ bool RunModel::evolving() const { return slot_ && slot_.job()->step() == Step::E
 bool RunModel::paused() const { return slot_ && slot_.job()->control().paused; }
 
 StepState RunModel::state(Step step) const {
-  if (!document_.hasCase()) {
-    return StepState::Empty;
-  }
-  if (factsOf(step).ofScans && isSegmented(document_.parameters())) {
-    return StepState::NotNeeded;
-  }
+  if (!document_.hasCase()) return StepState::Empty;
+  if (factsOf(step).ofScans && isSegmented(document_.parameters())) return StepState::NotNeeded;
   const Pipeline& pipeline = *document_.pipeline();
   const std::string now = document_.key(step);
   const std::string& shown = results_.key(step);
@@ -144,19 +134,11 @@ StepState RunModel::state(Step step) const {
   const bool wanted = shown != now || !pipeline.has(step, document_.parameters());
   if (slot_ && !quiet_ && wanted && pipeline.key(step, slot_.job()->params()) == now) {
     const Step atWork = slot_.job()->step();
-    if (step == atWork) {
-      return StepState::Running;
-    }
-    if (step < atWork) {
-      return StepState::Fresh;  // computed, and on its way here
-    }
+    if (step == atWork) return StepState::Running;
+    if (step < atWork) return StepState::Fresh;  // computed, and on its way here
   }
-  if (!failedKey_.empty() && step == failedStep_ && failedKey_ == now) {
-    return StepState::Failed;
-  }
-  if (shown.empty()) {
-    return StepState::Empty;
-  }
+  if (!failedKey_.empty() && step == failedStep_ && failedKey_ == now) return StepState::Failed;
+  if (shown.empty()) return StepState::Empty;
   return shown == now ? StepState::Fresh : StepState::Stale;
 }
 
@@ -180,17 +162,11 @@ void RunModel::clear() {
 }
 
 void RunModel::interrupt() {
-  if (!slot_) {
-    return;
-  }
+  if (!slot_) return;
   RunJob& job = *slot_.job();
   const Pipeline& pipeline = *document_.pipeline();
-  if (pipeline.key(job.until(), job.params()) == document_.key(job.until())) {
-    return;
-  }
-  if (!quiet_) {
-    runAgain_ = runAgain_.value_or(job.until());
-  }
+  if (pipeline.key(job.until(), job.params()) == document_.key(job.until())) return;
+  if (!quiet_) runAgain_ = runAgain_.value_or(job.until());
   // The step in work goes on where the change does not reach it.
   const Step step = job.step();
   if (pipeline.key(step, job.params()) == document_.key(step)) {
@@ -202,9 +178,7 @@ void RunModel::interrupt() {
 }
 
 void RunModel::refreshFromCache() {
-  if (!document_.hasCase() || slot_) {
-    return;
-  }
+  if (!document_.hasCase() || slot_) return;
   const Step deepest = document_.pipeline()->deepestAtHand(document_.parameters());
   for (Step step = Step::Preprocess; step <= deepest; step = stepAfter(step)) {
     if (document_.pipeline()->has(step, document_.parameters()) && !results_.fresh(step)) {
@@ -216,9 +190,7 @@ void RunModel::refreshFromCache() {
 }
 
 void RunModel::watch(RunJob& job) {
-  if (interruptAfter_ && job.step() > *interruptAfter_) {
-    job.cancel();
-  }
+  if (interruptAfter_ && job.step() > *interruptAfter_) job.cancel();
   for (const auto& [step, warning] : job.takeWarnings()) {
     saidBefore_.push_back(warning);
     log_.say(Severity::Warning, stepTitle(step) + ": " + QString::fromStdString(warning));
@@ -231,25 +203,17 @@ void RunModel::watch(RunJob& job) {
       arrived = true;
     }
   }
-  if (evolving()) {
-    watchEvolution(job);
-  }
+  if (evolving()) watchEvolution(job);
   const std::optional<Step> step = job.step();
   const bool moved = std::exchange(polledStep_, step) != step;
-  if (arrived) {
-    Q_EMIT results_.resultsChanged();
-  }
-  if (arrived || moved) {
-    Q_EMIT statesChanged();
-  }
+  if (arrived) Q_EMIT results_.resultsChanged();
+  if (arrived || moved) Q_EMIT statesChanged();
 }
 
 void RunModel::watchEvolution(RunJob& job) {
   const int iterations = job.progress().iterations();
   const double change = job.progress().change();
-  if (iterations < iterations_) {
-    history_.clear();
-  }
+  if (iterations < iterations_) history_.clear();
   if (change >= 0.0 && change != change_) {
     // The check was at the last multiple; polling comes later.
     const int every = std::max(job.params().levelset.checkEvery, 1);
@@ -264,20 +228,12 @@ void RunModel::watchEvolution(RunJob& job) {
 }
 
 void RunModel::tell(const StepResult& result) {
-  if (result.step == Step::Evolve) {
-    iterations_ = result.run->evolve->iterations;
-  }
-  if (quiet_) {
-    return;
-  }
-  for (const std::string& warning : results_.report(result.step).warnings) {
-    if (std::find(saidBefore_.begin(), saidBefore_.end(), warning) == saidBefore_.end()) {
+  if (result.step == Step::Evolve) iterations_ = result.run->evolve->iterations;
+  if (quiet_) return;
+  for (const std::string& warning : results_.report(result.step).warnings)
+    if (std::find(saidBefore_.begin(), saidBefore_.end(), warning) == saidBefore_.end())
       log_.say(Severity::Warning, stepTitle(result.step) + ": " + QString::fromStdString(warning));
-    }
-  }
-  if (result.step == Step::Evolve) {
-    sayEvolved(*result.run);
-  }
+  if (result.step == Step::Evolve) sayEvolved(*result.run);
 }
 
 void RunModel::sayEvolved(const RunResult& run) {
@@ -301,26 +257,18 @@ void RunModel::finish(const RunJob& job) {
   results_.setRunning(false);
   const bool live = results_.setLive(nullptr, nullptr);
   const bool quiet = std::exchange(quiet_, false);
-  if (job.end() == RunJob::End::Failed) {
+  if (job.end() == RunJob::End::Failed)
     fail(job.step(), job.params(), job.error());
-  } else if (!quiet) {
+  else if (!quiet)
     sayEnd(job);
-  }
-  if (live) {
-    Q_EMIT results_.resultsChanged();
-  }
-  if (!quiet) {
-    Q_EMIT ended();
-  }
+  if (live) Q_EMIT results_.resultsChanged();
+  if (!quiet) Q_EMIT ended();
   Q_EMIT statesChanged();
-  if (std::exchange(leaving_, false)) {
-    return;
-  }
-  if (runAgain_) {
+  if (std::exchange(leaving_, false)) return;
+  if (runAgain_)
     run(*std::exchange(runAgain_, std::nullopt));
-  } else if (document_.pipeline()->key(job.until(), job.params()) != document_.key(job.until())) {
+  else if (document_.pipeline()->key(job.until(), job.params()) != document_.key(job.until()))
     refreshFromCache();
-  }
 }
 
 void RunModel::sayEnd(const RunJob& job) {

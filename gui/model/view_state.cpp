@@ -21,9 +21,7 @@ constexpr std::array<const char*, 3> kColours{"plain", "min-angle", "radius-rati
 template <class T, std::size_t N>
 void fromWord(T& value, const std::string& word, const std::array<const char*, N>& words) {
   const auto found = std::find(words.begin(), words.end(), word);
-  if (found != words.end()) {
-    value = static_cast<T>(found - words.begin());
-  }
+  if (found != words.end()) value = static_cast<T>(found - words.begin());
 }
 
 template <class T, std::size_t N>
@@ -38,10 +36,9 @@ ViewState::ViewState(CaseModels& models, QObject* parent) : QObject(parent), mod
     layer_ = Layer::Source;
     awaitedLayer_.reset();
     tool_ = Tool::Navigate;
-    for (int i = 0; i < kLayerCount; ++i) {
+    for (int i = 0; i < kLayerCount; ++i)
       windowLevels_[static_cast<std::size_t>(i)] =
           models_.results.windowLevel(static_cast<Layer>(i));
-    }
     Q_EMIT changed();
   };
   reset();
@@ -55,21 +52,16 @@ void ViewState::setLayer(Layer layer) {
 }
 
 void ViewState::showAwaitedLayer() {
-  if (!awaitedLayer_) {
-    return;
-  }
+  if (!awaitedLayer_) return;
   const Layer madeFrom = *awaitedLayer_ == Layer::Speed ? Layer::Vesselness : *awaitedLayer_;
-  if (models_.results.layer(madeFrom)) {
-    setLayer(*awaitedLayer_);
-  }
+  if (models_.results.layer(madeFrom)) setLayer(*awaitedLayer_);
 }
 
 CaseView ViewState::caseView() const {
   CaseView view;
   view.layer = wordOf(awaitedLayer_.value_or(layer_), kLayers);
-  for (std::size_t i = 0; i < kLayers.size(); ++i) {
+  for (std::size_t i = 0; i < kLayers.size(); ++i)
     view.windowLevels[kLayers[i]] = {windowLevels_[i].first, windowLevels_[i].second};
-  }
   view.slab = wordOf(slabMode_, kSlabs);
   view.slabThicknessMm = slabThicknessMm_;
   view.shown = {{"contours", contours_},
@@ -88,14 +80,11 @@ void ViewState::take(const CaseView& view) {
   awaitedLayer_ = layer;
   for (std::size_t i = 0; i < kLayers.size(); ++i) {
     const auto found = view.windowLevels.find(kLayers[i]);
-    if (found != view.windowLevels.end() && found->second[0] > 0.0) {
+    if (found != view.windowLevels.end() && found->second[0] > 0.0)
       windowLevels_[i] = {found->second[0], found->second[1]};
-    }
   }
   fromWord(slabMode_, view.slab, kSlabs);
-  if (view.slabThicknessMm > 0.0) {
-    slabThicknessMm_ = view.slabThicknessMm;
-  }
+  if (view.slabThicknessMm > 0.0) slabThicknessMm_ = view.slabThicknessMm;
   const auto takeShown = [&view](bool& member, const char* name) {
     const auto found = view.shown.find(name);
     member = found != view.shown.end() ? found->second : member;
@@ -125,9 +114,7 @@ void ViewState::resetWindowLevel() {
 }
 
 void ViewState::setSlab(SlabMode mode, double thicknessMm) {
-  if (mode == slabMode_ && thicknessMm == slabThicknessMm_) {
-    return;
-  }
+  if (mode == slabMode_ && thicknessMm == slabThicknessMm_) return;
   slabMode_ = mode;
   slabThicknessMm_ = thicknessMm;
   Q_EMIT changed();

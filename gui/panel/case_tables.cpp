@@ -71,9 +71,7 @@ void SeedList::refresh() {
   remove_->setEnabled(list_->currentRow() >= 0);
   const auto result = models_.results.seedsResult();
   summary_->setVisible(result != nullptr);
-  if (result) {
-    summary_->setText(tr("%1 seeds in use").arg(result->pointsLps.size()));
-  }
+  if (result) summary_->setText(tr("%1 seeds in use").arg(result->pointsLps.size()));
 }
 
 ComponentTable::ComponentTable(CaseModels& models, QWidget* parent)
@@ -155,9 +153,7 @@ EvolutionControls::EvolutionControls(CaseModels& models, QWidget* parent)
   step_->setToolTip(tr("%1 iterations, then pause again").arg(kStepIterations));
   finish_ = named(new QPushButton(tr("Finish"), this), "finish");
   finish_->setToolTip(tr("Takes the surface as it stands"));
-  for (QPushButton* button : {pause_, step_, finish_}) {
-    row->addWidget(button);
-  }
+  for (QPushButton* button : {pause_, step_, finish_}) row->addWidget(button);
   column->addLayout(row);
   connect(pause_, &QPushButton::clicked, this,
           [this] { models_.runs.setPaused(!models_.runs.paused()); });

@@ -118,9 +118,8 @@ ExportDialog::ExportDialog(CaseModels& models, PathChooser chooser, QWidget* par
   column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(go, &QPushButton::clicked, this, &ExportDialog::exportNow);
-  for (QComboBox* combo : {mesh_, format_, unit_, frame_}) {
+  for (QComboBox* combo : {mesh_, format_, unit_, frame_})
     connect(combo, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
-  }
   connect(&models_.results, &ResultModel::resultsChanged, this, &ExportDialog::refresh);
   refresh();
 }
@@ -133,15 +132,11 @@ void ExportDialog::addChoices(QFormLayout* form) {
     return made;
   };
   mesh_ = combo("exportMesh", tr("Mesh"), {});
-  for (int i = 0; i < kMeshKindCount; ++i) {
-    if (models_.results.mesh(static_cast<MeshKind>(i))) {
+  for (int i = 0; i < kMeshKindCount; ++i)
+    if (models_.results.mesh(static_cast<MeshKind>(i)))
       mesh_->addItem(meshTitle(static_cast<MeshKind>(i)), i);
-    }
-  }
   format_ = combo("exportFormat", tr("Format"), {});
-  for (const Format& format : exportFormats()) {
-    format_->addItem(format.title);
-  }
+  for (const Format& format : exportFormats()) format_->addItem(format.title);
   unit_ = combo("exportUnit", tr("Unit"), {tr("millimetres"), tr("metres")});
   frame_ = combo("exportFrame", tr("Frame"), {tr("LPS (DICOM, ITK)"), tr("RAS (NIfTI, Slicer)")});
 }
@@ -177,9 +172,8 @@ void ExportDialog::refresh() {
   const bool patches = !models_.results.ports(kind()).empty();
   normals_->setEnabled(format.holdsExtras());
   quality_->setEnabled(format.holdsExtras());
-  for (QWidget* widget : std::initializer_list<QWidget*>{unit_, frame_, report_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{unit_, frame_, report_})
     widget->setEnabled(!isFolder(format));
-  }
   ports_->setEnabled(patches && !isFolder(format));
   patches_->setEnabled(patches && !isFolder(format));
   refreshHint();
@@ -190,9 +184,7 @@ void ExportDialog::refresh() {
     return;
   }
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : mesh->points) {
-    box.extend(point);
-  }
+  for (const Eigen::Vector3d& point : mesh->points) box.extend(point);
   const LengthUnit unit = options().unit;
   const double millimetres = unit == LengthUnit::Metre ? kMillimetresPerMetre : 1.0;
   size_->setText(boxSizeText(box.sizes() / millimetres, unit));
@@ -201,13 +193,10 @@ void ExportDialog::refresh() {
 void ExportDialog::refreshHint() {
   const Format format = chosenFormat(*format_);
   QStringList hints;
-  if (!format.hint().isEmpty()) {
-    hints << format.hint();
-  }
+  if (!format.hint().isEmpty()) hints << format.hint();
   const std::vector<Port> ports = models_.results.ports(kind());
-  if (!ports.empty() && !format.holdsNames()) {
+  if (!ports.empty() && !format.holdsNames())
     hints << tr("⚠ It loses the names of the %1 ports: STL, ASCII has them.").arg(ports.size());
-  }
   const MeshQuality* quality = models_.results.quality(kind());
   const bool sound = !quality || (quality->selfIntersections == 0 && quality->oriented &&
                                   quality->nonManifoldEdges + quality->nonManifoldVertices == 0);
@@ -217,12 +206,9 @@ void ExportDialog::refreshHint() {
         "cubes of the same level set may do.");
   }
   if (isFolder(format)) {
-    if (ports.empty()) {
-      hints << tr("⚠ This mesh has no ports: nothing could flow in or out.");
-    }
-    if (quality && !quality->closed) {
+    if (ports.empty()) hints << tr("⚠ This mesh has no ports: nothing could flow in or out.");
+    if (quality && !quality->closed)
       hints << tr("⚠ The mesh is not closed: choose surface.border = cap.");
-    }
     if (quality && quality->components > 1) {
       hints << tr("⚠ The surface has %1 parts that are not connected, and OpenFOAM fills one: "
                   "tick the others off, or set segmentation.keep.")
@@ -250,9 +236,7 @@ MeshWriteOptions ExportDialog::options() const {
 
 void ExportDialog::exportOpenFoam() {
   const QString folder = chooser_.save(this, QStringLiteral("case"), tr("Folders (*)"));
-  if (folder.isEmpty()) {
-    return;
-  }
+  if (folder.isEmpty()) return;
   // A case that was exported before is replaced, as the chooser has asked; no other folder is
   // filled.
   const bool before = QFileInfo::exists(folder + QStringLiteral("/system/snappyHexMeshDict"));
@@ -268,12 +252,8 @@ void ExportDialog::exportNow() {
   const QString extension = QLatin1String(chosenFormat(*format_).file->extension);
   QString path = chooser_.save(this, "vessels" + extension,
                                tr("%1 (*%2)").arg(format_->currentText(), extension));
-  if (path.isEmpty()) {
-    return;
-  }
-  if (!path.endsWith(extension, Qt::CaseInsensitive)) {
-    path += extension;
-  }
+  if (path.isEmpty()) return;
+  if (!path.endsWith(extension, Qt::CaseInsensitive)) path += extension;
   ExportExtras extras;
   extras.report = report_->isChecked();
   extras.ports = ports_->isEnabled() && ports_->isChecked();

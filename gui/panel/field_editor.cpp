@@ -31,17 +31,13 @@ constexpr double kLinearRatio = 1e3;
 
 /// Enough to tell the smallest step of the slider.
 int decimalsFor(const Field& field, double factor) {
-  if (field.kind == FieldKind::Integer) {
-    return 0;
-  }
+  if (field.kind == FieldKind::Integer) return 0;
   const double range = (field.maximum - field.minimum) * factor;
   return std::clamp(4 - static_cast<int>(std::floor(std::log10(range))), 2, 3);
 }
 
 double asNumber(const FieldValue& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-    return static_cast<double>(*whole);
-  }
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
   const auto* real = std::get_if<double>(&value);
   return real ? *real : 0.0;
 }
@@ -103,18 +99,15 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
   spin_ = named(new QDoubleSpinBox(this), "spin");
   spin_->setDecimals(decimalsFor(field_, field_.shownTimes));
   spin_->setRange(field_.minimum * field_.shownTimes, field_.maximum * field_.shownTimes);
-  if (field_.kind == FieldKind::Integer) {
+  if (field_.kind == FieldKind::Integer)
     spin_->setSingleStep(1.0);
-  } else {
+  else
     spin_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  }
   spin_->setKeyboardTracking(false);
   spin_->setFixedWidth(kNumberWidth);
   spin_->setAlignment(Qt::AlignRight);
   const QString unit = QString::fromStdString(field_.unit);
-  if (!unit.isEmpty() && unit.size() <= 4) {
-    spin_->setSuffix(' ' + unit);
-  }
+  if (!unit.isEmpty() && unit.size() <= 4) spin_->setSuffix(' ' + unit);
   keepFromWheel(spin_);
   row.addWidget(spin_);
   if (!field_.emptyWord.empty()) {
@@ -129,9 +122,7 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
 
 void FieldEditor::buildChoice(QHBoxLayout& row) {
   combo_ = named(new QComboBox(this), "combo");
-  for (const std::string& choice : field_.choices) {
-    combo_->addItem(QString::fromStdString(choice));
-  }
+  for (const std::string& choice : field_.choices) combo_->addItem(QString::fromStdString(choice));
   keepFromWheel(combo_);
   row.addWidget(combo_, 1);
   connect(combo_, &QComboBox::textActivated, this, [this](const QString& text) {
@@ -146,9 +137,7 @@ void FieldEditor::buildNumbers(QHBoxLayout& row) {
   row.addWidget(clear_);
   connect(clear_, &QPushButton::clicked, this, [this] {
     FieldValue none = std::vector<double>();
-    if (!field_.emptyWord.empty()) {
-      none = std::monostate();
-    }
+    if (!field_.emptyWord.empty()) none = std::monostate();
     Q_EMIT edited(QString::fromStdString(field_.key), none, false);
   });
 }
@@ -156,12 +145,9 @@ void FieldEditor::buildNumbers(QHBoxLayout& row) {
 void FieldEditor::setIdle(const QString& why) {
   setEnabled(why.isEmpty());
   QString text = QString::fromStdString(field_.help + "  [" + field_.key + "]");
-  if (!field_.rise.empty()) {
+  if (!field_.rise.empty())
     text += '\n' + tr("Larger: %1.").arg(QString::fromStdString(field_.rise));
-  }
-  if (!why.isEmpty()) {
-    text += '\n' + tr("Has no effect now: %1.").arg(why);
-  }
+  if (!why.isEmpty()) text += '\n' + tr("Has no effect now: %1.").arg(why);
   setToolTip(text);
 }
 
@@ -174,9 +160,7 @@ void FieldEditor::setSliderRange(const std::array<double, 2>& range) {
 
 double FieldEditor::sliderToValue(int position) const {
   const double t = static_cast<double>(position) / kSliderSteps;
-  if (position == 0 && logarithmic_ && field_.minimum <= 0.0) {
-    return 0.0;
-  }
+  if (position == 0 && logarithmic_ && field_.minimum <= 0.0) return 0.0;
   const double value =
       logarithmic_ ? lowest_ * std::pow(highest_ / lowest_, t) : lowest_ + t * (highest_ - lowest_);
   // A drag gives numbers that a person would write: three significant digits.
@@ -195,9 +179,7 @@ int FieldEditor::valueToSlider(double value) const {
 }
 
 FieldValue FieldEditor::numberValue(double stored) const {
-  if (field_.kind == FieldKind::Integer) {
-    return static_cast<std::int64_t>(std::llround(stored));
-  }
+  if (field_.kind == FieldKind::Integer) return static_cast<std::int64_t>(std::llround(stored));
   return stored;
 }
 
@@ -219,9 +201,7 @@ void FieldEditor::autoToggled(bool on) {
 void FieldEditor::showNumber(double stored) {
   const QSignalBlocker quietSlider(slider_);
   const QSignalBlocker quietSpin(spin_);
-  if (!slider_->isSliderDown()) {
-    slider_->setValue(valueToSlider(stored));
-  }
+  if (!slider_->isSliderDown()) slider_->setValue(valueToSlider(stored));
   spin_->setValue(stored * field_.shownTimes);
 }
 
@@ -234,9 +214,7 @@ void FieldEditor::display(const FieldValue& value, const FieldValue& suggested,
   } else if (combo_) {
     combo_->setCurrentText(QString::fromStdString(std::get<std::string>(value)));
   } else if (spin_) {
-    if (empty_) {
-      empty_->setChecked(empty);
-    }
+    if (empty_) empty_->setChecked(empty);
     setSliderRange(range);
     slider_->setEnabled(!empty);
     spin_->setEnabled(!empty);

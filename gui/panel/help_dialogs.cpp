@@ -54,14 +54,11 @@ void showShortcuts(QWidget* window) {
     table->setItem(row, 0, new QTableWidgetItem(keys));
     table->setItem(row, 1, new QTableWidgetItem(what));
   };
-  for (const QAction* action : window->findChildren<QAction*>()) {
-    if (!action->shortcut().isEmpty()) {
+  for (const QAction* action : window->findChildren<QAction*>())
+    if (!action->shortcut().isEmpty())
       add(action->shortcut().toString(QKeySequence::NativeText), action->iconText());
-    }
-  }
-  for (const auto& [keys, what] : paneShortcuts()) {
+  for (const auto& [keys, what] : paneShortcuts())
     add(QString::fromUtf8(keys), QString::fromUtf8(what));
-  }
   table->resizeColumnsToContents();
   table->horizontalHeader()->setStretchLastSection(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);

@@ -37,12 +37,8 @@ const std::vector<const QualityMeasure*>& rows() {
     std::vector<const QualityMeasure*> all;
     for (const bool main : {true, false}) {
       for (const QualityMeasure& measure : qualityMeasures()) {
-        if (measure.main == main) {
-          all.push_back(&measure);
-        }
-        if (main && std::string(measure.key) == "components") {
-          all.push_back(nullptr);
-        }
+        if (measure.main == main) all.push_back(&measure);
+        if (main && std::string(measure.key) == "components") all.push_back(nullptr);
       }
     }
     return all;
@@ -51,9 +47,7 @@ const std::vector<const QualityMeasure*>& rows() {
 }
 
 QString titleOf(const QualityMeasure* measure) {
-  if (!measure) {
-    return QCoreApplication::translate("QualityMeasure", kVerifiedTitle);
-  }
+  if (!measure) return QCoreApplication::translate("QualityMeasure", kVerifiedTitle);
   const QString label = QCoreApplication::translate("QualityMeasure", measure->label);
   const QString unit = QString::fromLatin1(measure->unit)
                            .replace("deg", QStringLiteral("°"))
@@ -65,9 +59,7 @@ QString titleOf(const QualityMeasure* measure) {
 QString valueOf(const QualityMeasure* measure, const MeshQuality* quality) {
   const std::optional<double> value =
       measure && quality ? measure->value(*quality) : std::optional<double>();
-  if (!value) {
-    return kNothing;
-  }
+  if (!value) return kNothing;
   switch (measure->kind) {
     case MeasureKind::Count:
       return QLocale().toString(static_cast<qlonglong>(*value));
@@ -89,9 +81,8 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* pa
   column->setContentsMargins(4, 4, 4, 4);
   auto* form = new QFormLayout;
   mesh_ = named(new QComboBox(this), "meshShown");
-  for (int kind = 0; kind < kMeshKindCount; ++kind) {
+  for (int kind = 0; kind < kMeshKindCount; ++kind)
     mesh_->addItem(meshTitle(static_cast<MeshKind>(kind)));
-  }
   form->addRow(tr("Mesh shown"), mesh_);
   colour_ = named(new QComboBox(this), "meshColour");
   colour_->addItems({tr("plain"), tr("smallest angle"), tr("radius ratio")});
@@ -143,9 +134,7 @@ void InspectorPanel::buildTable() {
                  .remove('(')
                  .remove(')');
   }
-  for (const QualityMeasure* measure : rows()) {
-    titles << titleOf(measure);
-  }
+  for (const QualityMeasure* measure : rows()) titles << titleOf(measure);
   table_->setHorizontalHeaderLabels(kinds);
   table_->setVerticalHeaderLabels(titles);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -174,9 +163,8 @@ void InspectorPanel::refreshResults() {
   for (int column = 0; column < kMeshKindCount; ++column) {
     const auto kind = static_cast<MeshKind>(column);
     const MeshQuality* quality = models_.results.quality(kind);
-    for (int row = 0; row < table_->rowCount(); ++row) {
+    for (int row = 0; row < table_->rowCount(); ++row)
       table_->item(row, column)->setText(valueOf(rows()[static_cast<std::size_t>(row)], quality));
-    }
     const auto i = static_cast<std::size_t>(column);
     angles_->setValues(kind, facts ? facts->minAnglesDeg[i] : std::vector<float>());
     ratios_->setValues(kind, facts ? facts->radiusRatios[i] : std::vector<float>());
@@ -232,14 +220,12 @@ void InspectorPanel::refreshHints() {
                     ? tr("no degenerate triangles")
                     : tr("%1 degenerate triangles").arg(q->degenerateTriangles));
   const SurfaceOrigin* origin = models_.results.surfaceOrigin();
-  if (origin && origin->unverified() > 0 && state_.meshKind() != MeshKind::MarchingCubes) {
+  if (origin && origin->unverified() > 0 && state_.meshKind() != MeshKind::MarchingCubes)
     lines << mark(false) + tr("%1 parts not verified").arg(origin->unverified());
-  }
   hints_->setToolTip(origin ? verifiedReasons(*origin) : QString());
   QString text = lines.join(QStringLiteral("   "));
-  if (!models_.results.meshFresh()) {
+  if (!models_.results.meshFresh())
     text = tr("◐ The mesh belongs to earlier parameters: run again.") + '\n' + text;
-  }
   hints_->setText(text);
 }
 

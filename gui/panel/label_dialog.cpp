@@ -81,9 +81,7 @@ LabelDialog::LabelDialog(const std::vector<Label>& labels, double voxelMm3, QWid
 }
 
 LabelAnswer LabelDialog::answer() const {
-  if (asScan_) {
-    return std::nullopt;
-  }
+  if (asScan_) return std::nullopt;
   return static_cast<std::size_t>(std::max(table_->currentRow(), 0));
 }
 

@@ -21,20 +21,15 @@ LogPanel::LogPanel(CaseModels& models, QWidget* parent) : QPlainTextEdit(parent)
 
 void LogPanel::add(Severity severity, const QString& text) {
   QString line = QTime::currentTime().toString("HH:mm:ss  ");
-  if (severity == Severity::Warning) {
+  if (severity == Severity::Warning)
     line += tr("Warning: ");
-  } else if (severity == Severity::Error) {
+  else if (severity == Severity::Error)
     line += tr("Error: ");
-  }
   QTextCursor cursor(document());
   cursor.movePosition(QTextCursor::End);
-  if (!document()->isEmpty()) {
-    cursor.insertBlock();
-  }
+  if (!document()->isEmpty()) cursor.insertBlock();
   QTextCharFormat format;
-  if (severity == Severity::Error) {
-    format.setFontWeight(QFont::Bold);
-  }
+  if (severity == Severity::Error) format.setFontWeight(QFont::Bold);
   cursor.insertText(line + text, format);
   setTextCursor(cursor);
   ensureCursorVisible();

@@ -14,9 +14,7 @@ OpenQuestions dialogOpenQuestions() {
   questions.choose = [](QWidget* parent, const std::vector<ImageSummary>& entries,
                         const JobRunnerFactory& makeRunner) -> std::optional<std::size_t> {
     SeriesDialog dialog(entries, makeRunner, parent);
-    if (dialog.exec() != QDialog::Accepted) {
-      return std::nullopt;
-    }
+    if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return dialog.chosen();
   };
   questions.resample = [](QWidget* parent, const QString& reason) {

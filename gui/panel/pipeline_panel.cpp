@@ -24,9 +24,7 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
   auto* top = new QHBoxLayout;
   top->addWidget(new QLabel(tr("Preset"), this));
   preset_ = named(new QComboBox(this), "preset");
-  for (const std::string& name : presetNames()) {
-    preset_->addItem(QString::fromStdString(name));
-  }
+  for (const std::string& name : presetNames()) preset_->addItem(QString::fromStdString(name));
   preset_->setPlaceholderText(tr("(changed)"));
   top->addWidget(preset_, 1);
   run_ = named(new QPushButton(tr("Run"), this), "run");

@@ -30,13 +30,12 @@ void drawFrame(QPainter& painter, const QRectF& area, const QPalette& palette) {
 /// Outlines are told apart by their dashes, and follow the palette.
 QPen outlinePen(MeshKind kind, const QPalette& palette) {
   QPen pen(palette.color(QPalette::Text), 1.4);
-  if (kind == MeshKind::Exported) {
+  if (kind == MeshKind::Exported)
     pen.setColor(palette.color(QPalette::Highlight));
-  } else if (kind == MeshKind::Unsmoothed) {
+  else if (kind == MeshKind::Unsmoothed)
     pen.setStyle(Qt::DashLine);
-  } else {
+  else
     pen.setStyle(Qt::DotLine);
-  }
   return pen;
 }
 
@@ -105,11 +104,10 @@ void ConvergencePlot::paintEvent(QPaintEvent* /*event*/) {
   QPainterPath path;
   for (std::size_t i = 0; i < history.size(); ++i) {
     const QPointF at = place(history[i].first, history[i].second);
-    if (i == 0) {
+    if (i == 0)
       path.moveTo(at);
-    } else {
+    else
       path.lineTo(at);
-    }
     painter.drawEllipse(at, 1.5, 1.5);
   }
   painter.drawPath(path);
@@ -153,22 +151,17 @@ void HistogramWidget::paintEvent(QPaintEvent* /*event*/) {
   painter.drawText(kMargin, kMargin + metrics.ascent(), title_);
   drawFrame(painter, area, palette());
   double top = 0.0;
-  for (const std::vector<double>& shares : shares_) {
-    for (const double share : shares) {
-      top = std::max(top, share);
-    }
-  }
+  for (const std::vector<double>& shares : shares_)
+    for (const double share : shares) top = std::max(top, share);
   if (top <= 0.0) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(area, Qt::AlignCenter, tr("No mesh yet"));
     return;
   }
   paintBars(painter, area, selected_, top);
-  for (int kind = 0; kind < kMeshKindCount; ++kind) {
-    if (static_cast<MeshKind>(kind) != selected_) {
+  for (int kind = 0; kind < kMeshKindCount; ++kind)
+    if (static_cast<MeshKind>(kind) != selected_)
       paintBars(painter, area, static_cast<MeshKind>(kind), top);
-    }
-  }
   painter.setPen(palette().color(QPalette::Text));
   for (int tick = 0; tick <= 3; ++tick) {
     const double x = area.left() + tick / 3.0 * area.width();
@@ -184,9 +177,7 @@ void HistogramWidget::paintEvent(QPaintEvent* /*event*/) {
 void HistogramWidget::paintBars(QPainter& painter, const QRectF& area, MeshKind kind,
                                 double top) const {
   const std::vector<double>& values = shares(kind);
-  if (values.empty()) {
-    return;
-  }
+  if (values.empty()) return;
   QPainterPath path(area.bottomLeft());
   for (int bin = 0; bin < bins_; ++bin) {
     const double y = area.bottom() - values[static_cast<std::size_t>(bin)] / top * area.height();
@@ -208,9 +199,7 @@ void HistogramWidget::paintLegend(QPainter& painter, const QRectF& area) const {
   double y = area.top() + 2;
   for (int i = 0; i < kMeshKindCount; ++i) {
     const auto kind = static_cast<MeshKind>(i);
-    if (shares(kind).empty()) {
-      continue;
-    }
+    if (shares(kind).empty()) continue;
     const QRectF text(area.left() + 34, y, area.width() - 34, metrics.height());
     painter.setPen(outlinePen(kind, palette()));
     painter.drawLine(QPointF(area.left() + 8, text.center().y()),

@@ -137,12 +137,8 @@ void PortPanel::edited(int row) {
 void PortPanel::refresh() {
   const QSignalBlocker quiet(table_);
   const auto count = static_cast<int>(ports_.rows().size());
-  if (table_->rowCount() != count) {
-    table_->setRowCount(count);
-  }
-  for (int row = 0; row < count; ++row) {
-    fill(row);
-  }
+  if (table_->rowCount() != count) table_->setRowCount(count);
+  for (int row = 0; row < count; ++row) fill(row);
   showSelection();
   QString notice = ports_.notice();
   if (notice.isEmpty() && count == 0) {
@@ -161,18 +157,15 @@ void PortPanel::fill(int row) {
                                                signOf(port.state) + port.note};
   // Only what has changed: else a name that is being typed would be reset.
   const auto set = [](QTableWidgetItem* item, int role, const QVariant& value) {
-    if (item->data(role) != value) {
-      item->setData(role, value);
-    }
+    if (item->data(role) != value) item->setData(role, value);
   };
   for (int column = 0; column < ColumnCount; ++column) {
     QTableWidgetItem* item = table_->item(row, column);
     if (!item) {
       item = new QTableWidgetItem;
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-      if (column == Diameter || column == Area) {
+      if (column == Diameter || column == Area)
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-      }
       table_->setItem(row, column, item);
     }
     set(item, Qt::DisplayRole, texts[static_cast<std::size_t>(column)]);
@@ -186,9 +179,7 @@ void PortPanel::fill(int row) {
     name->setIcon(swatch(colour));
   }
   const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable;
-  if (name->flags() != flags) {
-    name->setFlags(flags);
-  }
+  if (name->flags() != flags) name->setFlags(flags);
 }
 
 void PortPanel::showSelection() {
@@ -199,9 +190,8 @@ void PortPanel::showSelection() {
     return;
   }
   const auto row = static_cast<int>(selected - ports_.rows().data());
-  if (table_->currentRow() != row || !table_->item(row, Name)->isSelected()) {
+  if (table_->currentRow() != row || !table_->item(row, Name)->isSelected())
     table_->setCurrentCell(row, Name);
-  }
 }
 
 }  // namespace angiomesh

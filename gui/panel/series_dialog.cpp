@@ -31,9 +31,7 @@ bool isUsable(const ImageSummary& entry) {
 
 QString stateOf(const ImageSummary& entry) {
   const Finding* refusal = entry.refusal();
-  if (refusal == nullptr) {
-    return SeriesDialog::tr("ready");
-  }
+  if (refusal == nullptr) return SeriesDialog::tr("ready");
   return isUsable(entry) ? SeriesDialog::tr("uneven slices") : SeriesDialog::tr("no volume");
 }
 
@@ -61,9 +59,7 @@ SeriesDialog::SeriesDialog(const std::vector<ImageSummary>& entries,
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(kPicture + 4);
   table_->setIconSize(QSize(kPicture, kPicture));
-  for (int row = 0; row < table_->rowCount(); ++row) {
-    fillRow(row);
-  }
+  for (int row = 0; row < table_->rowCount(); ++row) fillRow(row);
   table_->resizeColumnsToContents();
   table_->setColumnWidth(Thumbnail, kPicture + 12);
   table_->horizontalHeader()->setSectionResizeMode(Description, QHeaderView::Stretch);
@@ -80,9 +76,7 @@ SeriesDialog::SeriesDialog(const std::vector<ImageSummary>& entries,
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SeriesDialog::refresh);
   connect(table_, &QTableWidget::cellDoubleClicked, this, [this] {
-    if (open_->isEnabled()) {
-      accept();
-    }
+    if (open_->isEnabled()) accept();
   });
   connect(&timer_, &QTimer::timeout, this, &SeriesDialog::takeThumbnails);
   runner_->start([job = thumbnails_] { job->execute(); });
@@ -98,9 +92,7 @@ SeriesDialog::~SeriesDialog() {
 
 std::optional<std::size_t> SeriesDialog::chosen() const {
   const int row = table_->currentRow();
-  if (row < 0 || !isUsable(entries_[static_cast<std::size_t>(row)])) {
-    return std::nullopt;
-  }
+  if (row < 0 || !isUsable(entries_[static_cast<std::size_t>(row)])) return std::nullopt;
   return static_cast<std::size_t>(row);
 }
 
@@ -129,11 +121,9 @@ void SeriesDialog::fillRow(int row) {
 void SeriesDialog::refresh() {
   const int row = table_->currentRow();
   QStringList notes;
-  if (row >= 0) {
-    for (const Finding& finding : entries_[static_cast<std::size_t>(row)].info.findings) {
+  if (row >= 0)
+    for (const Finding& finding : entries_[static_cast<std::size_t>(row)].info.findings)
       notes << text(screenText(finding));
-    }
-  }
   note_->setText(notes.join('\n'));
   open_->setEnabled(chosen().has_value());
 }
@@ -145,9 +135,7 @@ void SeriesDialog::takeThumbnails() {
                        QImage::Format_RGB888);
     table_->item(row, Thumbnail)->setIcon(QIcon(QPixmap::fromImage(image)));
   }
-  if (ended) {
-    timer_.stop();
-  }
+  if (ended) timer_.stop();
 }
 
 }  // namespace angiomesh

@@ -15,20 +15,16 @@ constexpr std::array<const char*, 2> kKeys{"FileDialog/history", "FileDialog/las
 
 SharedHistory::SharedHistory() {
   const QSettings settings(QSettings::UserScope, kFile);
-  for (std::size_t i = 0; i < kKeys.size(); ++i) {
-    before_[i] = settings.value(kKeys[i]);
-  }
+  for (std::size_t i = 0; i < kKeys.size(); ++i) before_[i] = settings.value(kKeys[i]);
 }
 
 SharedHistory::~SharedHistory() {
   QSettings settings(QSettings::UserScope, kFile);
-  for (std::size_t i = 0; i < kKeys.size(); ++i) {
-    if (before_[i].isValid()) {
+  for (std::size_t i = 0; i < kKeys.size(); ++i)
+    if (before_[i].isValid())
       settings.setValue(kKeys[i], before_[i]);
-    } else {
+    else
       settings.remove(kKeys[i]);
-    }
-  }
 }
 
 }  // namespace angiomesh

@@ -89,17 +89,14 @@ void StepPanel::buildFields(QVBoxLayout& column) {
   restColumn->setContentsMargins(0, 0, 0, 0);
   restColumn->setSpacing(3);
   for (const Field& field : parameterFields()) {
-    if (field.step != step_) {
-      continue;
-    }
+    if (field.step != step_) continue;
     auto* editor = new FieldEditor(field, field.main ? static_cast<QWidget*>(this) : rest_);
     editors_.push_back(editor);
     connect(editor, &FieldEditor::edited, &models_.document, &CaseDocument::setField);
-    if (field.main) {
+    if (field.main)
       column.addWidget(editor);
-    } else {
+    else
       restColumn->addWidget(editor);
-    }
   }
   extras_ = new QVBoxLayout;
   extras_->setSpacing(3);
@@ -134,9 +131,7 @@ void StepPanel::showParameters() {
     if (field.idle) {
       const std::string idle = field.idle(params);
       editor->setIdle(QString::fromStdString(idle));
-      if (field.key == "segmentation.label") {
-        editor->setVisible(idle.empty());  // of few images
-      }
+      if (field.key == "segmentation.label") editor->setVisible(idle.empty());  // of few images
     }
   }
 }
@@ -177,9 +172,7 @@ void StepPanel::showState() {
 }
 
 void StepPanel::showProgress() {
-  if (!progress_->isVisibleTo(this)) {
-    return;
-  }
+  if (!progress_->isVisibleTo(this)) return;
   if (step_ == Step::Evolve) {
     // How far an evolution has to go is not known.
     progress_->setRange(0, 0);

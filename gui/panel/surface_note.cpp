@@ -40,16 +40,13 @@ void SurfaceNote::refresh() {
                  .arg(parts.isEmpty() ? tr("about %1 triangles").arg(rounded(*estimate))
                                       : rounded(*estimate));
   }
-  if (origin && origin->fromFrontPercent) {
+  if (origin && origin->fromFrontPercent)
     parts << tr("%1 % from the front").arg(*origin->fromFrontPercent, 0, 'f', 1);
-  }
-  if (origin && !origin->components.empty()) {
+  if (origin && !origin->components.empty())
     parts << tr("%1 components verified").arg(verifiedText(*origin));
-  }
   QStringList lines{parts.join(QStringLiteral(", "))};
-  if (origin && !origin->fault().empty()) {
+  if (origin && !origin->fault().empty())
     lines << tr("Not fit for a solver: %1").arg(QString::fromStdString(origin->fault()));
-  }
   lines << models_.results.expectationWarnings();
   setText(lines.join('\n'));
   setToolTip(origin ? verifiedReasons(*origin) : QString());
@@ -57,9 +54,7 @@ void SurfaceNote::refresh() {
 }
 
 QString verifiedText(const SurfaceOrigin& origin) {
-  if (origin.components.empty()) {
-    return {};
-  }
+  if (origin.components.empty()) return {};
   return SurfaceNote::tr("%1 of %2")
       .arg(origin.components.size() - origin.unverified())
       .arg(origin.components.size());
@@ -67,9 +62,7 @@ QString verifiedText(const SurfaceOrigin& origin) {
 
 QString verifiedReasons(const SurfaceOrigin& origin) {
   QStringList lines;
-  for (const std::string& warning : origin.warnings()) {
-    lines << QString::fromStdString(warning);
-  }
+  for (const std::string& warning : origin.warnings()) lines << QString::fromStdString(warning);
   return lines.join('\n');
 }
 

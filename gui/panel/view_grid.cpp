@@ -85,9 +85,7 @@ void ViewGrid::connectPorts() {
     });
   };
   link(surface_);
-  for (SliceView* view : slices_) {
-    link(view);
-  }
+  for (SliceView* view : slices_) link(view);
   refreshPorts();
 }
 
@@ -95,19 +93,16 @@ void ViewGrid::connectSlice(SliceView* view) {
   connect(view, &VtkView::maximiseRequested, this, [this, view] { toggleMaximised(view); });
   connect(view, &SliceView::cursorMoved, this, [this, view](double x, double y, double z) {
     for (SliceView* other : slices_) {
-      if (other != view) {
-        other->setCursor({x, y, z});
-      }
+      if (other != view) other->setCursor({x, y, z});
     }
   });
   connect(view, &SliceView::windowLevelChanged, &state_, &ViewState::setWindowLevel);
   connect(view, &SliceView::slabChanged, this, [this](double thicknessMm) {
-    if (thicknessMm <= 0.0) {
+    if (thicknessMm <= 0.0)
       state_.setSlab(SlabMode::None, state_.slabThicknessMm());
-    } else {
+    else
       state_.setSlab(state_.slabMode() == SlabMode::None ? SlabMode::Mip : state_.slabMode(),
                      thicknessMm);
-    }
   });
   connect(view, &SliceView::seedPicked, this, [this](double x, double y, double z) {
     models_.document.addSeed({x, y, z});
@@ -122,10 +117,8 @@ void ViewGrid::connectSlice(SliceView* view) {
 void ViewGrid::toggleMaximised(QWidget* pane) {
   if (pane == surface_ || pane == comparison_) pane = pane3d_;
   maximised_ = maximised_ == pane ? nullptr : pane;
-  for (QWidget* each :
-       std::initializer_list<QWidget*>{slices_[0], slices_[1], slices_[2], pane3d_}) {
+  for (QWidget* each : std::initializer_list<QWidget*>{slices_[0], slices_[1], slices_[2], pane3d_})
     each->setVisible(!maximised_ || each == maximised_);
-  }
   auto* grid = static_cast<QGridLayout*>(layout());
   for (int i = 0; i < 2; ++i) {
     // A row or column without a visible pane must not keep half of the room.
@@ -141,18 +134,14 @@ void ViewGrid::toggleMaximised(QWidget* pane) {
 }
 
 void ViewGrid::resetViews() {
-  for (SliceView* view : slices_) {
-    view->resetView();
-  }
+  for (SliceView* view : slices_) view->resetView();
   surface_->resetView();
 }
 
 Eigen::Vector3d ViewGrid::crosshair() const { return slices_[2]->cursor(); }
 
 void ViewGrid::setCrosshair(const Eigen::Vector3d& lps) {
-  for (SliceView* view : slices_) {
-    view->setCursor(lps);
-  }
+  for (SliceView* view : slices_) view->setCursor(lps);
 }
 
 void ViewGrid::refreshAll() {
@@ -163,14 +152,10 @@ void ViewGrid::refreshAll() {
 
 void ViewGrid::refreshImage() {
   std::shared_ptr<const Volume<float>> image = models_.results.layer(state_.layer());
-  if (!image) {
-    image = models_.document.image();
-  }
+  if (!image) image = models_.document.image();
   if (image != shownImage_) {
     shownImage_ = image;
-    for (SliceView* view : slices_) {
-      view->setImage(image);
-    }
+    for (SliceView* view : slices_) view->setImage(image);
     surface_->setImage(image);
   }
   const auto [window, level] = state_.windowLevel();
@@ -191,9 +176,7 @@ void ViewGrid::refreshSegmentation() {
       state_.contours() ? models_.results.phi() : nullptr;
   if (phi != shownPhi_) {
     shownPhi_ = phi;
-    for (SliceView* view : slices_) {
-      view->setContour(phi);
-    }
+    for (SliceView* view : slices_) view->setContour(phi);
   }
   refreshSurface();
   refreshComparison();
@@ -202,16 +185,13 @@ void ViewGrid::refreshSegmentation() {
 void ViewGrid::refreshSurface() {
   const std::shared_ptr<const TriMesh> live = models_.results.liveSurface();
   std::shared_ptr<const TriMesh> mesh = live;
-  for (const MeshKind kind : {state_.meshKind(), MeshKind::Exported, MeshKind::Unsmoothed}) {
+  for (const MeshKind kind : {state_.meshKind(), MeshKind::Exported, MeshKind::Unsmoothed})
     mesh = mesh ? mesh : models_.results.mesh(kind);
-  }
   const bool ofKind = mesh && mesh == models_.results.mesh(state_.meshKind());
   const std::shared_ptr<const MeshFacts> facts =
       ofKind && !live ? models_.results.facts() : nullptr;
   const MeshColour colour = facts ? state_.meshColour() : MeshColour::Plain;
-  if (mesh == shownMesh_ && colour == shownColour_ && facts == shownFacts_) {
-    return;
-  }
+  if (mesh == shownMesh_ && colour == shownColour_ && facts == shownFacts_) return;
   if (mesh != shownMesh_) {
     surface_->clearSurfaceColours();
     surface_->setSurface(mesh);
@@ -259,11 +239,9 @@ void ViewGrid::refreshComparison() {
 
 std::vector<std::array<double, 3>> ViewGrid::patchColours(
     const std::shared_ptr<const TriMesh>& mesh) const {
-  for (const MeshKind kind : {MeshKind::Exported, MeshKind::Unsmoothed}) {
-    if (mesh && mesh == models_.results.mesh(kind)) {
+  for (const MeshKind kind : {MeshKind::Exported, MeshKind::Unsmoothed})
+    if (mesh && mesh == models_.results.mesh(kind))
       return ports_.colours(models_.results.ports(kind));
-    }
-  }
   return {};
 }
 
@@ -282,13 +260,9 @@ void ViewGrid::showPorts() {
                        &row == selected, row.cut, row.path});
     }
   }
-  if (marks == shownPorts_) {
-    return;
-  }
+  if (marks == shownPorts_) return;
   shownPorts_ = marks;
-  for (SliceView* view : slices_) {
-    view->setPorts(marks);
-  }
+  for (SliceView* view : slices_) view->setPorts(marks);
   surface_->setPorts(std::move(marks));
 }
 
@@ -301,9 +275,7 @@ void ViewGrid::refreshEdits() {
   }
   surface_->setSeeds(seeds);
   surface_->setRoi(roi);
-  if (state_.layer() == Layer::Speed) {
-    refreshImage();
-  }
+  if (state_.layer() == Layer::Speed) refreshImage();
 }
 
 }  // namespace angiomesh
