@@ -86,12 +86,9 @@ RemeshVertices::RemeshVertices(const PatchMesh& start, const RemeshGround& groun
     }
   if (edits_ == Edits::All && mesh_.vertexSlots() > cached) mesh_.reorder();
   const double reach = startReach * ground_.unitMm();
-  parallelFor(0, mesh_.vertexSlots(), blockSize, [&](std::size_t first, std::size_t last) {
-    progress_.check();
-    for (std::size_t i = first; i < last; ++i) {
-      const auto v = static_cast<std::uint32_t>(i);
-      if (mesh_.livesVertex(v)) place(v, mesh_.point(v), 4, reach);
-    }
+  parallelForEach(mesh_.vertexSlots(), blockSize, progress_, [&](std::size_t i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    if (mesh_.livesVertex(v)) place(v, mesh_.point(v), 4, reach);
   });
 }
 
@@ -279,15 +276,12 @@ std::size_t RemeshVertices::relax(int sweeps, double settled) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     moved_.assign(mesh_.vertexSlots(), 0);
     for (const auto& list : colours_)
-      parallelFor(0, list.size(), blockSize, [&](std::size_t first, std::size_t last) {
-        progress_.check();
-        for (std::size_t i = first; i < last; ++i) {
-          const std::uint32_t v = list[i];
-          if (active_[v] == 0) continue;
-          const Vector3d before = mesh_.point(v);
-          if (relaxVertex(v) && (mesh_.point(v) - before).norm() > settled * mesh_.size(v))
-            moved_[v] = 1;
-        }
+      parallelForEach(list.size(), blockSize, progress_, [&](std::size_t i) {
+        const std::uint32_t v = list[i];
+        if (active_[v] == 0) return;
+        const Vector3d before = mesh_.point(v);
+        if (relaxVertex(v) && (mesh_.point(v) - before).norm() > settled * mesh_.size(v))
+          moved_[v] = 1;
       });
     std::fill(active_.begin(), active_.end(), std::uint8_t{0});
     count = 0;

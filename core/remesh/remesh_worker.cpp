@@ -276,16 +276,14 @@ std::vector<RemeshWorker::Job> RemeshWorker::badFaces() const {
   constexpr std::size_t blockSize = 2048;
   const std::size_t count = mesh_.halfEdgeSlots() / 3;
   std::vector<std::vector<Job>> found((count + blockSize - 1) / blockSize);
-  parallelFor(0, count, blockSize, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto t = static_cast<std::uint32_t>(i);
-      if (!mesh_.lives(t)) continue;
-      if (mesh_.locked(mesh_.origin(3 * t)) && mesh_.locked(mesh_.origin(3 * t + 1)) &&
-          mesh_.locked(mesh_.origin(3 * t + 2)))
-        continue;
-      const double bad = faceBadness(t);
-      if (bad > 1.0) found[first / blockSize].push_back({bad, t});
-    }
+  parallelForEach(count, blockSize, [&](std::size_t i) {
+    const auto t = static_cast<std::uint32_t>(i);
+    if (!mesh_.lives(t)) return;
+    if (mesh_.locked(mesh_.origin(3 * t)) && mesh_.locked(mesh_.origin(3 * t + 1)) &&
+        mesh_.locked(mesh_.origin(3 * t + 2)))
+      return;
+    const double bad = faceBadness(t);
+    if (bad > 1.0) found[i / blockSize].push_back({bad, t});
   });
   std::vector<Job> all;
   for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
@@ -337,19 +335,16 @@ void RemeshWorker::repair() {
 
 void RemeshWorker::finish() {
   std::vector<char> far(mesh_.vertexSlots(), 0);
-  parallelFor(0, mesh_.vertexSlots(), blockSize, [&](std::size_t first, std::size_t last) {
-    progress_.check();
-    for (std::size_t i = first; i < last; ++i) {
-      const auto v = static_cast<std::uint32_t>(i);
-      if (!mesh_.livesVertex(v) || freedom(v) == 0) continue;
-      Vector3d point = mesh_.point(v), normal = mesh_.normal(v);
-      const bool landed = ground_.land(mesh_.place(v), point, normal, 20);
-      const double moved = (point - mesh_.point(v)).norm();
-      if (landed && moved < freeLanding * mesh_.size(v)) {
-        mesh_.set(v, point, normal, mesh_.size(v));
-      } else {
-        far[v] = 1;
-      }
+  parallelForEach(mesh_.vertexSlots(), blockSize, progress_, [&](std::size_t i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    if (!mesh_.livesVertex(v) || freedom(v) == 0) return;
+    Vector3d point = mesh_.point(v), normal = mesh_.normal(v);
+    const bool landed = ground_.land(mesh_.place(v), point, normal, 20);
+    const double moved = (point - mesh_.point(v)).norm();
+    if (landed && moved < freeLanding * mesh_.size(v)) {
+      mesh_.set(v, point, normal, mesh_.size(v));
+    } else {
+      far[v] = 1;
     }
   });
   // The rest only where no triangle turns over or loses its shape; one by one, as they depend on

@@ -333,14 +333,12 @@ void findCells(const SplineField& field, const Bricks& bricks, std::size_t b,
 SurfaceSamples byCell(const Geometry& g, const std::vector<GuidanceField::Sample>& samples) {
   const Eigen::Matrix3d toIndex = g.physicalToIndexMatrix();
   std::vector<std::pair<std::size_t, std::uint32_t>> order(samples.size());
-  parallelFor(0, samples.size(), 4096, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Eigen::Vector3d index = toIndex * (samples[i].point - g.origin);
-      Index3 cell;
-      for (int a = 0; a < 3; ++a)
-        cell[a] = static_cast<int>(std::clamp(index[a], 0.0, std::max(g.size[a] - 1.5, 0.0)));
-      order[i] = {g.offset(cell[0], cell[1], cell[2]), static_cast<std::uint32_t>(i)};
-    }
+  parallelForEach(samples.size(), 4096, [&](std::size_t i) {
+    const Eigen::Vector3d index = toIndex * (samples[i].point - g.origin);
+    Index3 cell;
+    for (int a = 0; a < 3; ++a)
+      cell[a] = static_cast<int>(std::clamp(index[a], 0.0, std::max(g.size[a] - 1.5, 0.0)));
+    order[i] = {g.offset(cell[0], cell[1], cell[2]), static_cast<std::uint32_t>(i)};
   });
   std::sort(order.begin(), order.end());
   SurfaceSamples all;
@@ -406,11 +404,8 @@ SurfaceSamples sampleZeroSet(const SplineField& field, const IdealLength& ideal,
     std::vector<GuidanceField::Sample> samples;
   };
   std::vector<Part> parts(blocks);
-  parallelFor(0, bricks.total(), grain, [&](std::size_t first, std::size_t last) {
-    progress.check();
-    for (std::size_t b = first; b < last; ++b)
-      findCells(field, bricks, b, parts[first / grain].cells);
-  });
+  parallelForEach(bricks.total(), grain, progress,
+                  [&](std::size_t b) { findCells(field, bricks, b, parts[b / grain].cells); });
   progress.report(0.2);
   // A field of noise has a piece of the zero set in every cell: what one cell may cost depends on
   // how many there are, so that the whole stays bounded.

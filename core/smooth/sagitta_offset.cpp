@@ -95,16 +95,13 @@ class SagittaOffset {
   void measureFaces() {
     area_.resize(mesh_.triangles.size());
     height_.resize(area_.size());
-    parallelFor(0, area_.size(), blockSize, [&](std::size_t first, std::size_t last) {
-      progress_.check();
-      for (std::size_t i = first; i < last; ++i) {
-        const auto& t = mesh_.triangles[i];
-        const Vector3d &a = mesh_.points[t[0]], &b = mesh_.points[t[1]], &c = mesh_.points[t[2]];
-        const Vector3d n = (b - a).cross(c - a);
-        const double length = n.norm();
-        area_[i] = held_.isCap(i) ? 0.0 : 0.5 * length;
-        height_[i] = area_[i] > 0.0 ? meanHeight(a, b, c, n / length, phi_) : 0.0;
-      }
+    parallelForEach(area_.size(), blockSize, progress_, [&](std::size_t i) {
+      const auto& t = mesh_.triangles[i];
+      const Vector3d &a = mesh_.points[t[0]], &b = mesh_.points[t[1]], &c = mesh_.points[t[2]];
+      const Vector3d n = (b - a).cross(c - a);
+      const double length = n.norm();
+      area_[i] = held_.isCap(i) ? 0.0 : 0.5 * length;
+      height_[i] = area_[i] > 0.0 ? meanHeight(a, b, c, n / length, phi_) : 0.0;
     });
   }
 
@@ -135,24 +132,21 @@ class SagittaOffset {
 
   void setWays(const std::vector<char>& frozen) {
     way_.assign(mesh_.points.size(), Vector3d::Zero());
-    parallelFor(0, way_.size(), blockSize, [&](std::size_t first, std::size_t last) {
-      progress_.check();
-      for (std::size_t i = first; i < last; ++i) {
-        const auto v = static_cast<std::uint32_t>(i);
-        const int held = held_.count(v);
-        if (frozen[v] != 0 || shift_[v] == 0.0 || held > 1) continue;
-        const Vector3d gradient = phi_.at(mesh_.points[v]).gradient;
-        const double slope = gradient.norm();
-        if (!(slope > 0.0) || !std::isfinite(slope)) continue;
-        Vector3d along = gradient / slope;
-        if (held == 0) {
-          way_[v] = shift_[v] * along;
-          continue;
-        }
-        along -= along.dot(held_.normal(v)) * held_.normal(v);
-        const double share = along.squaredNorm();
-        if (share > 0.1) way_[v] = shift_[v] / (onRim_[v] != 0 ? std::sqrt(share) : share) * along;
+    parallelForEach(way_.size(), blockSize, progress_, [&](std::size_t i) {
+      const auto v = static_cast<std::uint32_t>(i);
+      const int held = held_.count(v);
+      if (frozen[v] != 0 || shift_[v] == 0.0 || held > 1) return;
+      const Vector3d gradient = phi_.at(mesh_.points[v]).gradient;
+      const double slope = gradient.norm();
+      if (!(slope > 0.0) || !std::isfinite(slope)) return;
+      Vector3d along = gradient / slope;
+      if (held == 0) {
+        way_[v] = shift_[v] * along;
+        return;
       }
+      along -= along.dot(held_.normal(v)) * held_.normal(v);
+      const double share = along.squaredNorm();
+      if (share > 0.1) way_[v] = shift_[v] / (onRim_[v] != 0 ? std::sqrt(share) : share) * along;
     });
   }
 
@@ -300,12 +294,10 @@ std::vector<char> inscribedComponents(const TriMesh& mesh, const MeshComponents&
   }
   const double reach = 0.01 * phi.geometry().voxelMm();
   std::vector<char> off(mesh.points.size(), 0);
-  parallelFor(0, off.size(), blockSize, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      if (wallOf[v] == 0) continue;
-      const SplineField::Jet jet = phi.at(mesh.points[v]);
-      if (!(std::fabs(jet.value) <= reach * jet.gradient.norm())) off[v] = 1;
-    }
+  parallelForEach(off.size(), blockSize, [&](std::size_t v) {
+    if (wallOf[v] == 0) return;
+    const SplineField::Jet jet = phi.at(mesh.points[v]);
+    if (!(std::fabs(jet.value) <= reach * jet.gradient.norm())) off[v] = 1;
   });
   for (std::size_t v = 0; v < off.size(); ++v) {
     if (wallOf[v] == 0) continue;

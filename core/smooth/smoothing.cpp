@@ -58,27 +58,24 @@ void step(HalfEdgeMesh& mesh, const TriMesh& start, const HeldPlanes& held, doub
     };
     return face(h) != face(mesh.opposite_halfedge_handle(h));
   };
-  parallelFor(0, moved.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-    progress.check();
-    for (std::size_t i = begin; i < end; ++i) {
-      const HalfEdgeMesh::VertexHandle v(static_cast<int>(i));
-      const OpenMesh::Vec3d& p = mesh.point(v);
-      moved[i] = p;
-      if (mesh.is_isolated(v)) continue;
-      OpenMesh::Vec3d sum(0.0, 0.0, 0.0);
-      int count = 0;
-      bool rim = false;
-      for (auto h = mesh.cvoh_ccwbegin(v); h.is_valid(); ++h) rim = rim || isRim(*h);
-      for (auto h = mesh.cvoh_ccwbegin(v); h.is_valid(); ++h) {
-        if (rim && !isRim(*h)) continue;
-        sum += mesh.point(mesh.to_vertex_handle(*h));
-        ++count;
-      }
-      const OpenMesh::Vec3d move = factor * (sum / count - p);
-      const Eigen::Vector3d allowed =
-          heldMove(held, static_cast<std::uint32_t>(i), {move[0], move[1], move[2]});
-      moved[i] += OpenMesh::Vec3d(allowed.x(), allowed.y(), allowed.z());
+  parallelForEach(moved.size(), blockSize, progress, [&](std::size_t i) {
+    const HalfEdgeMesh::VertexHandle v(static_cast<int>(i));
+    const OpenMesh::Vec3d& p = mesh.point(v);
+    moved[i] = p;
+    if (mesh.is_isolated(v)) return;
+    OpenMesh::Vec3d sum(0.0, 0.0, 0.0);
+    int count = 0;
+    bool rim = false;
+    for (auto h = mesh.cvoh_ccwbegin(v); h.is_valid(); ++h) rim = rim || isRim(*h);
+    for (auto h = mesh.cvoh_ccwbegin(v); h.is_valid(); ++h) {
+      if (rim && !isRim(*h)) continue;
+      sum += mesh.point(mesh.to_vertex_handle(*h));
+      ++count;
     }
+    const OpenMesh::Vec3d move = factor * (sum / count - p);
+    const Eigen::Vector3d allowed =
+        heldMove(held, static_cast<std::uint32_t>(i), {move[0], move[1], move[2]});
+    moved[i] += OpenMesh::Vec3d(allowed.x(), allowed.y(), allowed.z());
   });
   for (std::size_t i = 0; i < moved.size(); ++i)
     mesh.set_point(HalfEdgeMesh::VertexHandle(static_cast<int>(i)), moved[i]);
@@ -125,17 +122,14 @@ Neighbours averagingNeighbours(const TriMesh& mesh) {
 void step(const Neighbours& neighbours, const HeldPlanes& held, double factor,
           std::vector<Eigen::Vector3d>& points, std::vector<Eigen::Vector3d>& moved,
           const Progress& progress) {
-  parallelFor(0, moved.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-    progress.check();
-    for (std::size_t v = begin; v < end; ++v) {
-      const std::uint32_t first = neighbours.first[v], last = neighbours.first[v + 1];
-      moved[v] = points[v];
-      if (first == last) continue;
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (std::uint32_t i = first; i < last; ++i) sum += points[neighbours.list[i]];
-      moved[v] += heldMove(held, static_cast<std::uint32_t>(v),
-                           factor * (sum / static_cast<double>(last - first) - points[v]));
-    }
+  parallelForEach(moved.size(), blockSize, progress, [&](std::size_t v) {
+    const std::uint32_t first = neighbours.first[v], last = neighbours.first[v + 1];
+    moved[v] = points[v];
+    if (first == last) return;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::uint32_t i = first; i < last; ++i) sum += points[neighbours.list[i]];
+    moved[v] += heldMove(held, static_cast<std::uint32_t>(v),
+                         factor * (sum / static_cast<double>(last - first) - points[v]));
   });
   points.swap(moved);
 }

@@ -48,9 +48,8 @@ WallGround::WallGround(const Wall& wall, const WallPlaces& places)
       places_(places),
       sizes_(edgeLengths(places.mesh.mesh)),
       normals_(places.mesh.mesh.points.size()) {
-  parallelFor(0, normals_.size(), blockSize, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v)
-      normals_[v] = wall_.at(places_.mesh.mesh.points[v]).normal;
+  parallelForEach(normals_.size(), blockSize, [&](std::size_t v) {
+    normals_[v] = wall_.at(places_.mesh.mesh.points[v]).normal;
   });
 }
 
@@ -163,24 +162,20 @@ void WallSmoother::accept(std::vector<Vector3d>& moved, const Limits& limits) {
   std::vector<char> bad(count);
   bool any = true;
   while (any) {
-    parallelFor(0, count, blockSize, [&](std::size_t first, std::size_t last) {
-      progress_.check();
-      for (std::size_t i = first; i < last; ++i) {
-        bad[i] = 0;
-        const auto t = static_cast<std::uint32_t>(i);
-        const Corners c = corners(t);
-        if (moved[c[0]] == points_[c[0]] && moved[c[1]] == points_[c[1]] &&
-            moved[c[2]] == points_[c[2]])
-          continue;
-        const Fitness after = fitness(t, moved);
-        const bool turned = after.agreement < limits.agreement;
-        const bool thin = after.sharpness > limits.sharpness;
-        if (!turned && !thin) continue;
-        const Fitness now = fitness(t, points_);
-        if ((turned && after.agreement < now.agreement) ||
-            (thin && after.sharpness > now.sharpness))
-          bad[i] = 1;
-      }
+    parallelForEach(count, blockSize, progress_, [&](std::size_t i) {
+      bad[i] = 0;
+      const auto t = static_cast<std::uint32_t>(i);
+      const Corners c = corners(t);
+      if (moved[c[0]] == points_[c[0]] && moved[c[1]] == points_[c[1]] &&
+          moved[c[2]] == points_[c[2]])
+        return;
+      const Fitness after = fitness(t, moved);
+      const bool turned = after.agreement < limits.agreement;
+      const bool thin = after.sharpness > limits.sharpness;
+      if (!turned && !thin) return;
+      const Fitness now = fitness(t, points_);
+      if ((turned && after.agreement < now.agreement) || (thin && after.sharpness > now.sharpness))
+        bad[i] = 1;
     });
     any = false;
     for (std::uint32_t t = 0; t < count; ++t) {
@@ -197,18 +192,15 @@ void WallSmoother::accept(std::vector<Vector3d>& moved, const Limits& limits) {
 std::vector<double> WallSmoother::wallOffsets() const {
   const std::size_t count = places_.mesh.mesh.triangles.size();
   std::vector<double> volume(count), area(count);
-  parallelFor(0, count, blockSize, [&](std::size_t first, std::size_t last) {
-    progress_.check();
-    for (std::size_t i = first; i < last; ++i) {
-      const Corners c = corners(static_cast<std::uint32_t>(i));
-      if (places_.offWall[c[0]] != 0 || places_.offWall[c[1]] != 0 || places_.offWall[c[2]] != 0)
-        continue;
-      double sum = 0.0;
-      for (std::size_t k = 0; k < 3; ++k)
-        sum += wall_.at(0.5 * (points_[c[k]] + points_[c[(k + 1) % 3]])).offset / 3.0;
-      area[i] = (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]).norm();
-      volume[i] = area[i] * sum;
-    }
+  parallelForEach(count, blockSize, progress_, [&](std::size_t i) {
+    const Corners c = corners(static_cast<std::uint32_t>(i));
+    if (places_.offWall[c[0]] != 0 || places_.offWall[c[1]] != 0 || places_.offWall[c[2]] != 0)
+      return;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += wall_.at(0.5 * (points_[c[k]] + points_[c[(k + 1) % 3]])).offset / 3.0;
+    area[i] = (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]).norm();
+    volume[i] = area[i] * sum;
   });
   std::vector<double> volumes(points_.size(), 0.0), areas(points_.size(), 0.0);
   for (std::uint32_t t = 0; t < count; ++t)
@@ -227,15 +219,13 @@ std::vector<double> WallSmoother::wallOffsets() const {
 
 void WallSmoother::spread(std::vector<double>& values) const {
   std::vector<double> next = values;
-  parallelFor(0, values.size(), blockSize, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto v = static_cast<std::uint32_t>(i);
-      if (!mesh_.livesVertex(v)) continue;
-      const Ring ring = mesh_.ring(v);
-      double sum = 0.0;
-      for (std::uint32_t k = 0; k < ring.count; ++k) sum += values[ring.vertex[k]];
-      next[v] = 0.5 * values[v] + 0.5 * sum / ring.count;
-    }
+  parallelForEach(values.size(), blockSize, [&](std::size_t i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    if (!mesh_.livesVertex(v)) return;
+    const Ring ring = mesh_.ring(v);
+    double sum = 0.0;
+    for (std::uint32_t k = 0; k < ring.count; ++k) sum += values[ring.vertex[k]];
+    next[v] = 0.5 * values[v] + 0.5 * sum / ring.count;
   });
   values.swap(next);
 }
@@ -246,15 +236,12 @@ void WallSmoother::restoreOffsets(const std::vector<double>& before, std::vector
   const std::vector<double> now = wallOffsets();
   const double bound = wall_.offsetLimitMm(params_.wallBoundVoxels);
   std::vector<Vector3d> moved = points_;
-  parallelFor(0, points_.size(), blockSize, [&](std::size_t first, std::size_t last) {
-    progress_.check();
-    for (std::size_t i = first; i < last; ++i) {
-      const auto v = static_cast<std::uint32_t>(i);
-      if (!hasOffset(v)) continue;
-      given[v] = std::clamp(given[v] + before[v] - now[v], -bound, bound);
-      const Wall::Sample s = wall_.at(points_[v]);
-      if (!s.normal.isZero()) moved[v] += wallGround_.toWall(mesh_.place(v), s, given[v]);
-    }
+  parallelForEach(points_.size(), blockSize, progress_, [&](std::size_t i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    if (!hasOffset(v)) return;
+    given[v] = std::clamp(given[v] + before[v] - now[v], -bound, bound);
+    const Wall::Sample s = wall_.at(points_[v]);
+    if (!s.normal.isZero()) moved[v] += wallGround_.toWall(mesh_.place(v), s, given[v]);
   });
   accept(moved, {});
 }
@@ -265,15 +252,12 @@ void WallSmoother::enforceBound() {
   const double bound = wall_.offsetLimitMm(params_.wallBoundVoxels);
   for (int round = 0; round < 4; ++round) {
     std::vector<Vector3d> moved = points_;
-    parallelFor(0, points_.size(), blockSize, [&](std::size_t first, std::size_t last) {
-      progress_.check();
-      for (std::size_t i = first; i < last; ++i) {
-        const auto v = static_cast<std::uint32_t>(i);
-        if (!hasOffset(v)) continue;
-        const Wall::Sample s = wall_.at(points_[v]);
-        if (s.normal.isZero() || std::abs(s.offset) <= 1.01 * bound) continue;
-        moved[v] += wallGround_.toWall(mesh_.place(v), s, std::clamp(s.offset, -bound, bound));
-      }
+    parallelForEach(points_.size(), blockSize, progress_, [&](std::size_t i) {
+      const auto v = static_cast<std::uint32_t>(i);
+      if (!hasOffset(v)) return;
+      const Wall::Sample s = wall_.at(points_[v]);
+      if (s.normal.isZero() || std::abs(s.offset) <= 1.01 * bound) return;
+      moved[v] += wallGround_.toWall(mesh_.place(v), s, std::clamp(s.offset, -bound, bound));
     });
     accept(moved, {0.1, 0.9998});
   }
