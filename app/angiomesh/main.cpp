@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QStandardPaths>
 #include <QString>
+#include <cstdio>
+#include <exception>
 #include <string>
 
 #include "core/base/formatted.h"
@@ -12,8 +14,10 @@
 #include "gui/view/open_gl.h"
 #include "io/volume/image_format.h"
 
-int main(int argc, char** argv) {
-  using namespace angiomesh;
+namespace angiomesh {
+namespace {
+
+int start(int argc, char** argv) {
   CLI::App cli("The vessel surface of an angiography volume.", "angiomesh");
   std::string input;
   bool sample = false;
@@ -52,4 +56,16 @@ int main(int argc, char** argv) {
   else if (sample || run)
     window.openSample(run);
   return QApplication::exec();
+}
+
+}  // namespace
+}  // namespace angiomesh
+
+int main(int argc, char** argv) {
+  try {
+    return angiomesh::start(argc, argv);
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "angiomesh: %s\n", failure.what());
+    return 1;
+  }
 }
