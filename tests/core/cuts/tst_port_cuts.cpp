@@ -160,6 +160,26 @@ class TestPortCuts : public QObject {
     QVERIFY(std::abs((away.sections[0].centreLps - cut.pointLps).dot(normal)) < 1e-9);
   }
 
+  // Where the plane all but runs along the vessel, its axis would meet it far away.
+  void aPlaneAlongTheVesselKeepsItsPlace() {
+    const Vector3d axis = (kTo - kFrom).normalized(), aside = axis.unitOrthogonal();
+    const Vector3d middle = 0.5 * (kFrom + kTo);
+    const Volume<float> phi = oneVessel();
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
+    for (const auto& [slope, moved] : {std::pair{0.15, false}, std::pair{0.3, true}}) {
+      GivenCut cut;
+      cut.pointLps = middle + 4.4 * aside;
+      cut.normalLps = slope * axis + std::sqrt(1.0 - slope * slope) * aside;
+      const CutPlane plane = placeCut(field, phi, cut);
+      const Vector3d way = plane.pointLps - middle;
+      QVERIFY((way - way.dot(axis) * axis).norm() < 0.3);
+      if (moved)
+        QVERIFY(std::abs((plane.pointLps - cut.pointLps).dot(*cut.normalLps)) < 1e-9);
+      else
+        QVERIFY(std::abs(way.dot(axis)) < 0.5);
+    }
+  }
+
   void endsAreCutByThemselves() {
     std::vector<std::string> remarks;
     const CutAway away = made(oneVessel(), {{}, 2.0}, remarks);
