@@ -122,6 +122,8 @@ class TestMeshQuality : public QObject {
     QVERIFY(near(t.minAngleMin, 45.0, 1e-12) && near(t.maxAngleMax, 90.0, 1e-12));
     // Both parts of the definition give a quarter: 30 / 120 and 15 / 60.
     QVERIFY(near(t.skewnessMax, 0.25, 1e-12));
+    // Three such triangles and an equilateral one.
+    QVERIFY(near(t.skewnessMean, 0.75 / 4.0, 1e-11));
     QVERIFY(near(t.edgeMinMm, 1.0, 1e-15) && near(t.edgeMaxMm, std::sqrt(2.0), 1e-15));
     QVERIFY(near(t.edgeMeanMm, (3.0 + 3.0 * std::sqrt(2.0)) / 6.0, 1e-14));
     const MeshQuality c = measureQuality(shapes::cube());
