@@ -4,8 +4,9 @@
 # Key and change are random numbers that follow from `seed`, the file's name and the line.
 # Counts on the layout of .clang-format: binary operators stand between spaces, template brackets do
 # not. Strings and comments stay as they are, and so do exceptions, progress and the grains of threads;
-# and what as a rule changes nothing but speed: < for <= between numbers that are not counted, twice or
-# half of a number that only keeps from dividing by 0, one more of many, masks of bits, and fetching.
+# what as a rule changes nothing but speed: < for <= between numbers that are not counted, what is done
+# with a tolerance of rounding (1e-6 or less), one more of many, how often something is tried, masks of
+# bits, and fetching; and the ranges of sliders, which no result depends on.
 
 BEGIN {
   for (i = 1; i < 256; ++i) code[sprintf("%c", i)] = i
@@ -51,6 +52,16 @@ function masked(s,  i, c, out, quote) {
   }
   while (length(out) < length(s)) out = out "\001"
   return out
+}
+
+# The line with its tolerances, and the signs that they are added or multiplied by, masked, too.
+function withoutTolerances(s,  i, hidden) {
+  while (match(s, /( [-+*\/] )?[0-9][0-9.]*e-([6-9]|[1-9][0-9])F?( \* )?/)) {
+    hidden = ""
+    for (i = 0; i < RLENGTH; ++i) hidden = hidden "\001"
+    s = substr(s, 1, RSTART - 1) hidden substr(s, RSTART + RLENGTH)
+  }
+  return s
 }
 
 function add(text) { if (text != line) choice[choices++] = text }
@@ -136,7 +147,7 @@ function statements(  at, end) {
 FNR == 1 { thrown = 0; listed = 0 }
 {
   line = $0
-  text = masked(line)
+  text = withoutTolerances(masked(line))
   code_ = text; gsub(/\001/, "", code_)
   if (thrown) { if (code_ ~ /; *$/) thrown = 0; next }
   if (code_ ~ /^ *throw / || code_ ~ /(Error|snprintf)\(/) {
@@ -145,7 +156,8 @@ FNR == 1 { thrown = 0; listed = 0 }
   }
   if (code_ ~ /^ *$|^ *#|^ *(using|namespace|template|class|struct|friend|static_assert|enum)[ <(]/) next
   if (code_ ~ /[Pp]rogress|parallelFor|reserve\(|operator|[Ww]arn/ ||
-      code_ ~ /[Gg]rain|constexpr .*[Bb]lock|0x|fetch\(/) next
+      code_ ~ /[Gg]rain|constexpr .*[Bb]lock|0x|fetch\(|\.slider\(/ ||
+      code_ ~ /constexpr (int|std::size_t) [a-z]*([Tt]ries|[Aa]ttempts|[Rr]ounds|[Ss]teps)/) next
   choices = 0
   operators()
   numbers()
