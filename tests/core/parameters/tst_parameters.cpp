@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "core/base/error.h"
@@ -10,6 +11,27 @@
 
 using namespace angiomesh;
 using angiomesh::test::randomValue;
+
+namespace {
+
+/// The cells of the rows of docs/parameters.md: key, three presets, what is allowed, unit, meaning.
+std::vector<std::vector<std::string>> documentedRows() {
+  std::vector<std::vector<std::string>> rows;
+  std::ifstream page(ANGIOMESH_SOURCE_DIR "/docs/parameters.md");
+  for (std::string line; std::getline(page, line);) {
+    if (line.compare(0, 3, "| `") != 0) continue;
+    rows.emplace_back();
+    for (std::size_t at = 2; at < line.size();) {
+      const std::size_t end = line.find(" |", at);
+      if (end == std::string::npos) break;
+      rows.back().push_back(line.substr(at, end - at));
+      at = end + 3;
+    }
+  }
+  return rows;
+}
+
+}  // namespace
 
 class TestParameters : public QObject {
   Q_OBJECT
@@ -22,6 +44,57 @@ class TestParameters : public QObject {
       QVERIFY(!field.help.empty());
       QVERIFY(field.kind == FieldKind::Choice || field.kind == FieldKind::Texts ||
               field.minimum < field.maximum);
+    }
+  }
+
+  // What people read is what the table holds, and what is taken ends where the page says.
+  void thePageSaysWhatIsTaken() {
+    const auto rows = documentedRows();
+    QCOMPARE(rows.size(), parameterFields().size());
+    const std::vector<std::string> presets = presetNames();
+    for (std::size_t n = 0; n < rows.size(); ++n) {
+      const std::vector<std::string>& row = rows[n];
+      const Field& field = parameterFields()[n];
+      QCOMPARE(row[0], "`" + field.key + "`");
+      for (std::size_t p = 0; p < presets.size(); ++p) {
+        Parameters written = preset(presets[p]);
+        // So that it is known to be set.
+        field.put(written, randomValue(field, n));
+        setFieldFromText(written, field.key, row[1 + p]);
+        QVERIFY2(field.get(written) == field.get(preset(presets[p])), field.key.c_str());
+      }
+      QCOMPARE(row[2 + presets.size()], field.unit);
+      QCOMPARE(row[3 + presets.size()], field.help);
+      if (field.kind != FieldKind::Integer && field.kind != FieldKind::Real) continue;
+      const std::string& allowed = row[1 + presets.size()];
+      const double low = std::stod(allowed),
+                   high = std::stod(allowed.substr(allowed.find("to ") + 3));
+      const auto taken = [&](double value) {
+        Parameters params;
+        FieldValue number = value;
+        if (field.kind == FieldKind::Integer) number = static_cast<std::int64_t>(value);
+        return messageOf([&] { setField(params, field.key, number); }).empty();
+      };
+      const double beyond = field.kind == FieldKind::Integer ? 1.0 : 1e-3 * (high - low);
+      QVERIFY2(taken(low) && taken(high), field.key.c_str());
+      QVERIFY2(
+          (!taken(low - beyond) || (field.zeroIsEmpty && low == beyond)) && !taken(high + beyond),
+          field.key.c_str());
+    }
+  }
+
+  // A slider, and what a form begins with, lie in the range.
+  void slidersLieInTheirRanges() {
+    const Parameters usual;
+    FieldContext context;
+    context.largestValue = 40.0;
+    for (const Field& field : parameterFields()) {
+      if (field.kind != FieldKind::Integer && field.kind != FieldKind::Real) continue;
+      const auto [low, high] = sliderRange(field, context);
+      QVERIFY2(low < high, field.key.c_str());
+      QVERIFY(low >= field.minimum && high <= field.maximum);
+      Parameters suggested;
+      setField(suggested, field.key, suggestedValue(field, usual, context));
     }
   }
 
