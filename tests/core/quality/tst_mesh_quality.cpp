@@ -124,6 +124,10 @@ class TestMeshQuality : public QObject {
     QVERIFY(near(t.skewnessMax, 0.25, 1e-12));
     // Three such triangles and an equilateral one.
     QVERIFY(near(t.skewnessMean, 0.75 / 4.0, 1e-11));
+    // Of one with three different angles the smallest counts.
+    const MeshQuality right = measureQuality({{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
+    const double smallest = std::atan2(3, 4) * 180 / shapes::pi;
+    QVERIFY(near(right.skewnessMax, (60.0 - smallest) / 60.0, 1e-11));
     QVERIFY(near(t.edgeMinMm, 1.0, 1e-15) && near(t.edgeMaxMm, std::sqrt(2.0), 1e-15));
     QVERIFY(near(t.edgeMeanMm, (3.0 + 3.0 * std::sqrt(2.0)) / 6.0, 1e-14));
     const MeshQuality c = measureQuality(shapes::cube());
