@@ -11,8 +11,7 @@
 #include "core/smooth/smoothing.h"
 #include "core/surface/facing_check.h"
 #include "core/surface/zero_set_mesh.h"
-#include "tests/core/analytic.h"
-#include "tests/core/mesh_shapes.h"
+#include "tests/core/surface/surface_bed.h"
 #include "tests/core/threads.h"
 
 using namespace angiomesh;
@@ -201,14 +200,6 @@ class TestSoundSurface : public QObject {
     Volume<float> turned = phi;
     std::reverse(turned.voxels.begin(), turned.voxels.end());
     const Vector3d centre = analytic::centreOf(phi.geometry);
-    const auto patchOf = [](const TriMesh& mesh) {
-      PatchMesh patch;
-      patch.mesh = mesh;
-      patch.patch.assign(mesh.triangles.size(), 0);
-      patch.place.assign(mesh.points.size(), Place::onWall());
-      patch.origin.assign(mesh.triangles.size(), FaceOrigin::Front);
-      return patch;
-    };
     TriMesh mesh = shapes::icosphere(3);
     for (Vector3d& p : mesh.points) p = centre + 2.7 * p;
     TriMesh other = mesh;
@@ -219,6 +210,37 @@ class TestSoundSurface : public QObject {
     QVERIFY(one.size() > 50);
     QCOMPARE(one.size(), two.size());
     for (std::size_t i = 0; i < one.size(); ++i) QCOMPARE(one[i].triangle, two[i].triangle);
+  }
+
+  // In noise the reference's own triangles are left in the end. They meet nothing, as each stays in
+  // its cell, with corners on the grid's edges that keep away from the grid's vertices.
+  void theReferenceIsLeftInTheEnd() {
+    const SurfaceBed bed(fieldNamed("noise"), SurfaceBorder::Cap, 1.2);
+    const SoundSurface sound = bed.sound(bed.grown());
+    QVERIFY(findFaults(sound.mesh.mesh, true).none());
+    std::size_t contours = 0;
+    double least = 0.5;
+    for (std::size_t t = 0; t < sound.mesh.group.size(); ++t) {
+      const SurfaceGroup& group = sound.groups[sound.mesh.group[t]];
+      QVERIFY(group.faults.empty());
+      if (group.method != SurfaceMethod::MarchingCubes || sound.mesh.patch[t] != 0) continue;
+      QVERIFY(!group.instead.empty());
+      QVERIFY(sound.mesh.origin[t] == FaceOrigin::Contour);
+      ++contours;
+      for (const std::uint32_t v : sound.mesh.mesh.triangles[t]) {
+        const Vector3d index = bed.field.geometry().toIndex(sound.mesh.mesh.points[v]);
+        int between = 0;
+        for (int a = 0; a < 3; ++a) {
+          const double off = std::fabs(index[a] - std::round(index[a]));
+          if (off < 1e-9) continue;
+          ++between;
+          least = std::min(least, off);
+        }
+        QCOMPARE(between, 1);
+      }
+    }
+    QVERIFY(contours > 100);
+    QVERIFY2(least > 0.1 && least < 0.15, qPrintable(QString::number(least)));
   }
 
   // A part too thin for the edges that are asked for is made of shorter ones.

@@ -318,6 +318,38 @@ class TestSurfaceCheck : public QObject {
     for (const SurfaceComponent& c : check.components) QVERIFY2(c.verified, c.why.c_str());
   }
 
+  // What the front misses of a part is a detail, or too much of it: then all of it is remeshed.
+  void aPartThatIsMissedByMuchIsMadeAnew() {
+    const auto made = [](double radius, double share, std::size_t least) {
+      SurfaceBed bed(ballsField({{kCentre, radius}}, analytic::cube(32)));
+      // Places of the same component that the mesh is not near, so many for each of it.
+      const std::size_t all = bed.landmarks.points.size();
+      const auto missed =
+          std::max(static_cast<std::size_t>(share * static_cast<double>(all)), least);
+      for (std::size_t i = 0; i < missed; ++i) {
+        FrontPoint far = bed.landmarks.points[0];
+        far.point += Vector3d(100.0, 0.0, 0.01 * static_cast<double>(i));
+        bed.landmarks.points.push_back(far);
+        bed.landmarks.valid.push_back(1);
+        bed.landmarks.component.push_back(bed.landmarks.component[0]);
+      }
+      return bed.sound(ballPatch(kCentre, radius, 3));
+    };
+    const auto remeshed = [&](double radius, double share, std::size_t least) {
+      const SoundSurface sound = made(radius, share, least);
+      const SurfaceGroup& group = sound.groups.front();
+      return sound.groups.size() == 1 && sound.changed && group.faults.empty() &&
+             group.method == SurfaceMethod::Remesh && !group.instead.empty() &&
+             findFaults(sound.mesh.mesh, true).none();
+    };
+    // A quarter of all is a third of the others.
+    QVERIFY(!made(kRadius, 0.3, 0).changed);
+    QVERIFY(remeshed(kRadius, 0.37, 0));
+    // Of a small part that may be a few dozen.
+    QVERIFY(!made(0.9, 0.0, 35).changed);
+    QVERIFY(remeshed(0.9, 0.0, 50));
+  }
+
   // A part that no component of the zero set belongs to goes, and that is said.
   void whatBelongsToNothingIsDropped() {
     const SurfaceBed& bed = oneBall();
