@@ -78,11 +78,11 @@ bool canCut(const SplineField& field, const CutPlane& plane) {
   }
 }
 
-/// On the way from a vessel's centre along its axis the first place where it can be cut across.
+/// On the way from a place along a vessel the first one where it can be cut across.
 class Walk {
  public:
-  Walk(const LocalVessel& start, double turn, double stepMm)
-      : place_(start.centreLps), ahead_(turn * start.axisLps), step_(stepMm) {}
+  Walk(const CutPlane& start, double stepMm)
+      : place_(start.pointLps), ahead_(start.normalLps), step_(stepMm) {}
 
   std::optional<CutPlane> next(const SplineField& field) {
     place_ += step_ * ahead_;
@@ -126,7 +126,7 @@ std::optional<CutPlane> nearestAcross(const SplineField& field, const Volume<flo
     const CutPlane here{vessel->centreLps, vessel->axisLps};
     if (canCut(field, here)) return here;
     const double step = std::max(0.25 * vessel->radiusMm, 0.5 * field.geometry().voxelMm());
-    Walk forward(*vessel, 1.0, step), backward(*vessel, -1.0, step);
+    Walk forward(here, step), backward({here.pointLps, -here.normalLps}, step);
     for (double gone = 0.0; gone < kMostRadii * vessel->radiusMm; gone += step)
       for (Walk* walk : {&forward, &backward})
         if (const std::optional<CutPlane> plane = walk->next(field)) return plane;
