@@ -178,6 +178,28 @@ class TestSurfaceStep : public QObject {
     QVERIFY(near(rough.smoothTriangles, perArea * 2.0 * M_PI * 43.0 / 4.5, 0.2));
   }
 
+  void partsAndSpecksAreCounted() {
+    const Volume<float> phi = analytic::clamped(analytic::cube(36), [](const Eigen::Vector3d& x) {
+      return std::min({analytic::ball(x, {10.2, 10.1, 10.3}, 6.0),
+                       analytic::ball(x, {26.1, 25.8, 26.2}, 4.0),
+                       analytic::ball(x, {8.0, 28.2, 28.1}, 1.2)});
+    });
+    const SurfaceParams params = plain();
+    const SplineField field(phi, params.spline);
+    const ExpectedSurface all = expectSurface(phi, field, params);
+    QCOMPARE(all.parts, 3);
+    // Less than a hundredth of the largest part; balls have as many triangles, whatever their size.
+    QCOMPARE(all.specks, 1);
+    QVERIFY(isNear(all.speckTriangles / all.smoothTriangles, 1.0 / 3.0, 0.2));
+    std::vector<SegmentComponent> components = allComponents(phi);
+    QCOMPARE(components.size(), std::size_t{3});
+    components[1].kept = false;
+    const GuidanceField size(field, params.sizing);
+    const ExpectedSurface kept = expectSurface(field, size, params, components);
+    QCOMPARE(kept.parts, 2);
+    QVERIFY(kept.smoothTriangles < 0.8 * all.smoothTriangles);
+  }
+
   void aBlobOfNoiseIsRoughAtTheDefaultSize() {
     Volume<float> phi(analytic::cube(28));
     for (std::size_t n = 0; n < phi.voxels.size(); ++n) {
