@@ -56,7 +56,7 @@ function masked(s,  i, c, out, quote) {
 
 # The line with its tolerances, and the signs that they are added or multiplied by, masked, too.
 function withoutTolerances(s,  i, hidden) {
-  while (match(s, /( [-+*\/] )?[0-9][0-9.]*e-([6-9]|[1-9][0-9])F?( \* )?/)) {
+  while (match(s, /( [-+*\/] )?[0-9][0-9.]*e-([6-9]|[1-9][0-9])F?( [*\/] [A-Za-z0-9_.]+[^ ;,]*)*/)) {
     hidden = ""
     for (i = 0; i < RLENGTH; ++i) hidden = hidden "\001"
     s = substr(s, 1, RSTART - 1) hidden substr(s, RSTART + RLENGTH)
