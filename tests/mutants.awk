@@ -157,7 +157,7 @@ FNR == 1 { thrown = 0; listed = 0 }
   if (code_ ~ /^ *$|^ *#|^ *(using|namespace|template|class|struct|friend|static_assert|enum)[ <(]/) next
   if (code_ ~ /[Pp]rogress|parallelFor|reserve\(|operator|[Ww]arn/ ||
       code_ ~ /[Gg]rain|constexpr .*[Bb]lock|0x|fetch\(|\.slider\(/ ||
-      code_ ~ /constexpr (int|std::size_t) [a-z]*([Tt]ries|[Aa]ttempts|[Rr]ounds|[Ss]teps)/) next
+      code_ ~ /constexpr (int|std::size_t) [A-Za-z]*([Tt]ries|[Aa]ttempts|[Rr]ounds|[Ss]teps)/) next
   choices = 0
   operators()
   numbers()
