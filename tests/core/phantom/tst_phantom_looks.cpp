@@ -187,7 +187,11 @@ class TestPhantomLooks : public QObject {
     const Geometry& g = phantom.image.geometry;
     double blobs = 0.0;
     for (const ClutterPiece& piece : phantom.pieces) {
-      if (piece.kind == "blob") blobs += M_PI / 6.0 * std::pow(piece.to[0] - piece.from[0], 3);
+      if (piece.kind == "blob") {
+        blobs += M_PI / 6.0 * std::pow(piece.to[0] - piece.from[0], 3);
+        // To be taken for a vessel, which has 255.
+        QVERIFY(piece.intensity >= 180.0 && piece.intensity <= 255.0);
+      }
       if (piece.kind != "slab") continue;
       const int k = static_cast<int>(std::lround(0.5 * (piece.from[2] + piece.to[2])));
       QCOMPARE(phantom.image.at(0, g.size[1] - 1, k), static_cast<float>(piece.intensity));
