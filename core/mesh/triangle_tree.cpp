@@ -95,7 +95,7 @@ TriangleTree::Closest TriangleTree::closest(const Eigen::Vector3d& point) const 
       const double squared = (on - point).squaredNorm();
       if (squared < bestSquared) {
         bestSquared = squared;
-        best = {order_[i], on, w, 0.0};
+        best = {order_[i], on, w};
       }
     }
   }
