@@ -475,6 +475,17 @@ class TestMeshForeign : public QObject {
     QCOMPARE(loaded.mesh.triangles.size(), std::size_t{4});
     QVERIFY(loaded.frameStated && loaded.frame == Frame::Ras);
     QVERIFY(std::fabs(enclosedVolumeMm3(loaded.mesh) - 1.0 / 6.0) < 1e-12);
+    QVERIFY(!loaded.hasNormals);
+    save(folder / "n.off",
+         "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n3 0 2 1\n");
+    const LoadedMesh more = loadMesh(folder / "n.off");
+    QVERIFY(more.hasNormals);
+    QVERIFY(more.mesh.points[1] == Eigen::Vector3d::UnitX());
+    QVERIFY(more.mesh.points[2] == Eigen::Vector3d::UnitY());
+    QCOMPARE(more.mesh.triangles.size(), std::size_t{1});
+    QVERIFY(std::any_of(more.warnings.begin(), more.warnings.end(), [](const std::string& warning) {
+      return warning.find("goes on after its last face") != std::string::npos;
+    }));
     for (const char* text :
          {"OFF\n4 1 0\n0 0 0\n", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "OFF BINARY\n",
           "4OFF\n1 0 0\n0 0 0 0\n", "OFF\n-1 0 0\n", "OFF\n1e30 1 0\n", "OFF\n"}) {
