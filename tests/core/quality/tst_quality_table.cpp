@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "core/quality/quality_json.h"
 #include "core/quality/quality_table.h"
 #include "tests/core/mesh_shapes.h"
 
@@ -140,16 +140,14 @@ class TestQualityTable : public QObject {
   void reportsNestTheMeasures() {
     MeshQuality q = faultless();
     q.vertexDeviation = DeviationStats{0.25, 0.5, 0.75};
-    const QJsonObject block =
-        QJsonDocument::fromJson(QByteArray::fromStdString(qualityBlock(q))).object();
-    QCOMPARE(block["triangles"].toInt(), 20);
-    QVERIFY(block["closed"].isBool() && block["closed"].toBool());
-    QVERIFY(std::fabs(block["min_angle_deg"].toObject()["min"].toDouble() - 60.0) < 1e-9);
-    const QJsonObject vertex = block["deviation"].toObject()["vertex"].toObject();
-    QCOMPARE(vertex["mean_mm"].toDouble(), 0.25);
-    QCOMPARE(vertex["max_mm"].toDouble(), 0.75);
+    const auto block = qualityJson<nlohmann::ordered_json>(q);
+    QCOMPARE(block["triangles"].get<int>(), 20);
+    QVERIFY(block["closed"].is_boolean() && block["closed"].get<bool>());
+    QVERIFY(std::fabs(block["min_angle_deg"]["min"].get<double>() - 60.0) < 1e-9);
+    QCOMPARE(block["deviation"]["vertex"]["mean_mm"].get<double>(), 0.25);
+    QCOMPARE(block["deviation"]["vertex"]["max_mm"].get<double>(), 0.75);
     QVERIFY(!block.contains("from_front_percent") && !block.contains("roughness"));
-    QVERIFY(!block["deviation"].toObject().contains("centroid"));
+    QVERIFY(!block["deviation"].contains("centroid"));
   }
 };
 
