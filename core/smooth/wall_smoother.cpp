@@ -73,6 +73,7 @@ Eigen::Vector3d WallGround::toWall(const Place& place, const Wall::Sample& s, do
   Vector3d way = s.normal;
   if (place.planes() > 0) {
     const Vector3d& plane = planeNormal(place.firstPlane());
+    if (plane.isZero()) return Vector3d::Zero();
     way -= way.dot(plane) * plane;
   }
   const double share = way.squaredNorm();
@@ -115,22 +116,21 @@ WallSmoother::WallSmoother(const WallPlaces& places, const WallGround& ground, c
 
 TriMesh WallSmoother::run() {
   const std::vector<double> before = wallOffsets();
+  active_.assign(points_.size(), 1);
   constexpr int sweepsBetweenFlips = 5;
   const int sweeps = params_.iterations;
   for (int done = 0; done < sweeps; done += sweepsBetweenFlips) {
+    const bool near = approach();
     relax(std::min(sweepsBetweenFlips, sweeps - done), 0.01);
     // Even valences first, as they let the vertices spread; angles in the end.
     const bool early = done < 2 * sweepsBetweenFlips && done + 2 * sweepsBetweenFlips < sweeps;
-    if (flipEdges(early ? FlipBy::Valence : FlipBy::Shape, false) == 0 && !early) break;
+    if (flipEdges(early ? FlipBy::Valence : FlipBy::Shape, false) == 0 && !early && near) break;
     progress_.report(0.7 * std::min(done + sweepsBetweenFlips, sweeps) / sweeps);
   }
   repair();
   finish();
   progress_.report(0.9);
-  for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    points_[v] = mesh_.point(v);
-    normals_[v] = mesh_.normal(v);
-  }
+  fetch();
   std::vector<double> given(points_.size(), 0.0);
   for (int i = 0; i < 2; ++i) restoreOffsets(before, given);
   enforceBound();
@@ -138,6 +138,43 @@ TriMesh WallSmoother::run() {
   result.points = points_;
   for (std::uint32_t t = 0; t < result.triangles.size(); ++t) result.triangles[t] = corners(t);
   return result;
+}
+
+// Brings the rims that are held in planes nearer to the wall, as far as their triangles let them:
+// relaxation leaves vertices that start far from it where they are, and of marching cubes those of
+// caps do where the wall runs along the plane. True when none went far.
+bool WallSmoother::approach() {
+  constexpr double longestStep = 0.25, shortStep = 0.02;  // units
+  fetch();
+  const double longest = longestStep * wall_.unitMm();
+  std::vector<Vector3d> moved = points_;
+  parallelForEach(points_.size(), blockSize, progress_, [&](std::size_t i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    if (freedom(v) == 0 || !mesh_.place(v).wall || mesh_.place(v).planes() == 0) return;
+    const Wall::Sample s = wall_.at(points_[v]);
+    if (s.normal.isZero()) return;
+    const Vector3d step = wallGround_.toWall(mesh_.place(v), s, 0.0);
+    const double length = step.norm();
+    moved[v] += length > longest ? Vector3d(longest / length * step) : step;
+  });
+  accept(moved, {});
+  bool near = true;
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    const double gone = (points_[v] - mesh_.point(v)).norm();
+    if (!(gone > 0.0)) continue;
+    near = near && gone < shortStep * wall_.unitMm();
+    mesh_.set(v, points_[v], wall_.at(points_[v]).normal, mesh_.size(v));
+    active_[v] = 1;
+  }
+  return near;
+}
+
+// The places that the engine has given the vertices.
+void WallSmoother::fetch() {
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    points_[v] = mesh_.point(v);
+    normals_[v] = mesh_.normal(v);
+  }
 }
 
 WallSmoother::Fitness WallSmoother::fitness(std::uint32_t t,

@@ -33,7 +33,7 @@ class WallGround final : public RemeshGround {
   [[nodiscard]] double unitMm() const override { return wall_.unitMm(); }
 
   /// The step from where `s` was taken to the surface at `offset` from the wall, in the place's
-  /// plane; 0 where the plane is along the wall.
+  /// plane; 0 where the plane is along the wall, and on a line.
   [[nodiscard]] Vector3d toWall(const Place& place, const Wall::Sample& s, double offset) const;
 
  private:
@@ -74,6 +74,8 @@ class WallSmoother : private RemeshWorker {
   }
   [[nodiscard]] Fitness fitness(std::uint32_t t, const std::vector<Vector3d>& at) const;
   void accept(std::vector<Vector3d>& moved, const Limits& limits);
+  void fetch();
+  bool approach();
   void spread(std::vector<double>& values) const;
   [[nodiscard]] std::vector<double> wallOffsets() const;
   void restoreOffsets(const std::vector<double>& before, std::vector<double>& given);
@@ -83,7 +85,7 @@ class WallSmoother : private RemeshWorker {
   const WallGround& wallGround_;
   const Wall& wall_;
   const SmoothParams& params_;
-  std::vector<Vector3d> points_;   ///< of the vertices, once the triangles are settled
+  std::vector<Vector3d> points_;   ///< of the vertices, where all of them move at once
   std::vector<Vector3d> normals_;  ///< of the wall there
 };
 

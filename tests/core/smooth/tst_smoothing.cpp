@@ -265,6 +265,34 @@ class TestSmoothing : public QObject {
     QVERIFY(onCaps > 50);
   }
 
+  // Where the border runs along a vessel marching cubes ends it far inside the wall.
+  void rimsOfCapsComeToTheWall() {
+    Geometry g;
+    g.size = {30, 18, 14};
+    g.spacing.setConstant(0.5);
+    const double radius = 2.0;
+    const Scene scene(g, [&](const Vector3d& p) {
+      return std::hypot(p.y() - 4.3, p.z() + 0.7 - 0.05 * p.x()) - radius;
+    });
+    const TriMesh smooth = keepWallSmooth(scene.mesh, {}, scene.field.get());
+    const auto capArea = [&](const TriMesh& mesh) {
+      double area = 0.0;
+      for (const auto& t : mesh.triangles) {
+        const Vector3d &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+        if (std::max({a.z(), b.z(), c.z()}) < -0.24) area += 0.5 * (b - a).cross(c - a).norm();
+      }
+      return area;
+    };
+    // Half a voxel beyond the border the wall goes on straight from there.
+    double truth = 0.0;
+    for (int i = 0; i < 2900; ++i) {
+      const double depth = 0.7 - 0.05 * (0.005 * i);
+      truth += 0.005 * 2.0 * std::sqrt(radius * radius - depth * depth);
+    }
+    QVERIFY(capArea(scene.mesh) < 0.95 * truth);
+    QVERIFY(isNear(capArea(smooth) / truth, 1.0, 0.01));
+  }
+
   void openRimsStayInTheirPlane() {
     const Scene scene = tubeScene(3.0, SurfaceBorder::Open);
     const Geometry& g = scene.phi.geometry;
