@@ -49,6 +49,19 @@ class TestWallMeasures : public QObject {
     verifyClose(ball.areaMm2, 36.0 * pi, 2e-4);
   }
 
+  // The blocks that are measured at once reach the border of a grid of any size.
+  void aVesselIsMeasuredToTheBorderOfAnyGrid() {
+    for (int n = 17; n < 26; ++n) {
+      const Geometry g = analytic::cube(n);
+      const Eigen::Vector3d c = analytic::centreOf(g);
+      const auto phi = analytic::sampled(g, [&](const Eigen::Vector3d& x) {
+        return ((x - c).head<2>().squaredNorm() - 16.0) / 8.0;
+      });
+      const ZeroSetMeasure tube = measureZeroSet(SplineField(phi, SplineKind::CatmullRom));
+      verifyClose(tube.areaMm2, 8.0 * pi * (n - 1), 1e-3);
+    }
+  }
+
   void theBorderCutsAVesselWithoutAddingToTheWall() {
     const Geometry g = analytic::cube(20);
     const Eigen::Vector3d c = analytic::centreOf(g);
