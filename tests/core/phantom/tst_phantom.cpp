@@ -250,6 +250,20 @@ class TestPhantom : public QObject {
     QCOMPARE(connectedComponents(phantom.truth).sizes.size(), std::size_t{1});
   }
 
+  // Its radii are given for a radius of 4.
+  void capsulesAreAsThickAsAsked() {
+    for (const double radius : {3.0, 4.0, 5.0}) {
+      PhantomParams params = paramsOf(PhantomKind::CapsuleTree, 96);
+      params.radius = radius;
+      const Phantom phantom = makePhantom(params);
+      const double voxel = phantom.truth.geometry.voxelMm();
+      const CentreLineSegment& trunk = phantom.centreLines[0];
+      QVERIFY(std::abs(trunk.radiusFromMm - 6.0 * radius / 4.0 * voxel) < 1e-9);
+      QVERIFY(std::abs(trunk.radiusToMm - 5.0 * radius / 4.0 * voxel) < 1e-9);
+      QVERIFY(std::abs(phantom.centreLines[8].radiusToMm - 1.5 * radius / 4.0 * voxel) < 1e-9);
+    }
+  }
+
   void capsuleTreeHasOneHandle() {
     for (const Vector3d& axis : {Vector3d(0, 0, 1), Vector3d(-1, 2, 0.7)}) {
       PhantomParams params = paramsOf(PhantomKind::CapsuleTree, 72);

@@ -265,6 +265,27 @@ class TestSmoothing : public QObject {
     QVERIFY(onCaps > 50);
   }
 
+  void capsThatMeetStayInTheirPlanes() {
+    Geometry g;
+    g.size = {20, 20, 20};
+    const Scene scene(g,
+                      [](const Vector3d& p) { return (p - Vector3d(1.3, 2.2, 9.6)).norm() - 5.4; });
+    const TriMesh smooth = keepWallSmooth(scene.mesh, {}, scene.field.get());
+    int held = 0;
+    for (std::size_t v = 0; v < smooth.points.size(); ++v) {
+      const Vector3d before = scene.mesh.points[v], after = smooth.points[v];
+      const bool x = before.x() < -0.25, y = before.y() < -0.25;
+      if (x) QVERIFY(std::abs(after.x() - before.x()) < 1e-9);
+      if (y) QVERIFY(std::abs(after.y() - before.y()) < 1e-9);
+      held += x || y ? 1 : 0;
+    }
+    QVERIFY(held > 50);
+    const MeshQuality q = measureQuality(smooth);
+    QVERIFY(q.closed && q.oriented);
+    QCOMPARE(q.selfIntersections, std::size_t{0});
+    QVERIFY(isAbove(q.minAngleMean, measureQuality(scene.mesh).minAngleMean + 10.0));
+  }
+
   // Where the border runs along a vessel marching cubes ends it far inside the wall.
   void rimsOfCapsComeToTheWall() {
     Geometry g;
