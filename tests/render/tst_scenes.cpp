@@ -412,15 +412,15 @@ class TestScenes : public QObject {
       QVERIFY(brightest[half] > 200);
     }
     QVERIFY(darkest < 150);  // shaded, not flat
-    QVERIFY_EXCEPTION_THROWN(renderSurfacePicture(TriMesh(), nullptr, 100, 100), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, renderSurfacePicture(TriMesh(), nullptr, 100, 100));
   }
 
   void pictureWithoutADisplaySaysSo() {
     const QByteArray display = qgetenv("DISPLAY");
     qputenv("DISPLAY", ":7913");
-    QVERIFY_EXCEPTION_THROWN(renderSurfacePicture(ball({0, 0, 0}, 1.0), nullptr, 64, 64), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, renderSurfacePicture(ball({0, 0, 0}, 1.0), nullptr, 64, 64));
     qunsetenv("DISPLAY");
-    QVERIFY_EXCEPTION_THROWN(renderSurfacePicture(ball({0, 0, 0}, 1.0), nullptr, 64, 64), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, renderSurfacePicture(ball({0, 0, 0}, 1.0), nullptr, 64, 64));
     qputenv("DISPLAY", display);
   }
 };

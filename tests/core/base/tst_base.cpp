@@ -86,7 +86,7 @@ class TestBase : public QObject {
     QCOMPARE(whole.fraction(), 0.75);
     whole.cancel();
     QVERIFY(second.cancelled());
-    QVERIFY_EXCEPTION_THROWN(second.report(0.9), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, second.report(0.9));
   }
 
   void parallelForVisitsEachItemOnceAndPassesExceptionsOn() {
@@ -97,8 +97,8 @@ class TestBase : public QObject {
     });
     QCOMPARE(visits[0].load(), 0);
     for (std::size_t i = 1; i < 1001; ++i) QCOMPARE(visits[i].load(), 1);
-    QVERIFY_EXCEPTION_THROWN(
-        parallelFor(0, 100, 1, [](std::size_t, std::size_t) { throw Cancelled(); }), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(
+        Cancelled, parallelFor(0, 100, 1, [](std::size_t, std::size_t) { throw Cancelled(); }));
   }
 
   void errorsAreOneLine() {

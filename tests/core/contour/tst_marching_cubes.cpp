@@ -221,9 +221,8 @@ class TestMarchingCubes : public QObject {
   void cancels() {
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(
-        marchingCubes(shapes::noise({8, 8, 8}, 1), SurfaceBorder::Cap, progress),
-        angiomesh::Cancelled);
+    QVERIFY_THROWS_EXCEPTION(angiomesh::Cancelled, marchingCubes(shapes::noise({8, 8, 8}, 1),
+                                                                 SurfaceBorder::Cap, progress));
   }
 };
 

@@ -337,15 +337,15 @@ class TestBorderPorts : public QObject {
     for (const char* text :
          {"border_1", "=a", "border_1=", "border_1=wall", "border_1=border_2", "border_1=a b",
           "border 1=a", "border_1;b=a", "\xff=a", "1,2=a", "1,2,x=a", "1,2,3,4=a"})
-      QVERIFY_EXCEPTION_THROWN(setField(all, "ports.names", std::vector<std::string>{text}),
-                               InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError,
+                               setField(all, "ports.names", std::vector<std::string>{text}));
     for (const char* text : {"border_1=a;border_2=a", "border_1=a;border_1=b"}) {
       setFieldFromText(all, "ports.names", text);
-      QVERIFY_EXCEPTION_THROWN(validate(all), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, validate(all));
     }
     setFieldFromText(all, "ports.names", "border_1=a");
     setFieldFromText(all, "ports.cuts", "1,2,3,a");
-    QVERIFY_EXCEPTION_THROWN(validate(all), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, validate(all));
   }
 };
 

@@ -257,7 +257,7 @@ class TestCuts : public QObject {
     QCOMPARE(mesh.components[0].euler, 2);
     const double volume = 0.75 * 2.0 * shapes::pi * shapes::pi * 11.0 * 3.6 * 3.6;
     QVERIFY(std::abs(volumeOf(mesh) / volume - 1.0) < 0.04);
-    QVERIFY_EXCEPTION_THROWN(Cut(ring(), {east}), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Cut(ring(), {east}));
   }
 
   // Neither the voxels nor the mesh of the vessel beside are touched.

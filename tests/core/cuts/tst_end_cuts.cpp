@@ -126,9 +126,9 @@ class TestEndCuts : public QObject {
   void distancesHaveToMakeSense() {
     const Skeleton none;
     const SplineField phi(Volume<float>(cube(4), 1.0F), SplineKind::InterpolatingBspline);
-    QVERIFY_EXCEPTION_THROWN(proposeEndCuts(none, phi, -1.0), InputError);
-    QVERIFY_EXCEPTION_THROWN(proposeEndCuts(none, phi, std::numeric_limits<double>::quiet_NaN()),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, proposeEndCuts(none, phi, -1.0));
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             proposeEndCuts(none, phi, std::numeric_limits<double>::quiet_NaN()));
     QVERIFY(proposeEndCuts(none, phi, 2.0).cuts.empty());
   }
 };

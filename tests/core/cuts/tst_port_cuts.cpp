@@ -110,8 +110,8 @@ class TestPortCuts : public QObject {
         QString::fromStdString(messageOf([&] { parseCut(text.toStdString()); }));
     QVERIFY2(message.contains(why), qPrintable(message));
     Parameters params;
-    QVERIFY_EXCEPTION_THROWN(setField(params, "ports.cuts", std::vector{text.toStdString()}),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             setField(params, "ports.cuts", std::vector{text.toStdString()}));
   }
 
   void namesAreDifferent() {

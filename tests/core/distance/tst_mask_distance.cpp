@@ -172,12 +172,12 @@ class TestMaskDistance : public QObject {
   void emptyAndFullMasksAreRefused() {
     Geometry g;
     g.size = {8, 8, 8};
-    QVERIFY_EXCEPTION_THROWN(distanceOfMask(Volume<std::uint8_t>(g)).phi, InputError);
-    QVERIFY_EXCEPTION_THROWN(distanceOfMask(Volume<std::uint8_t>(g, 1)).phi, InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, distanceOfMask(Volume<std::uint8_t>(g)).phi);
+    QVERIFY_THROWS_EXCEPTION(InputError, distanceOfMask(Volume<std::uint8_t>(g, 1)).phi);
     const Phantom phantom = makePhantom(paramsOf(PhantomKind::Tube, 32, 3.0));
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(distanceOfMask(phantom.truth, progress).phi, Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, distanceOfMask(phantom.truth, progress).phi);
   }
 };
 

@@ -123,7 +123,7 @@ class TestRedistance : public QObject {
       QCOMPARE(d.voxels[i] < 0.0F, phi.voxels[i] < 0.0F);
       QVERIFY(std::fabs(d.voxels[i]) <= 3.0F);
     }
-    QVERIFY_EXCEPTION_THROWN(redistance(Volume<float>(g, 1.0F)), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, redistance(Volume<float>(g, 1.0F)));
   }
 
   void sameBitsForAnyNumberOfThreads() {

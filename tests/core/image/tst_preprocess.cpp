@@ -45,7 +45,7 @@ class TestPreprocess : public QObject {
       const Eigen::Vector3d x = voxelCentre(crop.geometry, p);
       QVERIFY(std::fabs(crop.voxels[i] - (x[0] + 10.0 * x[1] - 3.0 * x[2])) < 1e-3);
     }
-    QVERIFY_EXCEPTION_THROWN(cropToBox(image, {900, 900, 900, 901, 901, 901}), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, cropToBox(image, {900, 900, 900, 901, 901, 901}));
   }
 
   void resamplingMakesCubicVoxelsAndKeepsTheField() {
@@ -89,7 +89,7 @@ class TestPreprocess : public QObject {
     QVERIFY(std::fabs(out.at(6, 6, 6) - plane.at(6, 6, 6)) < 1e-3F);
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(preprocess(noise, params, progress), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, preprocess(noise, params, progress));
   }
 
   /// Its step is in voxels: in mm, thin vessels of small voxels would go, and large ones stay
@@ -121,14 +121,14 @@ class TestPreprocess : public QObject {
 
   void unusableVolumesAreRefused() {
     Volume<float> image(cube(4), 1.0F);
-    QVERIFY_EXCEPTION_THROWN(checkUsable(image, "x"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, checkUsable(image, "x"));
     image.voxels[3] = 2.0F;
     checkUsable(image, "x");
     image.voxels[5] = std::nanf("");
-    QVERIFY_EXCEPTION_THROWN(checkUsable(image, "x"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, checkUsable(image, "x"));
     Geometry flat = cube(4);
     flat.size[2] = 1;
-    QVERIFY_EXCEPTION_THROWN(checkUsable(Volume<float>(flat, 1.0F), "x"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, checkUsable(Volume<float>(flat, 1.0F), "x"));
   }
 
   void componentsAreLabelledLargestFirst() {

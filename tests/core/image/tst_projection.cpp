@@ -104,8 +104,8 @@ class TestProjection : public QObject {
         QCOMPARE(p.values[static_cast<std::size_t>(i)], expected);
       }
     }
-    QVERIFY_EXCEPTION_THROWN(maximumProjection(image, 3), InputError);
-    QVERIFY_EXCEPTION_THROWN(maximumProjection(Volume<float>(), 0), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, maximumProjection(image, 3));
+    QVERIFY_THROWS_EXCEPTION(InputError, maximumProjection(Volume<float>(), 0));
   }
 
   void tilesAreInPatientOrientation_data() {
@@ -185,7 +185,7 @@ class TestProjection : public QObject {
       const Picture p = previewPicture(imageOf(g, ball), phi);
       for (std::size_t i = 3; i < 6; ++i) QCOMPARE(centreOfLight(p, tilesOf(p)[i]).norm(), 0.0);
     }
-    QVERIFY_EXCEPTION_THROWN(previewPicture(Volume<float>(), Volume<float>()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, previewPicture(Volume<float>(), Volume<float>()));
   }
 
   void picturesDoNotDependOnTheThreads() {

@@ -161,27 +161,27 @@ class TestComparisonMethods : public QObject {
     const Volume<float>& image = phantom.image;
     for (const Method method :
          {Method::GeodesicActiveContour, Method::ConfidenceConnected, Method::Threshold}) {
-      QVERIFY_EXCEPTION_THROWN(segmentByComparison(image, method, {}, 1.0, {}, Polarity::Bright),
-                               InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError,
+                               segmentByComparison(image, method, {}, 1.0, {}, Polarity::Bright));
       const Progress cancelled;
       cancelled.cancel();
-      QVERIFY_EXCEPTION_THROWN(segmentByComparison(image, method, middle(image.geometry), 1.0, {},
-                                                   Polarity::Bright, {}, cancelled),
-                               Cancelled);
+      QVERIFY_THROWS_EXCEPTION(Cancelled,
+                               segmentByComparison(image, method, middle(image.geometry), 1.0, {},
+                                                   Polarity::Bright, {}, cancelled));
     }
-    QVERIFY_EXCEPTION_THROWN(segmented(image, Method::LevelSet), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, segmented(image, Method::LevelSet));
     ComparisonParams params;
     params.thresholdLower = 1e5;
-    QVERIFY_EXCEPTION_THROWN(segmented(image, Method::Threshold, Polarity::Bright, params),
-                             NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError,
+                             segmented(image, Method::Threshold, Polarity::Bright, params));
     params.thresholdLower = -1e5;
-    QVERIFY_EXCEPTION_THROWN(segmented(image, Method::Threshold, Polarity::Bright, params),
-                             NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError,
+                             segmented(image, Method::Threshold, Polarity::Bright, params));
     Parameters all;
-    QVERIFY_EXCEPTION_THROWN(setFieldFromText(all, "segmentation.method", "snake"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, setFieldFromText(all, "segmentation.method", "snake"));
     all.comparison.thresholdLower = 2.0;
     all.comparison.thresholdUpper = 1.0;
-    QVERIFY_EXCEPTION_THROWN(validate(all), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, validate(all));
   }
 
   void aContourCanBeStopped() {

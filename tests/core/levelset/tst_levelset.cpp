@@ -82,11 +82,11 @@ class TestLevelSet : public QObject {
     params.automatic = false;
     QCOMPARE(findSeeds(v, params).size(), std::size_t{1});
     params.points = {1000.0, 0.0, 0.0};
-    QVERIFY_EXCEPTION_THROWN(findSeeds(v, params), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, findSeeds(v, params));
     params.points.clear();
-    QVERIFY_EXCEPTION_THROWN(findSeeds(v, params), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, findSeeds(v, params));
     params.automatic = true;
-    QVERIFY_EXCEPTION_THROWN(findSeeds(Volume<float>(g, -1.0F), params), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, findSeeds(Volume<float>(g, -1.0F), params));
   }
 
   void curvatureOfABallAndOfATorus() {
@@ -220,7 +220,7 @@ class TestLevelSet : public QObject {
     evolution.step(5);
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(evolution.step(5, progress), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, evolution.step(5, progress));
     evolution.step(5);
     LevelSetEvolution undisturbed = startedTorus({});
     undisturbed.step(10);

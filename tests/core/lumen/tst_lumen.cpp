@@ -276,9 +276,8 @@ class TestLumen : public QObject {
     const Volume<float> distance = tubeDistance(2.5);
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(refineLumen(imageOf(distance, 8.0), roughly(distance, 0.5),
-                                         LumenParams{}, Polarity::Bright, progress),
-                             Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, refineLumen(imageOf(distance, 8.0), roughly(distance, 0.5),
+                                                    LumenParams{}, Polarity::Bright, progress));
   }
 };
 

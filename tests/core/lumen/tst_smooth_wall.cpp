@@ -305,7 +305,7 @@ class TestSmoothWall : public QObject {
         analytic::cube(kSize), [](const Vector3d& p) { return tubeDistance(p, 3.0); });
     Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN((void)smoothWall(phi, nullptr, {}, progress), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)smoothWall(phi, nullptr, {}, progress));
   }
 };
 

@@ -63,7 +63,7 @@ class TestTriMesh : public QObject {
     checkMesh(mesh);
     QCOMPARE(mesh.patch, (std::vector<std::uint16_t>{0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
     mesh.patch.pop_back();
-    QVERIFY_EXCEPTION_THROWN(checkMesh(mesh), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, checkMesh(mesh));
   }
 
   void componentsTouchingInAPointAreTwo() {

@@ -150,7 +150,7 @@ class TestParameters : public QObject {
                                          "surface.edgeMinVoxels",
                                          "surface.edgesAround"};
     QVERIFY(different == expected);
-    QVERIFY_EXCEPTION_THROWN(preset("thesys"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, preset("thesys"));
   }
 
   void wrongInputIsNamed() {
@@ -175,15 +175,15 @@ class TestParameters : public QObject {
     }
     for (const char* json : {"{\"levelset\": {\"gama\": 1}}", "{\"levelset\": 3}", "[1]", "{",
                              "{\"levelset.gamma\": \"0.7\"}", "{\"levelset.gamma\": 7}"})
-      QVERIFY_EXCEPTION_THROWN(parametersFromJson(json, p, "test"), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, parametersFromJson(json, p, "test"));
     p.vesselness.sigmaMinMm = 3.0;
     p.vesselness.sigmaMaxMm = 2.0;
-    QVERIFY_EXCEPTION_THROWN(validate(p), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, validate(p));
     Parameters edges;
     edges.surface.sizing.edgeMinMm = 0.5;
     validate(edges);
     edges.surface.sizing.edgeMaxMm = 0.4;
-    QVERIFY_EXCEPTION_THROWN(validate(edges), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, validate(edges));
     edges.surface.sizing.edgeMaxMm = 0.5;
     validate(edges);
   }
@@ -200,8 +200,8 @@ class TestParameters : public QObject {
     QCOMPARE(zero.surface.sizing.edgesAround, 0);
     Parameters p;
     for (const char* text : {"1", "2", "-1", "auto"})
-      QVERIFY_EXCEPTION_THROWN(setFieldFromText(p, "surface.edgesAround", text), InputError);
-    QVERIFY_EXCEPTION_THROWN(setFieldFromText(p, "surface.edgeMinMm", "0"), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, setFieldFromText(p, "surface.edgesAround", text));
+    QVERIFY_THROWS_EXCEPTION(InputError, setFieldFromText(p, "surface.edgeMinMm", "0"));
     setFieldFromText(p, "surface.edgeMinMm", "none");
     QVERIFY(!p.surface.sizing.edgeMinMm);
   }

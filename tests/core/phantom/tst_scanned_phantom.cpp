@@ -242,7 +242,7 @@ class TestScannedPhantom : public QObject {
     QCOMPARE(pointSpreadText(pointSpreadFromText("gaussian")), std::string("gaussian:0.5"));
     for (const char* text : {"", "gauss", "gaussian:", "gaussian:x", "gaussian:-1", "gaussian:9",
                              "gaussian:0.5mm", "mr:0", "mr:9", "mr:nan", "subvoxels:2"})
-      QVERIFY_EXCEPTION_THROWN(pointSpreadFromText(text), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, pointSpreadFromText(text));
   }
 
   /// Everything that makes a phantom is in its truth.json.

@@ -120,11 +120,11 @@ class TestCtPreset : public QObject {
 
   void boundsThatLeaveNothingAreRefused() {
     const Volume<float> image(cube(6), 50.0F);
-    QVERIFY_EXCEPTION_THROWN(clampIntensities(image, 100.0, 500.0, 1), InputError);
-    QVERIFY_EXCEPTION_THROWN(clampIntensities(image, {}, 10.0, 1), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, clampIntensities(image, 100.0, 500.0, 1));
+    QVERIFY_THROWS_EXCEPTION(InputError, clampIntensities(image, {}, 10.0, 1));
     Parameters params = preset("ct");
     params.preprocess.clampUpper = -5.0;
-    QVERIFY_EXCEPTION_THROWN(validate(params), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, validate(params));
   }
 };
 

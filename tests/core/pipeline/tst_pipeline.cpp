@@ -130,7 +130,7 @@ class TestPipeline : public QObject {
       surface = soFar.surface;
       progress.cancel();
     };
-    QVERIFY_EXCEPTION_THROWN(pipeline.run(Parameters(), options, progress), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, pipeline.run(Parameters(), options, progress));
     const std::vector<Step> upToSurface{Step::Preprocess, Step::Vesselness, Step::Seeds,
                                         Step::Evolve, Step::Surface};
     QVERIFY(told == upToSurface);
@@ -284,7 +284,7 @@ class TestPipeline : public QObject {
     QVERIFY(std::fabs(parts[1].measure->meanRadiusMm - 2.0) < 0.3);
     Parameters none = params;
     none.segmentation.minVolumeMm3 = 1e6;
-    QVERIFY_EXCEPTION_THROWN(pipeline.run(none), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, pipeline.run(none));
   }
 
   void threadsDoNotChangeTheMesh() {
@@ -421,7 +421,7 @@ class TestPipeline : public QObject {
     other.segmentation.label = 3;
     QVERIFY(pipeline.run(other).evolve->label->voxels != run.evolve->label->voxels);
     other.segmentation.label = 5;
-    QVERIFY_EXCEPTION_THROWN(pipeline.run(other), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, pipeline.run(other));
     // As resampling leaves labels.
     for (float& value : labels.voxels) value *= 0.99F;
     const RunResult near = Pipeline(makeSource(labels, "labels")).run(params);
@@ -434,10 +434,10 @@ class TestPipeline : public QObject {
     Pipeline pipeline(makeSource(twoTubes(), "tubes"));
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(pipeline.run(smallParams(), {}, progress), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, pipeline.run(smallParams(), {}, progress));
     Parameters dark = smallParams();
     dark.thresholds.b = 1.0;
-    QVERIFY_EXCEPTION_THROWN(pipeline.run(dark), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, pipeline.run(dark));
     QVERIFY(pipeline.run(smallParams()).quality->mesh.closed);
   }
 
@@ -445,7 +445,7 @@ class TestPipeline : public QObject {
     Pipeline pipeline(makeSource(twoTubes(), "tubes"));
     Parameters params = smallParams();
     params.surface.maxTriangles = 100;
-    QVERIFY_EXCEPTION_THROWN(pipeline.run(params), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, pipeline.run(params));
     RunOptions options;
     options.keepOnFailure = true;
     const RunResult run = pipeline.run(params, options);
@@ -455,7 +455,7 @@ class TestPipeline : public QObject {
     QVERIFY(run.stages.back().step == Step::Evolve);
     // What failed before is thrown all the same.
     params.thresholds.b = 1.0;
-    QVERIFY_EXCEPTION_THROWN(pipeline.run(params, options), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, pipeline.run(params, options));
   }
 
   void whatIsKnownBeforehandIsSaidBeforehand() {
@@ -475,7 +475,7 @@ class TestPipeline : public QObject {
       said.push_back(warning);
       throw Enough();  // before anything is meshed
     };
-    QVERIFY_EXCEPTION_THROWN(pipeline.run(params, options), Enough);
+    QVERIFY_THROWS_EXCEPTION(Enough, pipeline.run(params, options));
     QCOMPARE(said.size(), std::size_t{1});
     QVERIFY2(said[0].find("surface.edgeMinMm") != std::string::npos, said[0].c_str());
   }

@@ -71,7 +71,7 @@ class TestSegments : public QObject {
     QVERIFY(segments.components[0].volumeMm3 > 2.0 * segments.components[1].volumeMm3);
     QVERIFY(!segments.components[0].kept && segments.components[1].kept);
     params.minLengthMm = 40.0;
-    QVERIFY_EXCEPTION_THROWN(selectSegments(phi, params, {}, {}), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, selectSegments(phi, params, {}, {}));
   }
 
   void allIsKeptUnlessAskedFor() {
@@ -82,7 +82,7 @@ class TestSegments : public QObject {
     SegmentationParams params;
     params.minVolumeMm3 = 1e6;
     QVERIFY(!keepsAll(params));
-    QVERIFY_EXCEPTION_THROWN(selectSegments(*phi, params, {}, {}), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, selectSegments(*phi, params, {}, {}));
   }
 };
 

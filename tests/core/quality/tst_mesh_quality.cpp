@@ -401,16 +401,16 @@ class TestMeshQuality : public QObject {
   }
 
   void badMeshesAreRefused() {
-    QVERIFY_EXCEPTION_THROWN(measureQuality({{{0, 0, 0}}, {{0, 0, 7}}}), InputError);
-    QVERIFY_EXCEPTION_THROWN(
-        measureQuality({{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}, {{0, 1, 2}}}), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, measureQuality({{{0, 0, 0}}, {{0, 0, 7}}}));
+    QVERIFY_THROWS_EXCEPTION(
+        InputError, measureQuality({{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}, {{0, 1, 2}}}));
     const MeshQuality nothing = measureQuality(TriMesh());
     QVERIFY(!nothing.closed && !nothing.oriented);
     QCOMPARE(nothing.euler, 0);
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(measureQuality(shapes::cube(), nullptr, progress),
-                             angiomesh::Cancelled);
+    QVERIFY_THROWS_EXCEPTION(angiomesh::Cancelled,
+                             measureQuality(shapes::cube(), nullptr, progress));
   }
 };
 

@@ -145,9 +145,9 @@ class TestOverlap : public QObject {
   void badInputIsRefused() {
     const Geometry g = gridOf({8, 8, 8});
     const auto box = boxMask(g, {2, 2, 2}, {5, 5, 5});
-    QVERIFY_EXCEPTION_THROWN(compareMasks(box, Volume<std::uint8_t>(g)), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, compareMasks(box, Volume<std::uint8_t>(g)));
     const Volume<std::uint8_t> other(gridOf({8, 8, 9}), 1);
-    QVERIFY_EXCEPTION_THROWN(compareMasks(box, other), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, compareMasks(box, other));
   }
 
   void measuresDoNotDependOnTheThreads() {

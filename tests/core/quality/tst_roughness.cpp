@@ -140,7 +140,7 @@ class TestRoughness : public QObject {
   void nothingIsSaidOfTooFewVertices() {
     QVERIFY(!measureRoughness(TriMesh()).has_value());
     QVERIFY(!measureRoughness(shapes::tetrahedron()).has_value());
-    QVERIFY_EXCEPTION_THROWN(measureRoughness({{{0, 0, 0}}, {{0, 0, 7}}}), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, measureRoughness({{{0, 0, 0}}, {{0, 0, 7}}}));
   }
 
   void doesNotDependOnTheThreads() {

@@ -291,8 +291,8 @@ class TestRemesh : public QObject {
     QVERIFY(empty.mesh.triangles.empty());
     PatchMesh wrong = scene.start;
     wrong.patch.pop_back();
-    QVERIFY_EXCEPTION_THROWN(improveTriangles(wrong, *scene.field, *scene.size, scene.ends()),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             improveTriangles(wrong, *scene.field, *scene.size, scene.ends()));
     // Two tetrahedra in one vertex: not a manifold there, so nothing changes around it.
     PatchMesh joined;
     joined.mesh = shapes::tetrahedron();
@@ -308,8 +308,8 @@ class TestRemesh : public QObject {
     QVERIFY(joined.mesh.points == before.points && joined.mesh.triangles == before.triangles);
     Progress cancelled;
     cancelled.cancel();
-    QVERIFY_EXCEPTION_THROWN(
-        remesh(scene.start, *scene.field, *scene.size, scene.ends(), cancelled), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(
+        Cancelled, remesh(scene.start, *scene.field, *scene.size, scene.ends(), cancelled));
   }
 
  private:

@@ -370,8 +370,8 @@ class TestSmoothing : public QObject {
     }
     TriMesh wrong = shapes::cube();
     wrong.triangles.push_back({0, 1, 99});
-    QVERIFY_EXCEPTION_THROWN(keepWallSmooth(wrong, {}), InputError);
-    QVERIFY_EXCEPTION_THROWN(taubinSmooth(wrong, {}), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, keepWallSmooth(wrong, {}));
+    QVERIFY_THROWS_EXCEPTION(InputError, taubinSmooth(wrong, {}));
   }
 
   void threadsDoNotMatter() {
@@ -394,8 +394,8 @@ class TestSmoothing : public QObject {
     for (const SmoothMethod method : {SmoothMethod::KeepWall, SmoothMethod::Taubin}) {
       SmoothParams params;
       params.method = method;
-      QVERIFY_EXCEPTION_THROWN(smoothSurface(mesh, params, nullptr, progress),
-                               angiomesh::Cancelled);
+      QVERIFY_THROWS_EXCEPTION(angiomesh::Cancelled,
+                               smoothSurface(mesh, params, nullptr, progress));
     }
   }
 };

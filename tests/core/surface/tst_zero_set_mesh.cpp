@@ -316,17 +316,16 @@ class TestZeroSetMesh : public QObject {
     verifySoundShape(measureQuality(surface.mesh));
     QCOMPARE(surface.fromFrontPercent, 0.0);
     QCOMPARE(measureQuality(surface.mesh).euler, 0);
-    QVERIFY_EXCEPTION_THROWN(
-        meshed(phi, literal(), SurfaceBorder::Cap, SurfaceMethod::MarchingCubes), InputError);
+    QVERIFY_THROWS_EXCEPTION(
+        InputError, meshed(phi, literal(), SurfaceBorder::Cap, SurfaceMethod::MarchingCubes));
   }
 
   void canBeCancelled() {
     const SplineField field(shapeNamed("torus"), SplineKind::InterpolatingBspline);
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(
-        meshZeroSet(field, literal(), SurfaceMethod::AdvancingFront, SurfaceBorder::Cap, progress),
-        Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, meshZeroSet(field, literal(), SurfaceMethod::AdvancingFront,
+                                                    SurfaceBorder::Cap, progress));
   }
 };
 

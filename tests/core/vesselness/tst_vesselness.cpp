@@ -230,7 +230,7 @@ class TestVesselness : public QObject {
     params.sigmaMaxMm = 1.0;
     QCOMPARE(scalesMm(params, g).size(), std::size_t{1});
     params.sigmaMaxMm = 0.5;
-    QVERIFY_EXCEPTION_THROWN(scalesMm(params, g), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, scalesMm(params, g));
   }
 
   void thresholdsAndSpeedFollowTheEquations() {
@@ -250,7 +250,7 @@ class TestVesselness : public QObject {
     QVERIFY(std::fabs(vesselSpeed(1.5 * t.b, t) - 0.5) < 1e-12);
     QVERIFY(std::fabs(vesselSpeed(0.5 * t.b, t) + 0.5) < 1e-12);
     QCOMPARE(vesselSpeed(-0.1, t), -1.0);
-    QVERIFY_EXCEPTION_THROWN(thresholds(Volume<float>(cube(3), 0.0F), {}, 6.0), NumericError);
+    QVERIFY_THROWS_EXCEPTION(NumericError, thresholds(Volume<float>(cube(3), 0.0F), {}, 6.0));
   }
 
   void theLargestScaleFollowsTheThickestVessel() {
@@ -288,7 +288,7 @@ class TestVesselness : public QObject {
   void cancelIsPassedOn() {
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(vesselness(noisyCube(), {}, progress), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, vesselness(noisyCube(), {}, progress));
   }
 
   // The fast form of the measure against eq. 3.22 by its letter, on Hessians of all kinds.

@@ -169,7 +169,7 @@ class TestCaseFile : public QObject {
          {std::string(), std::string("{"), whole.substr(0, 700), std::string("[1]"),
           std::string("{\"schema\": 1}"), std::string("{\"schema\": \"x\"}")}) {
       save(a / "case.json", damaged);
-      QVERIFY_EXCEPTION_THROWN((void)readCase(a), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, (void)readCase(a));
     }
     save(a / "case.json", whole);
     writeCase(a, sampleDocument(2));
@@ -223,16 +223,16 @@ class TestCaseFile : public QObject {
                                 "18446744073709551615", "null"}) {
         save(a / "case.json", whole);
         replaceIn(a / "case.json", key + value, key + other);
-        QVERIFY_EXCEPTION_THROWN((void)readCase(a), IoError);
+        QVERIFY_THROWS_EXCEPTION(IoError, (void)readCase(a));
       }
     for (const char* schema : {"0", "-1", "18446744073709551615"}) {
       save(a / "case.json", whole);
       replaceIn(a / "case.json", "\"schema\": 1", std::string("\"schema\": ") + schema);
-      QVERIFY_EXCEPTION_THROWN((void)readCase(a), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, (void)readCase(a));
     }
     save(a / "case.json", whole);
     replaceIn(a / "case.json", "\"schema\": 1", "\"schema\": 4294967297");
-    QVERIFY_EXCEPTION_THROWN((void)readCase(a), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)readCase(a));
     save(a / "case.json", whole);
     appendJournal(a, {step(3, 1, 25.0), step(3, 2, 26.0)});
     replaceIn(a / "edits/journal.jsonl", "\"saves\":3", "\"saves\":4294967299");
@@ -252,7 +252,7 @@ class TestCaseFile : public QObject {
     QVERIFY(reading.document.source.grid == sampleDocument().source.grid);
     QCOMPARE(reading.warnings.size(), std::size_t(1));
     fs::remove(a / "edits/journal.jsonl");
-    QVERIFY_EXCEPTION_THROWN((void)readCase(a), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, (void)readCase(a));
   }
 
   void deepAndHugeTextIsDamage() {
@@ -322,19 +322,19 @@ class TestCaseFile : public QObject {
     save(elsewhere / "target", "theirs");
     fs::create_directory(a / "edits");
     fs::create_hard_link(elsewhere / "target", a / "edits/journal.jsonl");
-    QVERIFY_EXCEPTION_THROWN(appendJournal(a, {step(3, 1, 25.0)}), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, appendJournal(a, {step(3, 1, 25.0)}));
     QCOMPARE(bytesOf(elsewhere / "target"), std::string("theirs"));
   }
 
   void placesThatAreNoCaseAreRefused() {
     const Folder folder;
-    QVERIFY_EXCEPTION_THROWN((void)readCase(folder / "none.angiomesh"), IoError);
-    QVERIFY_EXCEPTION_THROWN(writeCase(folder / "no/a.angiomesh", sampleDocument()), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, (void)readCase(folder / "none.angiomesh"));
+    QVERIFY_THROWS_EXCEPTION(IoError, writeCase(folder / "no/a.angiomesh", sampleDocument()));
     save(folder / "file.angiomesh", "x");
-    QVERIFY_EXCEPTION_THROWN(writeCase(folder / "file.angiomesh", sampleDocument()), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, writeCase(folder / "file.angiomesh", sampleDocument()));
     fs::create_directory(folder / "photos");
     save(folder / "photos/1.jpg", "x");
-    QVERIFY_EXCEPTION_THROWN(writeCase(folder / "photos", sampleDocument()), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, writeCase(folder / "photos", sampleDocument()));
     QVERIFY(!isCase(folder / "photos"));
     QCOMPARE(entriesOf(folder / "photos"), 1);
     fs::create_directory(folder / "empty.angiomesh");
@@ -349,9 +349,9 @@ class TestCaseFile : public QObject {
     appendJournal(a, {step(3, 1, 25.0)});
     {
       const FullDisk disk(500);
-      QVERIFY_EXCEPTION_THROWN(writeCase(a, sampleDocument(2)), IoError);
-      QVERIFY_EXCEPTION_THROWN(appendJournal(a, {step(3, 2, 26.0)}), IoError);
-      QVERIFY_EXCEPTION_THROWN(writeCase(folder / "b.angiomesh", sampleDocument()), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, writeCase(a, sampleDocument(2)));
+      QVERIFY_THROWS_EXCEPTION(IoError, appendJournal(a, {step(3, 2, 26.0)}));
+      QVERIFY_THROWS_EXCEPTION(IoError, writeCase(folder / "b.angiomesh", sampleDocument()));
     }
     verifyEqual(readCase(a).document, sampleDocument(1));
     QCOMPARE(readJournal(a, 3).size(), std::size_t(1));
@@ -532,7 +532,7 @@ class TestCaseFile : public QObject {
     fs::remove_all(a / "cache");
     {
       const FullDisk disk(2000);
-      QVERIFY_EXCEPTION_THROWN(writeCache(a, evolve), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, writeCache(a, evolve));
     }
     QVERIFY(!readCache(a, "00ff"));
     writeCache(a, evolve);
@@ -554,7 +554,7 @@ class TestCaseFile : public QObject {
     writeVolume(other, folder / "study/cases/first.nrrd");
     QVERIFY(!findSource(placesNear(a), source));
     QVERIFY(!sourceAt(folder / "study/cases/first.nrrd", source));
-    QVERIFY_EXCEPTION_THROWN((void)sourceAt(folder / "study/notes.txt", source), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)sourceAt(folder / "study/notes.txt", source));
 
     writeVolume(image, folder / "study/moved.mha");
     auto found = findSource(placesNear(a), source);
@@ -566,7 +566,7 @@ class TestCaseFile : public QObject {
     QVERIFY(found && found->path == folder / "study/cases/renamed.mha");
     Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN((void)findSource(placesNear(a), source, progress), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)findSource(placesNear(a), source, progress));
   }
 };
 

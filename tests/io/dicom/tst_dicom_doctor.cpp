@@ -195,7 +195,7 @@ class TestDicomDoctor : public QObject {
     QVERIFY2(message.contains("3 slices are missing: 3.9 mm between slices 3 and 4"),
              qPrintable(message));
     QVERIFY2(message.contains("88 and 85"), qPrintable(message));
-    QVERIFY_EXCEPTION_THROWN(readImage(folder.path()), UnevenSlicesError);
+    QVERIFY_THROWS_EXCEPTION(UnevenSlicesError, readImage(folder.path()));
 
     const LoadedImage loaded = readImage(folder.path(), {{}, true});
     QCOMPARE(loaded.image.geometry.size, (Index3{kColumns, kRows, 9}));

@@ -301,7 +301,7 @@ class TestDicomOdd : public QObject {
     QVERIFY2(all.contains(fractional ? "fractional" : overlap ? "overlap" : ""), qPrintable(all));
     QCOMPARE(all.isEmpty(), !fractional && !overlap);
     QCOMPARE(geometryOf(readNative(path, {}, 1).volume).size, (Index3{9, 7, 6}));
-    QVERIFY_EXCEPTION_THROWN(readNative(path, {}, 2), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, readNative(path, {}, 2));
   }
 
   void segmentationsThatFormNoGridAreRefused() {

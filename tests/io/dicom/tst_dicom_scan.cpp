@@ -401,7 +401,7 @@ class TestDicomScan : public QObject {
     saveSeries(folder.path());
     const Progress progress;
     progress.cancel();
-    QVERIFY_EXCEPTION_THROWN(readImage(folder.path(), {}, progress), Cancelled);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, readImage(folder.path(), {}, progress));
   }
 };
 

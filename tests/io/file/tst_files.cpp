@@ -23,10 +23,10 @@ class TestFiles : public QObject {
     writeText(folder / "link.json", "three");
     QVERIFY(fs::is_symlink(folder / "link.json"));
     QCOMPARE(readText(folder / "a.json"), std::string("three"));
-    QVERIFY_EXCEPTION_THROWN(writeText("/dev/full", "x"), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, writeText("/dev/full", "x"));
     QVERIFY(fs::exists("/dev/full") && !fs::is_regular_file("/dev/full"));
-    QVERIFY_EXCEPTION_THROWN(readText(folder / "none"), IoError);
-    QVERIFY_EXCEPTION_THROWN(readText(folder.path()), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, readText(folder / "none"));
+    QVERIFY_THROWS_EXCEPTION(IoError, readText(folder.path()));
 
     Picture picture{2, 3, {}};
     for (int i = 0; i < 18; ++i) picture.rgb.push_back(static_cast<std::uint8_t>(10 * i));
@@ -36,19 +36,18 @@ class TestFiles : public QObject {
     QVERIFY(png.find("IEND") != std::string::npos);
     QCOMPARE(static_cast<int>(png[19]), 2);  // width and height stand in IHDR
     QCOMPARE(static_cast<int>(png[23]), 3);
-    QVERIFY_EXCEPTION_THROWN(writePng(Picture{2, 3, {}}, folder / "q.png"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writePng(Picture{2, 3, {}}, folder / "q.png"));
     QCOMPARE(entriesOf(folder.path()), 3);
   }
 
   void aWriterThatThrowsLeavesNothing() {
     const Folder folder;
     save(folder / "a.txt", "old");
-    QVERIFY_EXCEPTION_THROWN(writeAtomically(folder / "a.txt",
-                                             [](const fs::path& temporary) {
-                                               save(temporary, "half");
-                                               throw InputError("x", "y", "z");
-                                             }),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             writeAtomically(folder / "a.txt", [](const fs::path& temporary) {
+                               save(temporary, "half");
+                               throw InputError("x", "y", "z");
+                             }));
     QCOMPARE(bytesOf(folder / "a.txt"), std::string("old"));
     QCOMPARE(entriesOf(folder.path()), 1);
     std::set<std::string> names;

@@ -263,8 +263,8 @@ class TestMeshDamage : public QObject {
     fs::create_directory(folder / "folder.ply");
     const TriMesh mesh = octahedron();
     for (const char* name : {"none/m.ply", "file/m.stl", "folder.ply", "none/m.vtp"})
-      QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / name), IoError);
-    QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / "m.step"), InputError);
+      QVERIFY_THROWS_EXCEPTION(IoError, writeMesh(mesh, folder / name));
+    QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(mesh, folder / "m.step"));
     QCOMPARE(entriesOf(folder.path()), 2);
     for (const char* name : {"m.ply", "m.stl", "m.obj", "m.vtp"}) {
       save(folder / name, "old");

@@ -490,7 +490,7 @@ class TestMeshForeign : public QObject {
          {"OFF\n4 1 0\n0 0 0\n", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "OFF BINARY\n",
           "4OFF\n1 0 0\n0 0 0 0\n", "OFF\n-1 0 0\n", "OFF\n1e30 1 0\n", "OFF\n"}) {
       save(folder / "bad.off", text);
-      QVERIFY_EXCEPTION_THROWN(readMesh(folder / "bad.off"), Error);
+      QVERIFY_THROWS_EXCEPTION(Error, readMesh(folder / "bad.off"));
     }
   }
 

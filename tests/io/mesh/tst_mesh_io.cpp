@@ -104,7 +104,7 @@ class TestMeshIo : public QObject {
     QCOMPARE(back.triangles.size(), std::size_t{8});
     QVERIFY(std::fabs(signedVolume(back) / signedVolume(mesh) - 1.0) < 1e-9);
     save(folder / "cut.stl", text);
-    QVERIFY_EXCEPTION_THROWN(readMesh(folder / "cut.stl"), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, readMesh(folder / "cut.stl"));
   }
 
   void plyOfAnyEncodingIsRead() {
@@ -254,7 +254,7 @@ class TestMeshIo : public QObject {
     save(folder / "unknown.obj", "# SPACE=LAS UNIT=cm\n" + triangle);
     QCOMPARE(loadMesh(folder / "unknown.obj").warnings.size(), std::size_t{2});
     save(folder / "both.obj", "# SPACE=LPS\n# SPACE=RAS\n" + triangle);
-    QVERIFY_EXCEPTION_THROWN(readMesh(folder / "both.obj"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, readMesh(folder / "both.obj"));
     QCOMPARE(loadMesh(folder / "both.obj", {Frame::Lps, {}}).mesh.points[0],
              Eigen::Vector3d(1, 2, 3));
   }

@@ -484,7 +484,7 @@ class TestMeshPatches : public QObject {
       QVERIFY((measurePatches(patch, 1)[0].normalLps + Eigen::Vector3d::UnitZ()).norm() < 1e-6);
     }
     QCOMPARE(fileWords({"In", "in", ".x", "a b"}), (Names{"In", "in-2", "_x", "a_b"}));
-    QVERIFY_EXCEPTION_THROWN(writePatchFiles(tube(), folder / "none" / "m.stl"), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, writePatchFiles(tube(), folder / "none" / "m.stl"));
   }
 };
 

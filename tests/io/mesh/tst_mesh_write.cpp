@@ -298,7 +298,7 @@ class TestMeshWrite : public QObject {
     metres.unit = LengthUnit::Metre;
     QVERIFY(writeMesh(randomMesh(4), folder / "m.stl", metres).empty());
     for (auto& p : mesh.points) p *= 1e38;
-    QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / "big.stl"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(mesh, folder / "big.stl"));
     QVERIFY(!fs::exists(folder / "big.stl"));
   }
 
@@ -307,22 +307,22 @@ class TestMeshWrite : public QObject {
     const TriMesh mesh = shapes::cube();
     MeshWriteOptions ascii;
     ascii.encoding = MeshEncoding::Ascii;
-    QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / "m.vtp", ascii), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(mesh, folder / "m.vtp", ascii));
     MeshWriteOptions normals, quality;
     normals.normals = quality.quality = true;
     for (const char* name : {"m.stl", "m.obj"}) {
-      QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / name, normals), InputError);
-      QVERIFY_EXCEPTION_THROWN(writeMesh(mesh, folder / name, quality), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(mesh, folder / name, normals));
+      QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(mesh, folder / name, quality));
     }
     TriMesh broken = mesh;
     broken.points[3].y() = std::nan("");
-    QVERIFY_EXCEPTION_THROWN(writeMesh(broken, folder / "m.ply"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(broken, folder / "m.ply"));
     broken = mesh;
     broken.triangles[0][0] = 8;
-    QVERIFY_EXCEPTION_THROWN(writeMesh(broken, folder / "m.ply"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(broken, folder / "m.ply"));
     broken = mesh;
     broken.patch = {0, 1};
-    QVERIFY_EXCEPTION_THROWN(writeMesh(broken, folder / "m.ply"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(broken, folder / "m.ply"));
     QCOMPARE(entriesOf(folder.path()), 0);
   }
 

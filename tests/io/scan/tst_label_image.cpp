@@ -290,7 +290,7 @@ class TestLabelImage : public QObject {
     save(g / "l.nii", bytes);
     QCOMPARE(count(readLabel(g / "l.nii", {}).mask), std::size_t{5});
     QCOMPARE(count(readLabel(g / "l.nii", {"", 0.01}).mask), std::size_t{15});
-    QVERIFY_EXCEPTION_THROWN(readLabel(g / "l.nii", {"1", 0.5}), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, readLabel(g / "l.nii", {"1", 0.5}));
   }
 
   void whatIsNoLabelImageIsRefused() {

@@ -184,7 +184,7 @@ class TestOpenFoamCase : public QObject {
     QCOMPARE(bytesOf(folder / "empty/mine"), std::string("x"));
     save(folder / "file", "x");
     for (const char* name : {"file", "none/a", "file/a"})
-      QVERIFY_EXCEPTION_THROWN(writeOpenFoamCase(mesh, twoPorts(mesh), folder / name), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, writeOpenFoamCase(mesh, twoPorts(mesh), folder / name));
     // One of the names is taken by a folder: nothing of the former case is lost.
     fs::remove(folder / "empty/system/fvSchemes");
     fs::create_directories(folder / "empty/system/fvSchemes/x");
@@ -192,9 +192,9 @@ class TestOpenFoamCase : public QObject {
     writeOpenFoamCase(mesh, twoPorts(mesh), folder / "empty", true);
     {
       const FullDisk full(200);
-      QVERIFY_EXCEPTION_THROWN(writeOpenFoamCase(mesh, twoPorts(mesh), folder / "b"), IoError);
-      QVERIFY_EXCEPTION_THROWN(writeOpenFoamCase(mesh, twoPorts(mesh), folder / "empty", true),
-                               IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, writeOpenFoamCase(mesh, twoPorts(mesh), folder / "b"));
+      QVERIFY_THROWS_EXCEPTION(IoError,
+                               writeOpenFoamCase(mesh, twoPorts(mesh), folder / "empty", true));
     }
     QCOMPARE(entriesOf(folder.path()), 2);
   }

@@ -154,9 +154,9 @@ class TestPortsFile : public QObject {
     const std::string text = kText;
     for (std::size_t length = 0; length < text.size(); ++length) {
       save(folder / "p.json", text.substr(0, length));
-      QVERIFY_EXCEPTION_THROWN(readPorts(folder / "p.json"), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, readPorts(folder / "p.json"));
     }
-    QVERIFY_EXCEPTION_THROWN(readPorts(folder / "none.json"), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, readPorts(folder / "none.json"));
   }
 
   void unusablePortsAreNotWritten() {
@@ -164,12 +164,12 @@ class TestPortsFile : public QObject {
     for (const char* name : {"", "wall", "inlet"}) {
       std::vector<Port> ports = somePorts();
       ports[1].name = name;
-      QVERIFY_EXCEPTION_THROWN(writePorts(ports, folder / "p.json"), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, writePorts(ports, folder / "p.json"));
     }
     std::vector<Port> ports = somePorts();
     ports[0].areaMm2 = std::numeric_limits<double>::quiet_NaN();
-    QVERIFY_EXCEPTION_THROWN(writePorts(ports, folder / "p.json"), InputError);
-    QVERIFY_EXCEPTION_THROWN(writePorts(somePorts(), folder / "none" / "p.json"), IoError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writePorts(ports, folder / "p.json"));
+    QVERIFY_THROWS_EXCEPTION(IoError, writePorts(somePorts(), folder / "none" / "p.json"));
     QCOMPARE(entriesOf(folder.path()), 0);
   }
 };

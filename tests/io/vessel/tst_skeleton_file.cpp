@@ -114,9 +114,9 @@ class TestSkeletonFile : public QObject {
 
   void nothingIsLeftOfAFailure() {
     const Folder folder;
-    QVERIFY_EXCEPTION_THROWN(writeSkeleton(twoBranches(), folder / "lines.txt"), InputError);
-    QVERIFY_EXCEPTION_THROWN(checkSkeletonFile(folder / "lines"), InputError);
-    QVERIFY_EXCEPTION_THROWN(writeSkeleton(twoBranches(), folder / "no" / "lines.csv"), IoError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeSkeleton(twoBranches(), folder / "lines.txt"));
+    QVERIFY_THROWS_EXCEPTION(InputError, checkSkeletonFile(folder / "lines"));
+    QVERIFY_THROWS_EXCEPTION(IoError, writeSkeleton(twoBranches(), folder / "no" / "lines.csv"));
     QCOMPARE(entriesOf(folder.path()), 0);
     writeSkeleton({}, folder / "none.csv");
     writeSkeleton({}, folder / "none.vtp");

@@ -297,7 +297,7 @@ class TestImageHeaders : public QObject {
       QCOMPARE(g.size, (Index3{2, 3, 4}));
       QCOMPARE(g.spacing, Eigen::Vector3d(1, 2, 3));
       if (std::string(name).ends_with("nrrd")) QCOMPARE(g.origin, Eigen::Vector3d(5, 6, 7));
-      QVERIFY_EXCEPTION_THROWN(readNative(f / name, {}, 3), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, readNative(f / name, {}, 3));
       QVERIFY2(messageOf(f / name).find("--component N', N from 0 to 2") != std::string::npos,
                messageOf(f / name).c_str());
     }
@@ -331,13 +331,13 @@ class TestImageHeaders : public QObject {
     QCOMPARE(readImage(f / "v.nii").info.warnings.size(), std::size_t{1});
     QCOMPARE(origin(1, 1, 50.0F, 0.5F), -10.0);  // a skewed sform
     QCOMPARE(readImage(f / "v.nii").info.warnings.size(), std::size_t{1});
-    QVERIFY_EXCEPTION_THROWN(origin(0, 1, 50.0F, 0.5F), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, origin(0, 1, 50.0F, 0.5F));
     put(whole, 112, std::numeric_limits<float>::quiet_NaN());  // no scaling
     QCOMPARE(origin(1, 1, 10.0F), -10.0);
     QCOMPARE(readImage(f / "v.nii").image.voxels[3], 2.0F);
     put(whole, 112, 2.0F);
     put(whole, 116, std::numeric_limits<float>::quiet_NaN());
-    QVERIFY_EXCEPTION_THROWN(origin(1, 1, 10.0F), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, origin(1, 1, 10.0F));
     put(whole, 112, 1.0F);
     put(whole, 116, 0.0F);
 

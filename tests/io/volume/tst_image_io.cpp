@@ -261,12 +261,12 @@ class TestImageIo : public QObject {
     QCOMPARE(readImage(folder / "v.nhdr").image.voxels[23], 23.0F);
     for (const std::size_t length : {std::size_t{90}, std::size_t{0}}) {
       save(folder / "v.raw", voxels.substr(0, length));
-      QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.mhd"), IoError);
-      QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.nhdr"), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, readImage(folder / "v.mhd"));
+      QVERIFY_THROWS_EXCEPTION(IoError, readImage(folder / "v.nhdr"));
     }
     fs::remove(folder / "v.raw");
-    QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.mhd"), IoError);
-    QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.nhdr"), IoError);
+    QVERIFY_THROWS_EXCEPTION(IoError, readImage(folder / "v.mhd"));
+    QVERIFY_THROWS_EXCEPTION(IoError, readImage(folder / "v.nhdr"));
   }
 
   void missingSpacingIsSaid() {
@@ -276,7 +276,7 @@ class TestImageIo : public QObject {
          "ElementDataFile = LOCAL\n" +
              rawVoxels<float>());
     QCOMPARE(readImage(folder / "v.mha").info.warnings.size(), std::size_t{1});
-    QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.mha", {"1.2.3", false}), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, readImage(folder / "v.mha", {"1.2.3", false}));
   }
 
   void badInputIsRefusedInOneLine_data() {
@@ -442,11 +442,11 @@ class TestImageIo : public QObject {
     save(folder / "file", "x");
     fs::create_directory(folder / "folder.nrrd");
     for (const char* name : {"none/v.nrrd", "file/v.nrrd", "folder.nrrd"})
-      QVERIFY_EXCEPTION_THROWN(writeVolume(image, folder / name), IoError);
-    QVERIFY_EXCEPTION_THROWN(writeVolume(image, "/dev/null.nrrd/v.nrrd"), IoError);
-    QVERIFY_EXCEPTION_THROWN(writeVolume(image, folder / "v.png"), InputError);
-    QVERIFY_EXCEPTION_THROWN(readImage(folder / "none.mha"), IoError);
-    QVERIFY_EXCEPTION_THROWN(describeImages(folder / "none.mha"), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, writeVolume(image, folder / name));
+    QVERIFY_THROWS_EXCEPTION(IoError, writeVolume(image, "/dev/null.nrrd/v.nrrd"));
+    QVERIFY_THROWS_EXCEPTION(InputError, writeVolume(image, folder / "v.png"));
+    QVERIFY_THROWS_EXCEPTION(IoError, readImage(folder / "none.mha"));
+    QVERIFY_THROWS_EXCEPTION(IoError, describeImages(folder / "none.mha"));
     QCOMPARE(entriesOf(folder.path()), 2);
   }
 

@@ -304,7 +304,7 @@ class TestImagePlace : public QObject {
     image.voxels[1] = infinity;
     image.voxels[2] = -infinity;
     writeVolume(image, f / "v.nii");
-    QVERIFY_EXCEPTION_THROWN(readImage(f / "v.nii"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, readImage(f / "v.nii"));
     ReadOptions options;
     options.replaceNotFinite = true;
     const LoadedImage read = readImage(f / "v.nii", options);
@@ -319,7 +319,7 @@ class TestImagePlace : public QObject {
     QCOMPARE(described.image.voxels[0], -7.0F);
     image.voxels = BigVector<float>(24, infinity);
     writeVolume(image, f / "v.nii");
-    QVERIFY_EXCEPTION_THROWN(readImage(f / "v.nii", options), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, readImage(f / "v.nii", options));
   }
 
   void placesThatNoScanHasAreSaid_data() {

@@ -156,14 +156,14 @@ class TestImageRoundTrip : public QObject {
     Geometry g = plainGrid();
     g.direction(0, 1) = 0.01;
     for (const char* name : {"v.nii", "v.nii.gz"})
-      QVERIFY_EXCEPTION_THROWN(writeVolume(AnyVolume(ramp(g)), folder / name), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, writeVolume(AnyVolume(ramp(g)), folder / name));
     for (const char* name : {"v.mha", "v.nrrd"}) {
       writeVolume(AnyVolume(ramp(g)), folder / name);
       QVERIFY(cornerDistance(geometryOf(readNative(folder / name).volume), g) < 1e-12);
     }
     g = plainGrid();
     g.size = {40000, 2, 2};
-    QVERIFY_EXCEPTION_THROWN(writeVolume(AnyVolume(ramp(g)), folder / "v.nii"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeVolume(AnyVolume(ramp(g)), folder / "v.nii"));
     QCOMPARE(entriesOf(folder.path()), 2);
   }
 
@@ -189,7 +189,7 @@ class TestImageRoundTrip : public QObject {
     QCOMPARE(readImage(folder / "v.nrrd").info.warnings.size(), std::size_t{1});
     fraction.voxels[1] = 1e300;
     writeVolume(AnyVolume(fraction), folder / "v.nrrd");
-    QVERIFY_EXCEPTION_THROWN(readImage(folder / "v.nrrd"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, readImage(folder / "v.nrrd"));
   }
 
   void pairsAreNeverHalfThere_data() {
@@ -227,7 +227,7 @@ class TestImageRoundTrip : public QObject {
     // A full disk leaves the old image.
     {
       const FullDisk full(rlim_t{10});
-      QVERIFY_EXCEPTION_THROWN(writeVolume(AnyVolume(second), path), IoError);
+      QVERIFY_THROWS_EXCEPTION(IoError, writeVolume(AnyVolume(second), path));
     }
     QCOMPARE(stored(), first.voxels);
     QCOMPARE(entriesOf(folder.path()), 2);
@@ -311,7 +311,7 @@ class TestImageRoundTrip : public QObject {
       QCOMPARE(readImage(folder / "v.nii").image.voxels[7], static_cast<float>(value(read, 7)));
     }
     QCOMPARE(voxelTypeName(voxelTypeOf(scaled(std::nanf(""), 3.0F))), "int16");  // no scaling
-    QVERIFY_EXCEPTION_THROWN(scaled(1.0F, std::nanf("")), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, scaled(1.0F, std::nanf("")));
   }
 };
 
