@@ -17,13 +17,15 @@ ZeroSetGround::ZeroSetGround(const SplineField& field, const EdgeSize& size, con
   for (int axis = 0; axis < 3; ++axis) last_[axis] = g.size[static_cast<std::size_t>(axis)] - 1;
 }
 
-Eigen::Vector3d ZeroSetGround::along(const Place& place, const Vector3d& normal,
-                                     const Vector3d& step) const {
-  if (!place.wall) return ends_.along(place, step);
+Eigen::Vector3d RemeshGround::along(const Place& place, const Vector3d& normal,
+                                    const Vector3d& step) const {
+  if (!place.wall) return inPlanes(place, step);
   const int planes = place.planes();
   if (planes == 0) return step - step.dot(normal) * normal;
   if (planes > 1) return Vector3d::Zero();
-  const Vector3d line = normal.cross(planeNormal(place.firstPlane()));
+  const Vector3d& plane = planeNormal(place.firstPlane());
+  if (plane.isZero()) return step;
+  const Vector3d line = normal.cross(plane);
   const double square = line.squaredNorm();
   if (square < 1e-4) return Vector3d::Zero();
   return step.dot(line) / square * line;
@@ -48,7 +50,7 @@ bool ZeroSetGround::land(const Place& place, Vector3d& point, Vector3d& normal, 
     normal = jet.gradient / slope;
     if (held > 1) return true;
     Vector3d way = normal;
-    if (held == 1) way = ends_.along(place, way);
+    if (held == 1) way = inPlanes(place, way);
     const double share = way.squaredNorm();
     if (share < 0.01) return false;
     const double distance = std::clamp(jet.value / slope / share, -0.5 * voxel_, 0.5 * voxel_);

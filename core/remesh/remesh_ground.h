@@ -19,8 +19,11 @@ class RemeshGround {
   virtual ~RemeshGround() = default;
 
   /// The part of `step` that a vertex at a point with this normal of the wall can go.
-  [[nodiscard]] virtual Vector3d along(const Place& place, const Vector3d& normal,
-                                       const Vector3d& step) const = 0;
+  [[nodiscard]] Vector3d along(const Place& place, const Vector3d& normal,
+                               const Vector3d& step) const;
+
+  /// The part of `step` that lies in the planes of a place.
+  [[nodiscard]] virtual Vector3d inPlanes(const Place& place, const Vector3d& step) const = 0;
 
   /// Brings `point` back by at most `steps` Newton steps, until it is within 1e-6 units of the
   /// wall, and gives the outward normal (to first order where the steps end first). False where
@@ -32,7 +35,8 @@ class RemeshGround {
 
   /// The wanted length of edges at a vertex that lies there, mm.
   [[nodiscard]] virtual double sizeAt(std::uint32_t vertex, const Vector3d& point) const = 0;
-  /// Outward, unit; planes are numbered as places name them.
+  /// Outward, unit; planes are numbered as places name them. 0: the vertices keep to a line, in no
+  /// plane that is known.
   [[nodiscard]] virtual const Vector3d& planeNormal(int plane) const = 0;
   /// What distances from the wall are compared with, mm.
   [[nodiscard]] virtual double unitMm() const = 0;
@@ -49,8 +53,9 @@ class ZeroSetGround final : public RemeshGround {
   /// All must outlive the object.
   ZeroSetGround(const SplineField& field, const EdgeSize& size, const EndPlanes& ends);
 
-  [[nodiscard]] Vector3d along(const Place& place, const Vector3d& normal,
-                               const Vector3d& step) const override;
+  [[nodiscard]] Vector3d inPlanes(const Place& place, const Vector3d& step) const override {
+    return ends_.along(place, step);
+  }
   bool land(const Place& place, Vector3d& point, Vector3d& normal, int steps) const override;
   [[nodiscard]] bool allows(std::uint32_t, const Vector3d&) const override { return true; }
   [[nodiscard]] double sizeAt(std::uint32_t, const Vector3d& point) const override {

@@ -33,7 +33,7 @@ std::vector<char> closedPatches(const TriMesh& mesh, const SplineField* phi) {
 class Finder {
  public:
   Finder(const TriMesh& mesh, WallPlaces& result)
-      : mesh_(mesh), result_(result), plane_(mesh.points.size(), kNone) {}
+      : mesh_(mesh), result_(result), rims_(rimEdges(mesh)), plane_(mesh.points.size(), kNone) {}
 
   void findPlanes(const Geometry& g);
   void holdPatches(const std::vector<Port>& ports);
@@ -64,13 +64,15 @@ class Finder {
 
   const TriMesh& mesh_;
   WallPlaces& result_;
+  const std::vector<RimEdge> rims_;
   std::vector<std::uint16_t> plane_;
   std::vector<char> lines_;  ///< per vertex: of a rim whose plane nothing tells
 };
 
 void Finder::findPlanes(const Geometry& g) {
+  const EndPlanes borders(g);
   std::vector<char> onRim(mesh_.points.size(), 0);
-  for (const RimEdge& edge : rimEdges(mesh_))
+  for (const RimEdge& edge : rims_)
     if (edge.open) onRim[edge.from] = onRim[edge.to] = 1;
   for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
     const Vector3d index = g.toIndex(mesh_.points[v]);
@@ -80,10 +82,7 @@ void Finder::findPlanes(const Geometry& g) {
       const bool cap = beyond > 0.25;
       if (!cap && !(std::abs(beyond) < 1e-6 && onRim[v] != 0)) continue;
       if (cap) result_.offWall[v] = 1;
-      const auto inPlane = [&](int k) { return g.direction.col((axis + k) % 3); };
-      Vector3d n = inPlane(1).cross(inPlane(2)).normalized();
-      if (n.dot(g.direction.col(axis)) < 0.0) n = -n;
-      hold(v, index[axis] < 0.5 * last ? Vector3d(-n) : n);
+      hold(v, borders.normal(2 * axis + (index[axis] < 0.5 * last ? 0 : 1)));
     }
   }
 }
@@ -105,7 +104,7 @@ void Finder::holdPatches(const std::vector<Port>& ports) {
 void Finder::freeRims(const SplineField* phi) {
   lines_.assign(mesh_.points.size(), 0);
   const std::vector<char> closed = closedPatches(mesh_, phi);
-  for (const RimEdge& edge : rimEdges(mesh_)) {
+  for (const RimEdge& edge : rims_) {
     const std::size_t patch = edge.open ? 0U : edge.otherPatch;
     const bool known = phi != nullptr && closed[patch] == 0;
     for (const std::uint32_t v : {edge.from, edge.to})

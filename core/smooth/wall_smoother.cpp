@@ -57,42 +57,30 @@ bool WallGround::allows(std::uint32_t vertex, const Vector3d& normal) const {
   return !places_.mesh.place[vertex].wall || normal.dot(normals_[vertex]) >= wall_.leastTurn();
 }
 
-Eigen::Vector3d WallGround::along(const Place& place, const Vector3d& normal,
-                                  const Vector3d& step) const {
-  if (place.planes() == 0) return step - step.dot(normal) * normal;
+Eigen::Vector3d WallGround::inPlanes(const Place& place, const Vector3d& step) const {
+  if (place.planes() == 0) return step;
   const Vector3d& plane = planeNormal(place.firstPlane());
-  if (plane.isZero()) return step;
-  if (!place.wall) return step - step.dot(plane) * plane;
-  const Vector3d line = normal.cross(plane);
-  const double square = line.squaredNorm();
-  if (square < 1e-4) return Vector3d::Zero();
-  return step.dot(line) / square * line;
+  return step - step.dot(plane) * plane;
 }
 
 Eigen::Vector3d WallGround::toWall(const Place& place, const Wall::Sample& s, double offset) const {
-  Vector3d way = s.normal;
-  if (place.planes() > 0) {
-    const Vector3d& plane = planeNormal(place.firstPlane());
-    if (plane.isZero()) return Vector3d::Zero();
-    way -= way.dot(plane) * plane;
-  }
+  if (onLine(place)) return Vector3d::Zero();
+  const Vector3d way = inPlanes(place, s.normal);
   const double share = way.squaredNorm();
   if (share < 0.1) return Vector3d::Zero();
   return (offset - s.offset) / share * way;
 }
 
 bool WallGround::land(const Place& place, Vector3d& point, Vector3d& normal, int steps) const {
-  const bool inPlane = place.planes() > 0;
   if (!place.wall) {
     normal = planeNormal(place.firstPlane());
     return true;
   }
-  const bool onLine = inPlane && planeNormal(place.firstPlane()).isZero();
   for (int n = 0; n < steps; ++n) {
     const Wall::Sample sample = wall_.at(point);
     if (sample.normal.isZero()) return false;
     normal = sample.normal;
-    if (onLine || std::abs(sample.offset) <= 1e-6 * wall_.unitMm()) break;
+    if (onLine(place) || std::abs(sample.offset) <= 1e-6 * wall_.unitMm()) break;
     const Vector3d step = toWall(place, sample, 0.0);
     if (step.isZero()) return false;
     point += step;
@@ -107,8 +95,7 @@ WallSmoother::WallSmoother(const WallPlaces& places, const WallGround& ground, c
       wallGround_(ground),
       wall_(wall),
       params_(params),
-      points_(places.mesh.mesh.points),
-      normals_(points_.size(), Vector3d::Zero()) {
+      points_(places.mesh.mesh.points) {
   // Without a normal nothing can slide.
   for (std::uint32_t v = 0; v < points_.size(); ++v)
     if (mesh_.normal(v).isZero()) mesh_.lock(v);
@@ -171,25 +158,14 @@ bool WallSmoother::approach() {
 
 // The places that the engine has given the vertices.
 void WallSmoother::fetch() {
-  for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    points_[v] = mesh_.point(v);
-    normals_[v] = mesh_.normal(v);
-  }
+  for (std::uint32_t v = 0; v < points_.size(); ++v) points_[v] = mesh_.point(v);
 }
 
 WallSmoother::Fitness WallSmoother::fitness(std::uint32_t t,
                                             const std::vector<Vector3d>& at) const {
   const Corners c = corners(t);
-  const Vector3d n = unitNormal(at[c[0]], at[c[1]], at[c[2]]);
-  Fitness f;
-  f.sharpness = largestCosine(at[c[0]], at[c[1]], at[c[2]]);
-  if (mesh_.patch(t) > 0) {
-    f.agreement = n.dot(wallGround_.planeNormal(mesh_.patch(t) - 1));
-    return f;
-  }
-  for (const std::uint32_t v : c)
-    if (mesh_.place(v).wall) f.agreement = std::min(f.agreement, n.dot(normals_[v]));
-  return f;
+  return {agreement(mesh_.patch(t), c, {at[c[0]], at[c[1]], at[c[2]]}),
+          largestCosine(at[c[0]], at[c[1]], at[c[2]])};
 }
 
 // Takes the new places except where a triangle would turn away from the wall or lose its shape: its

@@ -20,8 +20,7 @@ class WallGround final : public RemeshGround {
   /// Both must outlive the object. The wanted lengths are those of the mesh itself, evened out.
   WallGround(const Wall& wall, const WallPlaces& places);
 
-  [[nodiscard]] Vector3d along(const Place& place, const Vector3d& normal,
-                               const Vector3d& step) const override;
+  [[nodiscard]] Vector3d inPlanes(const Place& place, const Vector3d& step) const override;
   bool land(const Place& place, Vector3d& point, Vector3d& normal, int steps) const override;
   [[nodiscard]] bool allows(std::uint32_t vertex, const Vector3d& normal) const override;
   [[nodiscard]] double sizeAt(std::uint32_t vertex, const Vector3d&) const override {
@@ -37,6 +36,10 @@ class WallGround final : public RemeshGround {
   [[nodiscard]] Vector3d toWall(const Place& place, const Wall::Sample& s, double offset) const;
 
  private:
+  [[nodiscard]] bool onLine(const Place& place) const {
+    return place.planes() > 0 && planeNormal(place.firstPlane()).isZero();
+  }
+
   const Wall& wall_;
   const WallPlaces& places_;
   std::vector<double> sizes_;
@@ -85,8 +88,7 @@ class WallSmoother : private RemeshWorker {
   const WallGround& wallGround_;
   const Wall& wall_;
   const SmoothParams& params_;
-  std::vector<Vector3d> points_;   ///< of the vertices, where all of them move at once
-  std::vector<Vector3d> normals_;  ///< of the wall there
+  std::vector<Vector3d> points_;  ///< of the vertices, where all of them move at once
 };
 
 }  // namespace angiomesh
