@@ -46,7 +46,7 @@ void countLoops(const TriMesh& mesh, const std::vector<EdgeSide>& sides, VertexF
 void countTopology(const TriMesh& mesh, MeshQuality& q, const Progress& progress) {
   const std::vector<EdgeSide> sides = sortedEdgeSides(mesh);
   progress.report(0.05);
-  const MeshComponents components = meshComponents(mesh);
+  const MeshComponents components = meshComponents(mesh, sides);
   progress.report(0.1);
   std::vector<ComponentCount> counts(components.count);
   VertexFans fans = vertexFans(mesh, sides);
