@@ -242,6 +242,25 @@ class TestRemesh : public QObject {
     }
   }
 
+  // Of the torus of seven vertices, which all are joined.
+  void noEdgeIsMadeTwice() {
+    PatchMesh start;
+    for (std::uint32_t i = 0; i < 7; ++i) {
+      start.mesh.points.emplace_back(i, i * i, i * i * i);
+      start.mesh.triangles.push_back({i, (i + 1) % 7, (i + 3) % 7});
+      start.mesh.triangles.push_back({i, (i + 3) % 7, (i + 2) % 7});
+    }
+    start.place.assign(7, Place::onWall());
+    start.patch.assign(14, 0);
+    start.origin.assign(14, FaceOrigin::Front);
+    const EditMesh mesh(start);
+    for (std::uint32_t h = 0; h < mesh.halfEdgeSlots(); ++h) {
+      QVERIFY(!mesh.locked(mesh.origin(h)));
+      QCOMPARE(mesh.valence(mesh.origin(h)), 6U);
+      QVERIFY(!mesh.canFlip(h));
+    }
+  }
+
   // Random changes to a torus with an open rim, half of them taken back.
   void changesKeepAManifold() {
     PatchMesh start;
