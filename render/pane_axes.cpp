@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/formatted.h"
 #include "core/image/projection.h"
 
 namespace angiomesh {
@@ -59,12 +58,6 @@ std::string orientationLetters(const Eigen::Vector3d& directionLps) {
     letters += axisLetter(second, d[second]);
   }
   return letters;
-}
-
-std::string positionText(const Eigen::Vector3d& pointLps) {
-  return formatted("%c %.1f %c %.1f %c %.1f mm", axisLetter(0, pointLps[0]), std::abs(pointLps[0]),
-                   axisLetter(1, pointLps[1]), std::abs(pointLps[1]), axisLetter(2, pointLps[2]),
-                   std::abs(pointLps[2]));
 }
 
 const char* planeName(int plane) {

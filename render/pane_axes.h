@@ -31,9 +31,6 @@ PaneAxes paneAxes(const Geometry& geometry, int plane);
 /// off the nearest axis.
 std::string orientationLetters(const Eigen::Vector3d& directionLps);
 
-/// "L 12.3 P 4.1 S 30.0 mm"
-std::string positionText(const Eigen::Vector3d& pointLps);
-
 /// "Sagittal", "Coronal", "Axial"
 const char* planeName(int plane);
 

@@ -32,7 +32,10 @@ std::string shortestText(double value) {
 }
 
 std::string placeText(const Eigen::Vector3d& pointLps) {
-  return formatted("L %.1f P %.1f S %.1f mm", pointLps.x(), pointLps.y(), pointLps.z());
+  const Eigen::Vector3d length = pointLps.cwiseAbs();
+  return formatted("%c %.1f %c %.1f %c %.1f mm", pointLps[0] < 0.0 ? 'R' : 'L', length[0],
+                   pointLps[1] < 0.0 ? 'A' : 'P', length[1], pointLps[2] < 0.0 ? 'I' : 'S',
+                   length[2]);
 }
 
 }  // namespace angiomesh

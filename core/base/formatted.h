@@ -28,7 +28,7 @@ std::string joined(const Range& all, const char* between = ", ", const Text& tex
   return line;
 }
 
-/// A place for a message: "L 12.3 P -4.5 S 67.8 mm".
+/// A place as readers of images say it: "L 12.3 A 4.5 S 67.8 mm".
 std::string placeText(const Eigen::Vector3d& pointLps);
 
 }  // namespace angiomesh

@@ -2,10 +2,10 @@
 #include "core/pipeline/surface_step.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "core/base/few_warnings.h"
+#include "core/base/formatted.h"
 #include "core/contour/marching_cubes.h"
 #include "core/contour/port_patches.h"
 #include "core/contour/reference_surface.h"
@@ -94,16 +94,12 @@ double fromFront(const std::vector<SurfaceComponent>& components) {
 std::string remarkOn(const Handle& handle) {
   if (handle.kind == HandleKind::Loop) return {};
   const bool hole = handle.kind == HandleKind::Hole;
-  const Eigen::Vector3d& p = hole ? handle.centreLps : handle.placeLps;
-  char place[80];
-  std::snprintf(place, sizeof place, "near L %.1f P %.1f S %.1f mm", p.x(), p.y(), p.z());
-  char length[40];
-  std::snprintf(length, sizeof length, "%.3g mm", handle.lengthMm);
-  if (hole)
-    return std::string("a hole of ") + length + " around goes through a vessel " + place +
-           ": that is smaller than the voxels tell";
-  return std::string("a loop of ") + length + " closes " + place +
-         " through a place less than half a voxel deep: vessels may only touch there";
+  const std::string place = placeText(hole ? handle.centreLps : handle.placeLps);
+  return formatted(hole ? "a hole of %.3g mm around goes through a vessel near %s: that is smaller "
+                          "than the voxels tell"
+                        : "a loop of %.3g mm closes near %s through a place less than half a voxel "
+                          "deep: vessels may only touch there",
+                   handle.lengthMm, place.c_str());
 }
 
 void addHandles(SurfaceOrigin& origin, const Volume<float>& phi, const CutAway& away,

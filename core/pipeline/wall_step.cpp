@@ -2,11 +2,11 @@
 #include "core/pipeline/wall_step.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
 #include "core/base/few_warnings.h"
+#include "core/base/formatted.h"
 #include "core/distance/redistance.h"
 #include "core/field/wall_field.h"
 #include "core/topology/close_handles.h"
@@ -44,13 +44,10 @@ void closeHandles(Volume<float>& phi, const WallEvidence& evidence, EvolveResult
   std::vector<std::string> closed;
   for (const HandleChange& change : changes) {
     ++(change.filled ? result.wall->filledHoles : result.wall->cutHandles);
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "%s near L %.1f P %.1f S %.1f mm, which the noise explains, was %s (%zu voxels)",
-                  change.filled ? "a hole through a vessel" : "a thin loop", change.placeLps.x(),
-                  change.placeLps.y(), change.placeLps.z(), change.filled ? "filled" : "cut",
-                  change.voxels);
-    closed.emplace_back(text);
+    closed.push_back(formatted("%s near %s, which the noise explains, was %s (%zu voxels)",
+                               change.filled ? "a hole through a vessel" : "a thin loop",
+                               placeText(change.placeLps).c_str(), change.filled ? "filled" : "cut",
+                               change.voxels));
   }
   addFew(warnings, closed, " more holes and loops that the noise explains were closed");
 }

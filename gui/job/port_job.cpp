@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/job/port_job.h"
 
-#include <cstdio>
 #include <exception>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/centreline/vessel_at.h"
 #include "core/cuts/border_cuts.h"
 #include "core/cuts/clip_reference.h"
@@ -132,12 +132,8 @@ void PortJob::cutAllAcross(CutAway away) {
 void PortJob::cutHere() {
   const std::optional<LocalVessel> vessel = vesselAt(*ground.field, pointLps);
   if (!vessel) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "there is no vessel at L %.1f P %.1f S %.1f mm: choose a place inside the "
-                  "segmentation or on its wall",
-                  pointLps.x(), pointLps.y(), pointLps.z());
-    error = text;
+    error = "there is no vessel at " + placeText(pointLps) +
+            ": choose a place inside the segmentation or on its wall";
     return;
   }
   try {

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/base/formatted.h"
 #include "gui/model/case_models.h"
 #include "gui/panel/named.h"
 
@@ -54,16 +55,7 @@ void SeedList::refresh() {
   const auto seeds = models_.document.seeds();
   const int row = list_->currentRow();
   list_->clear();
-  for (const Eigen::Vector3d& seed : seeds) {
-    // LPS: positive is left, posterior, superior.
-    list_->addItem(QStringLiteral("%1 %2  %3 %4  %5 %6 mm")
-                       .arg(seed[0] < 0 ? 'R' : 'L')
-                       .arg(std::abs(seed[0]), 0, 'f', 1)
-                       .arg(seed[1] < 0 ? 'A' : 'P')
-                       .arg(std::abs(seed[1]), 0, 'f', 1)
-                       .arg(seed[2] < 0 ? 'I' : 'S')
-                       .arg(std::abs(seed[2]), 0, 'f', 1));
-  }
+  for (const Eigen::Vector3d& seed : seeds) list_->addItem(QString::fromStdString(placeText(seed)));
   list_->setCurrentRow(std::min(row, list_->count() - 1));
   const bool any = !seeds.empty();
   list_->setVisible(any);

@@ -9,7 +9,8 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/base/formatted.h"
 
 namespace angiomesh {
 
@@ -438,7 +439,7 @@ void SliceView::hover(const QPointF& position) {
                      .arg(v[0])
                      .arg(v[1])
                      .arg(v[2])
-                     .arg(QString::fromStdString(positionText(lps))));
+                     .arg(QString::fromStdString(placeText(lps))));
 }
 
 }  // namespace angiomesh

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/base/formatted.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 #include "window_events.h"
@@ -323,7 +324,7 @@ class TestSliceView : public QObject {
     const QString text = hovered.last()[0].toString();
     QVERIFY2(text.startsWith(QString("1000, voxel 20,22,%1, ").arg(view->slice())),
              qPrintable(text));
-    QVERIFY(text.endsWith(QString::fromStdString(positionText(view->lpsAt(at)))));
+    QVERIFY(text.endsWith(QString::fromStdString(placeText(view->lpsAt(at)))));
     sendMouse(*view, QEvent::MouseMove, {2, 2}, Qt::NoButton, Qt::NoButton);
     QVERIFY(hovered.last()[0].toString().isEmpty());
   }

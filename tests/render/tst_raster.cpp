@@ -87,11 +87,6 @@ class TestRaster : public QObject {
     QCOMPARE(orientationLetters(leaning(60)), std::string("IL"));
   }
 
-  void positionsAreNamedBySide() {
-    QCOMPARE(positionText({12.34, 4.12, 30.0}), std::string("L 12.3 P 4.1 S 30.0 mm"));
-    QCOMPARE(positionText({-12.34, -4.12, -30.0}), std::string("R 12.3 A 4.1 I 30.0 mm"));
-  }
-
   void planeAndPatientSpaceAreInverse() {
     for (const Eigen::Matrix3d& direction : directions())
       for (int plane = 0; plane < 3; ++plane) {

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/exact_math.h"
+#include "core/base/formatted.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/base/random.h"
@@ -104,6 +105,11 @@ class TestBase : public QObject {
   void errorsAreOneLine() {
     const IoError error("cannot read\nthe file", "a.mha", "check the name");
     QCOMPARE(std::string(error.what()), std::string("cannot read the file, a.mha: check the name"));
+  }
+
+  void placesAreNamedBySide() {
+    QCOMPARE(placeText({12.34, 4.12, 30.0}), std::string("L 12.3 P 4.1 S 30.0 mm"));
+    QCOMPARE(placeText({-12.34, -4.12, -30.0}), std::string("R 12.3 A 4.1 I 30.0 mm"));
   }
 };
 
