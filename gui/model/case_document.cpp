@@ -93,6 +93,7 @@ void CaseDocument::applyPreset(const QString& name) {
   Parameters after = preset(name.toStdString());
   copyPlaces(params_, after);
   change(after, tr("preset %1").arg(name));
+  Q_EMIT presetChosen(name);
 }
 
 QString CaseDocument::presetName() const {

@@ -64,6 +64,7 @@ class CaseDocument : public QObject {
  Q_SIGNALS:
   void parametersChanged();  ///< or an edit was refused, and a form has to show what is
   void edited();             ///< after parametersChanged(), where there was an edit
+  void presetChosen(const QString& name);
 
  private:
   class Change;

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "gui/model/modality_habits.h"
 #include "gui/model/step_text.h"
 #include "io/volume/image_format.h"
 
@@ -62,6 +63,9 @@ CaseFiles::CaseFiles(CaseDocument& document, ResultModel& results, RunModel& run
       slot_(timer, makeRunner, [this](const std::shared_ptr<LoadJob>& job) { finishLoad(job); }) {
   timer_.add(*this);
   connect(document_.undoStack(), &QUndoStack::indexChanged, this, &CaseFiles::noteEdit);
+  connect(&document_, &CaseDocument::presetChosen, this, [this](const QString& name) {
+    if (document_.hasCase()) rememberPreset(info_.modality, name);
+  });
   connect(&runs_, &RunModel::ended, this, [this] {
     if (!document_.modified()) cacheEvolve();
   });
@@ -171,9 +175,18 @@ void CaseFiles::announce() {
   Q_EMIT results_.resultsChanged();
 }
 
+Parameters CaseFiles::parametersToBegin(const LoadJob& job) {
+  if (job.startParameters()) return *job.startParameters();
+  if (!document_.hasCase() && document_.undoStack()->count() > 0) return document_.parameters();
+  const QString name = presetFor(job.info().modality);
+  if (name != QLatin1String("angiomesh"))
+    log_.say(Severity::Info, tr("Begins with the preset %1.").arg(name));
+  return preset(name.toStdString());
+}
+
 void CaseFiles::takeVolume(const LoadJob& job) {
   begin(job, QString::fromStdString(job.pipeline()->source().name),
-        withoutPlaces(job.label(), job.startParameters().value_or(document_.parameters())));
+        withoutPlaces(job.label(), parametersToBegin(job)));
   store_.begin({describeSource(), document_.parameters(), {}, 0}, nullptr);
   sayOpened(job.info());
   if (job.label()) sayLabel(*job.label());

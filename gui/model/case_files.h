@@ -87,6 +87,8 @@ class CaseFiles : public QObject, private Polled {
   void startLoad(std::shared_ptr<LoadJob> job);
   void finishLoad(const std::shared_ptr<LoadJob>& job);
   void takeVolume(const LoadJob& job);
+  /// Nothing of another patient's: a preset, or what was chosen before there was any volume.
+  [[nodiscard]] Parameters parametersToBegin(const LoadJob& job);
   void takeCase(const std::shared_ptr<const OpenCaseJob>& job);
   void begin(const LoadJob& job, const QString& name, const Parameters& params);
   void announce();

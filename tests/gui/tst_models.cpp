@@ -256,7 +256,7 @@ class TestModels : public QObject {
     QCOMPARE(models.document.caseName(), QString("two-tubes"));
   }
 
-  void anotherCaseKeepsParametersButNoPlaces() {
+  void anotherCaseBeginsAnew() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("scan.nii.gz");
     writeVolume(*twoTubes().image, path.toStdString());
@@ -269,8 +269,7 @@ class TestModels : public QObject {
     models.files.open(path);
     QCOMPARE(opened.size(), 1);
     QCOMPARE(models.document.caseName(), QString("scan"));
-    QCOMPARE(models.document.parameters().thresholds.xi, 33.0);
-    QVERIFY(models.document.seeds().empty());
+    QVERIFY(models.document.parameters() == preset("angiomesh"));
     QVERIFY(models.runs.state(Step::Preprocess) == StepState::Empty);
     QCOMPARE(models.document.undoStack()->count(), 0);
   }
