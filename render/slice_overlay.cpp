@@ -3,7 +3,6 @@
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
-#include <vtkCoordinate.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -16,28 +15,22 @@
 #include <cmath>
 
 #include "core/base/formatted.h"
+#include "render/stage.h"
 
 namespace angiomesh {
 
 namespace {
 
-constexpr double textMargin = 8.0;  // design pixels
-constexpr int textSize = 14;
 constexpr int letterSize = 18;
 
 void style(vtkTextActor* actor, int size, bool centredAcross, bool rightAligned,
            bool centredUpwards, bool top) {
+  styleText(actor, size);
   vtkTextProperty* property = actor->GetTextProperty();
-  property->SetFontFamilyToArial();
-  property->SetFontSize(size);
-  property->SetColor(0.93, 0.90, 0.72);
-  property->SetShadow(1);
-  property->SetLineSpacing(1.15);
   if (centredAcross) property->SetJustificationToCentered();
   if (rightAligned) property->SetJustificationToRight();
   if (centredUpwards) property->SetVerticalJustificationToCentered();
   if (top) property->SetVerticalJustificationToTop();
-  actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
 }
 
 std::string lengthText(double mm) {

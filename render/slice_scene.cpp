@@ -50,6 +50,7 @@ struct SliceScene::Parts {
   vtkNew<vtkCallbackCommand> beforeFrame;
 
   std::shared_ptr<const Volume<float>> image;
+  std::string caption;
   std::vector<float> values;  // shown pixels, screen order
   std::vector<ContourLayer> contours;
   std::vector<Eigen::Vector3d> seeds;
@@ -199,6 +200,7 @@ void SliceScene::Parts::showContours() {
     if (!visible) continue;
     const auto& c = contours[k].colour;
     layer.colour(c[0], c[1], c[2]);
+    layer.actor->GetProperty()->SetOpacity(contours[k].opacity);
     layer.actor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixelRatio));
     layer.setSegments(zeroContour(*contours[k].phi, plane), contourDepth);
   }
@@ -278,8 +280,10 @@ void SliceScene::Parts::showTexts() {
   std::string upperRight;
   if (slabMode != SlabMode::None) {
     constexpr std::array<const char*, 4> names{"", "MIP", "MinIP", "Mean"};
-    upperRight = formatted("%s %.1f mm", names[static_cast<std::size_t>(slabMode)], slabThickness);
+    upperRight =
+        formatted("%s %.1f mm\n", names[static_cast<std::size_t>(slabMode)], slabThickness);
   }
+  upperRight += caption;
   overlay->setTexts(upperLeft, upperRight, lowerLeft);
 }
 
@@ -402,6 +406,11 @@ ViewRay SliceScene::rayAt(double displayX, double displayY) const {
   const Eigen::Vector3d across =
       (plane.toLps({0.0, 1.0}) - corner).cross(plane.toLps({1.0, 0.0}) - corner);
   return {lpsAt(displayX, displayY), across.normalized()};
+}
+
+void SliceScene::setCaption(const std::string& lines) {
+  parts_->caption = lines;
+  parts_->showTexts();
 }
 
 void SliceScene::setRoi(const std::optional<RoiBox>& roi) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/image/volume.h"
@@ -21,6 +22,7 @@ namespace angiomesh {
 struct ContourLayer {
   std::shared_ptr<const Volume<float>> phi;
   std::array<double, 3> colour{1.0, 0.3, 0.2};  ///< RGB, 0..1
+  double opacity = 1.0;
 };
 
 /// One slice pane: the image's native voxels along one grid axis, with overlays. The scene is flat:
@@ -67,6 +69,8 @@ class SliceScene {
   [[nodiscard]] PortDrag grabPort(const PortHit& hit, double displayX, double displayY) const;
   /// Through the slice, across it.
   [[nodiscard]] ViewRay rayAt(double displayX, double displayY) const;
+  /// Lines under the slab in the upper right corner, on what the pane shows.
+  void setCaption(const std::string& lines);
   void setRoi(const std::optional<RoiBox>& roi);
   [[nodiscard]] const std::optional<RoiBox>& roi() const;
 

@@ -2,9 +2,12 @@
 #include "render/stage.h"
 
 #include <vtkCamera.h>
+#include <vtkCoordinate.h>
 #include <vtkLightKit.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -24,6 +27,16 @@ void setStage(vtkRenderer* renderer) {
   lights->SetKeyToHeadRatio(4.0);
   lights->SetKeyToBackRatio(4.0);
   lights->AddLightsToRenderer(renderer);
+}
+
+void styleText(vtkTextActor* text, int size) {
+  vtkTextProperty* property = text->GetTextProperty();
+  property->SetFontFamilyToArial();
+  property->SetFontSize(size);
+  property->SetColor(0.93, 0.90, 0.72);
+  property->SetShadow(1);
+  property->SetLineSpacing(1.15);
+  text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
 }
 
 Viewpoint firstViewpoint(const std::array<double, 6>& bounds) {

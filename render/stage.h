@@ -5,11 +5,18 @@
 #include <array>
 
 class vtkRenderer;
+class vtkTextActor;
 
 namespace angiomesh {
 
 /// Background and lights of a 3D picture.
 void setStage(vtkRenderer* renderer);
+
+/// Letters that can be read on any picture; positions are pixels of the renderer's viewport.
+void styleText(vtkTextActor* text, int size);
+
+constexpr int textSize = 14;        ///< of lines of text, design pixels
+constexpr double textMargin = 8.0;  ///< from the edges of a pane, design pixels
 
 /// Moves the camera along its direction of view to where the box (x0, x1, y0, y1, z0, z1) just fits
 /// the renderer's part of the window (a square before there is one).

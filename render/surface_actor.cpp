@@ -79,17 +79,14 @@ SurfaceActor::SurfaceActor(const std::array<double, 3>& colour)
   vtkProperty* property = parts_->actor->GetProperty();
   property->SetColor(colour[0], colour[1], colour[2]);
   property->SetInterpolationToPhong();
-  property->SetAmbient(0.08);
-  property->SetDiffuse(0.9);
-  property->SetSpecular(0.25);
   property->SetSpecularPower(25.0);
   property->SetEdgeColor(0.08, 0.08, 0.10);
   // The inside, seen through open ends, must not pass for the outside.
   vtkNew<vtkProperty> inside;
   inside->DeepCopy(property);
   inside->SetColor(0.45 * colour[0] + 0.1, 0.45 * colour[1] + 0.1, 0.45 * colour[2] + 0.1);
-  inside->SetSpecular(0.0);
   parts_->actor->SetBackfaceProperty(inside);
+  setDimmed(false);
 }
 
 SurfaceActor::~SurfaceActor() = default;
@@ -120,6 +117,15 @@ void SurfaceActor::setVisible(bool visible) {
 
 void SurfaceActor::setEdgesVisible(bool visible) {
   parts_->actor->GetProperty()->SetEdgeVisibility(visible);
+}
+
+void SurfaceActor::setDimmed(bool dimmed) {
+  vtkProperty* inside = parts_->actor->GetBackfaceProperty();
+  for (vtkProperty* side : {parts_->actor->GetProperty(), inside}) {
+    side->SetAmbient(dimmed ? 0.2 : 0.08);
+    side->SetDiffuse(dimmed ? 0.25 : 0.9);
+    side->SetSpecular(dimmed || side == inside ? 0.0 : 0.25);
+  }
 }
 
 void SurfaceActor::setTriangleValues(std::vector<float> values, vtkLookupTable* table) {

@@ -27,6 +27,8 @@ class SurfaceActor {
   [[nodiscard]] bool empty() const;
   void setVisible(bool visible);
   void setEdgesVisible(bool visible);
+  /// Hardly lit, as what is out of date.
+  void setDimmed(bool dimmed);
   /// Of the patches 1.. of the mesh, RGB, 0..1; the rest, and all patches beyond the last, keep the
   /// actor's colour. Values of triangles hide them.
   void setPatchColours(std::vector<std::array<double, 3>> colours);

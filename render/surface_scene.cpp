@@ -16,6 +16,8 @@
 #include <vtkProp3D.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +62,7 @@ struct SurfaceScene::Parts {
   std::shared_ptr<const TriMesh> mesh;
   bool meshVisible = true;
   ColourBar colourBar{renderer};
+  vtkNew<vtkTextActor> caption;
   vtkNew<vtkPolyData> seedData;
   vtkNew<vtkActor> seedActor;
   vtkNew<vtkOutlineSource> roiSource;
@@ -120,6 +123,11 @@ SurfaceScene::Parts::Parts() {
   roiActor->VisibilityOff();
   renderer->AddActor(roiActor);
 
+  styleText(caption, textSize);
+  caption->GetTextProperty()->SetJustificationToRight();
+  caption->GetTextProperty()->SetVerticalJustificationToTop();
+  renderer->AddViewProp(caption);
+
   beforeFrame->SetClientData(this);
   beforeFrame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
     static_cast<Parts*>(self)->prepareFrame();
@@ -149,6 +157,8 @@ void SurfaceScene::Parts::prepareFrame() {
   std::array<double, 6> bounds{};
   if (visibleBounds(bounds)) renderer->ResetCameraClippingRange(bounds.data());
   const int* size = window != nullptr ? window->GetSize() : renderer->GetSize();
+  const double margin = textMargin * pixelRatio;
+  caption->SetPosition(size[0] - margin, size[1] - margin);
   ports.follow(pixelRatio);
   cube.follow(renderer->GetActiveCamera(), size[0], size[1], pixelRatio);
 }
@@ -287,6 +297,12 @@ void SurfaceScene::setSurfaceVisible(bool visible) {
 }
 
 void SurfaceScene::setEdgesVisible(bool visible) { parts_->surface.setEdgesVisible(visible); }
+
+void SurfaceScene::setSurfaceDimmed(bool dimmed) { parts_->surface.setDimmed(dimmed); }
+
+void SurfaceScene::setCaption(const std::string& lines) {
+  parts_->caption->SetInput(lines.c_str());
+}
 
 void SurfaceScene::setSurfaceColours(std::vector<float> perTriangle, const std::string& title,
                                      double lo, double hi) {

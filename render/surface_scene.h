@@ -45,6 +45,10 @@ class SurfaceScene {
   void setSurface(std::shared_ptr<const TriMesh> mesh);
   void setSurfaceVisible(bool visible);
   void setEdgesVisible(bool visible);
+  /// As what is out of date.
+  void setSurfaceDimmed(bool dimmed);
+  /// Lines in the upper right corner, on what the pane shows.
+  void setCaption(const std::string& lines);
 
   /// One scalar per triangle of the surface, shown from red (lo) over yellow to blue (hi) with a
   /// colour bar. Dropped when a surface with another number of triangles comes.

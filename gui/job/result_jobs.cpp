@@ -4,6 +4,7 @@
 #include <exception>
 #include <vector>
 
+#include "core/contour/marching_cubes.h"
 #include "core/cuts/cuts.h"
 #include "core/field/wall_field.h"
 #include "core/pipeline/expected_surface.h"
@@ -28,6 +29,15 @@ void EstimateJob::execute() noexcept {
     expected = expectSurface(*phi, field, surface, progress, away);
   } catch (const std::exception&) {
     expected.reset();
+  }
+}
+
+void OutlineJob::execute() noexcept {
+  try {
+    surface =
+        std::make_shared<const TriMesh>(marchingCubes(*evolve->phi, SurfaceBorder::Cap, progress));
+  } catch (const std::exception&) {
+    surface.reset();
   }
 }
 

@@ -38,4 +38,15 @@ struct EstimateJob {
   std::optional<ExpectedSurface> expected;
 };
 
+/// The zero level set of a segmentation, quickly.
+struct OutlineJob {
+  std::shared_ptr<const EvolveResult> evolve;
+  Progress progress;
+
+  void execute() noexcept;
+
+  // After execute():
+  std::shared_ptr<const TriMesh> surface;  ///< null where it failed
+};
+
 }  // namespace angiomesh

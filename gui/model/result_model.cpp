@@ -17,9 +17,14 @@ ResultModel::ResultModel(CaseDocument& document, MessageLog& log, JobTimer& time
       speedSlot_(timer, makeRunner,
                  [this](const std::shared_ptr<SpeedJob>& job) { finishSpeed(*job); }),
       estimateSlot_(timer, makeRunner,
-                    [this](const std::shared_ptr<EstimateJob>& job) { finishEstimate(*job); }) {}
+                    [this](const std::shared_ptr<EstimateJob>& job) { finishEstimate(*job); }),
+      outlineSlot_(timer, makeRunner,
+                   [this](const std::shared_ptr<OutlineJob>& job) { finishOutline(*job); }) {}
 
-ResultModel::~ResultModel() { cancelEstimate(); }
+ResultModel::~ResultModel() {
+  cancelEstimate();
+  if (outlineSlot_) outlineSlot_.job()->progress.cancel();
+}
 
 void ResultModel::clear() {
   shown_ = RunResult();
@@ -27,10 +32,14 @@ void ResultModel::clear() {
   reports_.fill({});
   meshRun_.reset();
   facts_.reset();
+  names_.clear();
+  segmentation_ = meshOf_ = 0;
   livePhi_.reset();
   liveSurface_.reset();
   speed_.reset();
   speedKey_.clear();
+  outline_.reset();
+  outlined_.reset();
 }
 
 void ResultModel::accept(const StepResult& result) {
@@ -50,15 +59,21 @@ void ResultModel::accept(const StepResult& result) {
       shown_.seeds = run.seeds;
       break;
     case Step::Evolve:
+      if (run.evolve != shown_.evolve) {
+        const bool byHand = run.evolve->stopReason == StopReason::Stopped;
+        segmentation_ = names_.segmentation(byHand ? std::string() : result.key);
+      }
       shown_.evolve = run.evolve;
       livePhi_.reset();
+      liveSurface_.reset();
       break;
     case Step::Surface:
     case Step::Smooth:
     case Step::Quality:
       meshRun_ = result.run;
       facts_ = result.facts;
-      liveSurface_.reset();
+      meshOf_ = segmentation_;
+      meshName_ = names_.mesh(segmentation_, document_.pipeline()->key(Step::Smooth, run.params));
       break;
     case Step::Load:
       break;
@@ -75,6 +90,25 @@ bool ResultModel::setLive(std::shared_ptr<const Volume<float>> phi,
 
 bool ResultModel::fresh(Step step) const {
   return document_.hasCase() && !key(step).empty() && key(step) == document_.key(step);
+}
+
+bool ResultModel::layerFresh(Layer layer) const {
+  switch (layer) {
+    case Layer::Source:
+      break;
+    case Layer::Preprocessed:
+      return fresh(Step::Preprocess);
+    case Layer::Vesselness:
+      return fresh(Step::Vesselness);
+    case Layer::Speed:
+      return fresh(Step::Vesselness) &&
+             speedKey_ == document_.pipeline()->speedKey(document_.parameters());
+  }
+  return true;
+}
+
+QString ResultModel::segmentationName() const {
+  return segmentation_ > 0 ? QString::number(segmentation_) : QString();
 }
 
 double ResultModel::seconds(Step step) const { return fresh(step) ? report(step).seconds : -1.0; }
@@ -126,14 +160,12 @@ void ResultModel::finishSpeed(const SpeedJob& job) {
 
 std::shared_ptr<const Volume<float>> ResultModel::phi() const {
   if (livePhi_) return livePhi_;
-  if (meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve)
-    return meshRun_->surface->phi;
+  if (meshFits() && meshRun_->surface) return meshRun_->surface->phi;
   return shown_.evolve ? shown_.evolve->phi : nullptr;
 }
 
 std::shared_ptr<const Volume<float>> ResultModel::uncutPhi() const {
-  if (meshRun_ && meshRun_->surface && meshRun_->evolve == shown_.evolve)
-    return meshRun_->surface->uncutPhi;
+  if (meshFits() && meshRun_->surface) return meshRun_->surface->uncutPhi;
   return shown_.evolve ? shown_.evolve->phi : nullptr;
 }
 
@@ -198,6 +230,28 @@ std::shared_ptr<const TriMesh> ResultModel::mesh(MeshKind kind) const {
       return meshRun_->surface ? meshRun_->surface->marchingCubes : nullptr;
   }
   return nullptr;
+}
+
+std::shared_ptr<const TriMesh> ResultModel::outline() {
+  if (meshFits() || !shown_.evolve) return nullptr;
+  if (outlined_ == shown_.evolve) return outline_;
+  if (outlineSlot_) {
+    if (outlineSlot_.job()->evolve != shown_.evolve) outlineSlot_.job()->progress.cancel();
+    return nullptr;
+  }
+  auto job = std::make_shared<OutlineJob>();
+  job->evolve = shown_.evolve;
+  const QScopedValueRollback<bool> quiet(quiet_, true);
+  outlineSlot_.startAndPoll(std::move(job));
+  return outlined_ == shown_.evolve ? outline_ : nullptr;
+}
+
+void ResultModel::finishOutline(const OutlineJob& job) {
+  if (!job.progress.cancelled()) {
+    outline_ = job.surface;
+    outlined_ = job.evolve;
+  }
+  if (!quiet_) Q_EMIT resultsChanged();
 }
 
 MeshKind ResultModel::kindAtHand(MeshKind wanted) const {

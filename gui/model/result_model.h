@@ -14,6 +14,7 @@
 #include "gui/job/result_jobs.h"
 #include "gui/job/run_job.h"
 #include "gui/model/case_document.h"
+#include "gui/model/result_names.h"
 
 namespace angiomesh {
 
@@ -50,6 +51,14 @@ class ResultModel : public QObject {
   }
   /// Whether the result shown is that of the present parameters.
   [[nodiscard]] bool fresh(Step step) const;
+  /// Whether a layer is that of the present parameters.
+  [[nodiscard]] bool layerFresh(Layer layer) const;
+  /// "2": the second segmentation of the case; empty without one.
+  [[nodiscard]] QString segmentationName() const;
+  /// "2b": the second mesh of that segmentation; empty without one.
+  [[nodiscard]] QString meshName() const { return meshRun_ ? meshName_ : QString(); }
+  /// Whether the meshes are of the segmentation shown, and not of an earlier one.
+  [[nodiscard]] bool meshFits() const { return meshRun_ && meshOf_ == segmentation_; }
   /// Computing time of a fresh result, seconds; negative without one.
   [[nodiscard]] double seconds(Step step) const;
   [[nodiscard]] const StageReport& report(Step step) const {
@@ -66,6 +75,8 @@ class ResultModel : public QObject {
   }
   [[nodiscard]] std::shared_ptr<const SeedsResult> seedsResult() const { return shown_.seeds; }
   [[nodiscard]] std::shared_ptr<const EvolveResult> evolveResult() const { return shown_.evolve; }
+  /// Whether an evolution is shown as it goes on.
+  [[nodiscard]] bool live() const { return livePhi_ != nullptr; }
   /// phi to outline: the evolving one, else that of the kept components, else the evolution's.
   [[nodiscard]] std::shared_ptr<const Volume<float>> phi() const;
   /// What cuts are made in: phi of the kept components, else the evolution's; null before.
@@ -77,6 +88,9 @@ class ResultModel : public QObject {
   /// The evolving surface; null when no evolution runs.
   [[nodiscard]] std::shared_ptr<const TriMesh> liveSurface() const { return liveSurface_; }
   [[nodiscard]] std::shared_ptr<const TriMesh> mesh(MeshKind kind) const;
+  /// The zero level set of the segmentation shown, by marching cubes, for as long as it has no
+  /// mesh; made on demand, resultsChanged() tells when.
+  [[nodiscard]] std::shared_ptr<const TriMesh> outline();
   /// Mesh of the kind, or the unsmoothed one where there is none that is smoothed yet.
   [[nodiscard]] MeshKind kindAtHand(MeshKind wanted) const;
   /// The openings of a mesh, in the order of its patches; none where it has no patches.
@@ -101,8 +115,8 @@ class ResultModel : public QObject {
   /// What is to be said of the surface that the parameters ask for, before it is made.
   [[nodiscard]] QStringList expectationWarnings();
   void cancelEstimate();
-  /// Whether a speed or an estimate is being made.
-  [[nodiscard]] bool asking() const { return speedSlot_ || estimateSlot_; }
+  /// Whether a speed, an estimate or an outline is being made.
+  [[nodiscard]] bool asking() const { return speedSlot_ || estimateSlot_ || outlineSlot_; }
   /// While a run is on nothing is estimated: its surface step will tell.
   void setRunning(bool running) { running_ = running; }
   /// What a form needs beside a field and the parameters.
@@ -114,6 +128,7 @@ class ResultModel : public QObject {
  private:
   void finishSpeed(const SpeedJob& job);
   void finishEstimate(const EstimateJob& job);
+  void finishOutline(const OutlineJob& job);
   [[nodiscard]] std::optional<ExpectedSurface> expectedSurface();
   [[nodiscard]] static std::vector<std::size_t> dropsIn(const SegmentComponent& component,
                                                         const Parameters& params);
@@ -125,6 +140,10 @@ class ResultModel : public QObject {
   std::array<StageReport, kStepCount> reports_;
   std::shared_ptr<const RunResult> meshRun_;
   std::shared_ptr<const MeshFacts> facts_;
+  ResultNames names_;
+  int segmentation_ = 0;  ///< number of the segmentation shown; 0: there is none
+  int meshOf_ = 0;        ///< of the one that meshRun_ is of
+  QString meshName_;
   std::shared_ptr<const Volume<float>> livePhi_;
   std::shared_ptr<const TriMesh> liveSurface_;
   std::shared_ptr<const Volume<float>> speed_;
@@ -136,6 +155,9 @@ class ResultModel : public QObject {
   bool quiet_ = false;  ///< somebody waits for the answer, and needs no signal
   JobSlot<SpeedJob> speedSlot_;
   JobSlot<EstimateJob> estimateSlot_;
+  std::shared_ptr<const TriMesh> outline_;
+  std::shared_ptr<const EvolveResult> outlined_;  ///< what outline_ is of
+  JobSlot<OutlineJob> outlineSlot_;
 };
 
 }  // namespace angiomesh

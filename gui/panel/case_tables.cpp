@@ -13,6 +13,8 @@
 
 #include "core/base/formatted.h"
 #include "gui/model/case_models.h"
+#include "gui/model/result_text.h"
+#include "gui/panel/dimmed.h"
 #include "gui/panel/named.h"
 
 namespace angiomesh {
@@ -129,9 +131,13 @@ void ComponentTable::refresh() {
                          std::min(count, kRowsInView) * rowHeight + 2 * table_->frameWidth());
   table_->setVisible(count > 0);
   summary_->setVisible(count > 0);
-  summary_->setText(static_cast<int>(rows.size()) > count
-                        ? tr("Parts: %1 (the largest %2 are listed)").arg(rows.size()).arg(count)
-                        : tr("Parts: %1").arg(count));
+  const ShownText whose = meshText(models_.results);
+  const QString parts =
+      static_cast<int>(rows.size()) > count
+          ? tr("Parts: %1 (the largest %2 are listed)").arg(rows.size()).arg(count)
+          : tr("Parts: %1").arg(count);
+  summary_->setText(tr("%1. %2").arg(whose.text, parts));
+  setDimmed(table_, whose.stale);
 }
 
 EvolutionControls::EvolutionControls(CaseModels& models, QWidget* parent)

@@ -16,8 +16,10 @@
 #include <functional>
 
 #include "core/quality/quality_table.h"
+#include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
+#include "gui/panel/dimmed.h"
 #include "gui/panel/named.h"
 #include "gui/panel/plot_widget.h"
 #include "gui/panel/surface_note.h"
@@ -97,13 +99,13 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* pa
   table_ =
       named(new QTableWidget(static_cast<int>(rows().size()), kMeshKindCount, splitter), "quality");
   buildTable();
-  auto* plots = new QWidget(splitter);
-  auto* plotColumn = new QVBoxLayout(plots);
+  plots_ = new QWidget(splitter);
+  auto* plotColumn = new QVBoxLayout(plots_);
   plotColumn->setContentsMargins(0, 0, 0, 0);
   angles_ =
-      named(new HistogramWidget(tr("Smallest angle, ° (% of triangles)"), 0.0, 60.0, 60, plots),
+      named(new HistogramWidget(tr("Smallest angle, ° (% of triangles)"), 0.0, 60.0, 60, plots_),
             "angleHistogram");
-  ratios_ = named(new HistogramWidget(tr("Radius ratio (% of triangles)"), 0.0, 1.0, 50, plots),
+  ratios_ = named(new HistogramWidget(tr("Radius ratio (% of triangles)"), 0.0, 1.0, 50, plots_),
                   "ratioHistogram");
   plotColumn->addWidget(angles_);
   plotColumn->addWidget(ratios_);
@@ -199,10 +201,15 @@ void InspectorPanel::refreshState() {
 }
 
 void InspectorPanel::refreshHints() {
-  const MeshQuality* q = models_.results.quality(state_.meshKind());
+  const ResultModel& results = models_.results;
+  for (QWidget* measured : {static_cast<QWidget*>(table_), plots_})
+    setDimmed(measured, meshText(results).stale);
+  QString whose = tr("Result %1").arg(results.meshName());
+  if (!results.meshFresh()) whose = tr("◐ %1 belongs to earlier parameters: run again.").arg(whose);
+  const MeshQuality* q = results.quality(state_.meshKind());
   if (!q) {
-    hints_->setText(models_.results.mesh(state_.meshKind())
-                        ? tr("Quality is not measured yet: run to the end.")
+    hints_->setText(results.mesh(state_.meshKind())
+                        ? whose + '\n' + tr("Quality is not measured yet: run to the end.")
                         : tr("No mesh yet: open a volume and press Run."));
     return;
   }
@@ -223,10 +230,7 @@ void InspectorPanel::refreshHints() {
   if (origin && origin->unverified() > 0 && state_.meshKind() != MeshKind::MarchingCubes)
     lines << mark(false) + tr("%1 parts not verified").arg(origin->unverified());
   hints_->setToolTip(origin ? verifiedReasons(*origin) : QString());
-  QString text = lines.join(QStringLiteral("   "));
-  if (!models_.results.meshFresh())
-    text = tr("◐ The mesh belongs to earlier parameters: run again.") + '\n' + text;
-  hints_->setText(text);
+  hints_->setText(whose + '\n' + lines.join(QStringLiteral("   ")));
 }
 
 }  // namespace angiomesh

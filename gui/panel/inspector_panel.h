@@ -36,6 +36,7 @@ class InspectorPanel : public QWidget {
   QCheckBox* comparison_;
   QLabel* hints_;
   QTableWidget* table_;
+  QWidget* plots_;
   HistogramWidget* angles_;
   HistogramWidget* ratios_;
 };

@@ -6,6 +6,8 @@
 #include <type_traits>
 
 #include "gui/model/case_ports.h"
+#include "gui/model/result_text.h"
+#include "gui/model/step_text.h"
 #include "gui/panel/named.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
@@ -60,7 +62,9 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, QWidg
   connect(&models_.files, &CaseFiles::caseChanged, this, &ViewGrid::resetViews);
   connect(&models_.results, &ResultModel::resultsChanged, this, &ViewGrid::refreshAll);
   connect(&models_.runs, &RunModel::snapshotArrived, this, &ViewGrid::refreshSegmentation);
+  connect(&models_.runs, &RunModel::statesChanged, this, &ViewGrid::refreshSegmentation);
   connect(&models_.document, &CaseDocument::parametersChanged, this, &ViewGrid::refreshEdits);
+  connect(&models_.document, &CaseDocument::edited, this, &ViewGrid::refreshSegmentation);
   connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
   connectPorts();
   refreshAll();
@@ -152,6 +156,7 @@ void ViewGrid::refreshAll() {
 
 void ViewGrid::refreshImage() {
   std::shared_ptr<const Volume<float>> image = models_.results.layer(state_.layer());
+  layerShown_ = image != nullptr;
   if (!image) image = models_.document.image();
   if (image != shownImage_) {
     shownImage_ = image;
@@ -174,22 +179,33 @@ void ViewGrid::refreshImage() {
 void ViewGrid::refreshSegmentation() {
   const std::shared_ptr<const Volume<float>> phi =
       state_.contours() ? models_.results.phi() : nullptr;
-  if (phi != shownPhi_) {
+  const bool stale = contourText(models_.results, models_.runs).stale;
+  if (phi != shownPhi_ || stale != phiDimmed_) {
     shownPhi_ = phi;
-    for (SliceView* view : slices_) view->setContour(phi);
+    phiDimmed_ = stale;
+    for (SliceView* view : slices_) view->setContour(phi, stale);
   }
   refreshSurface();
   refreshComparison();
+  refreshCaptions();
 }
 
 void ViewGrid::refreshSurface() {
-  const std::shared_ptr<const TriMesh> live = models_.results.liveSurface();
-  std::shared_ptr<const TriMesh> mesh = live;
-  for (const MeshKind kind : {state_.meshKind(), MeshKind::Exported, MeshKind::Unsmoothed})
-    mesh = mesh ? mesh : models_.results.mesh(kind);
-  const bool ofKind = mesh && mesh == models_.results.mesh(state_.meshKind());
-  const std::shared_ptr<const MeshFacts> facts =
-      ofKind && !live ? models_.results.facts() : nullptr;
+  ResultModel& results = models_.results;
+  std::shared_ptr<const TriMesh> mesh = results.liveSurface();
+  const bool live = mesh != nullptr;
+  if (!live && !results.meshFits() && results.evolveResult()) {
+    mesh = results.outline();
+    if (!mesh) return;  // it comes in a moment
+  } else {
+    for (const MeshKind kind : {state_.meshKind(), MeshKind::Exported, MeshKind::Unsmoothed})
+      mesh = mesh ? mesh : results.mesh(kind);
+  }
+  const ShownText text = surfaceText(results, models_.runs, state_.meshKind());
+  surfaceCaption_ = text.text;
+  surfaceDimmed_ = text.stale;
+  const bool ofKind = mesh && mesh == results.mesh(state_.meshKind());
+  const std::shared_ptr<const MeshFacts> facts = ofKind && !live ? results.facts() : nullptr;
   const MeshColour colour = facts ? state_.meshColour() : MeshColour::Plain;
   if (mesh == shownMesh_ && colour == shownColour_ && facts == shownFacts_) return;
   if (mesh != shownMesh_) {
@@ -235,6 +251,25 @@ void ViewGrid::refreshComparison() {
     paintQuality(*comparison_, MeshKind::MarchingCubes, colour);
   }
   if (appears) comparison_->takeCameraOf(*surface_);
+}
+
+void ViewGrid::refreshCaptions() {
+  const ResultModel& results = models_.results;
+  const bool any = models_.document.hasCase();
+  const QString layer =
+      layerText(results, state_.layer(), shownImage_ != nullptr && layerShown_).text;
+  const auto lines = [any](const QString& first, const QString& second) {
+    QStringList list{first, second};
+    list.removeAll(QString());
+    return any ? list.join('\n') : QString();
+  };
+  const QString contour = shownPhi_ ? contourText(results, models_.runs).text : QString();
+  for (SliceView* view : slices_) view->setCaption(lines(layer, contour));
+  const QString projection = state_.mip() ? tr("MIP: %1").arg(layer) : QString();
+  surface_->setCaption(lines(projection, state_.surface() ? surfaceCaption_ : QString()),
+                       surfaceDimmed_);
+  const ShownText mesh = meshText(results);
+  comparison_->setCaption(lines(mesh.text, meshTitle(MeshKind::MarchingCubes)), mesh.stale);
 }
 
 std::vector<std::array<double, 3>> ViewGrid::patchColours(

@@ -54,6 +54,7 @@ class ViewGrid : public QWidget {
   void refreshSegmentation();
   void refreshSurface();
   void refreshComparison();
+  void refreshCaptions();
   void paintQuality(SurfaceView& view, MeshKind kind, MeshColour colour) const;
   void refreshEdits();
   void connectPorts();
@@ -71,6 +72,10 @@ class ViewGrid : public QWidget {
   SurfaceView* comparison_ = nullptr;
   QWidget* maximised_ = nullptr;
   std::shared_ptr<const Volume<float>> shownImage_, shownPhi_;
+  bool layerShown_ = false;  ///< shownImage_ is the layer chosen, not the source in its place
+  bool phiDimmed_ = false;
+  QString surfaceCaption_;  ///< of the surface in the 3D pane
+  bool surfaceDimmed_ = false;
   std::shared_ptr<const TriMesh> shownMesh_;
   std::vector<PortMark> shownPorts_;
   std::shared_ptr<const MeshFacts> shownFacts_;

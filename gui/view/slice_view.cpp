@@ -18,6 +18,7 @@ namespace {
 
 enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port };
 
+constexpr double dimmedOpacity = 0.45;
 constexpr double clickDistance = 3.0;  // Qt pixels: a shorter way is a click, not a drag
 
 }  // namespace
@@ -95,13 +96,19 @@ void SliceView::setSlab(SlabMode mode, double thicknessMm) {
 SlabMode SliceView::slabMode() const { return state_->scene.slabMode(); }
 double SliceView::slabThicknessMm() const { return state_->scene.slabThicknessMm(); }
 
-void SliceView::setContour(std::shared_ptr<const Volume<float>> phi) {
+void SliceView::setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed) {
   std::vector<ContourLayer> layers;
   if (phi) {
     layers.emplace_back();
     layers.back().phi = std::move(phi);
+    if (dimmed) layers.back().opacity = dimmedOpacity;
   }
   state_->scene.setContours(std::move(layers));
+  requestRender();
+}
+
+void SliceView::setCaption(const QString& lines) {
+  state_->scene.setCaption(lines.toStdString());
   requestRender();
 }
 

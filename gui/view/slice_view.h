@@ -42,7 +42,9 @@ class SliceView : public VtkView {
   [[nodiscard]] SlabMode slabMode() const;
   [[nodiscard]] double slabThicknessMm() const;
   /// The zero level set to outline; it may live on another grid. Null removes it.
-  void setContour(std::shared_ptr<const Volume<float>> phi);
+  void setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed = false);
+  /// What the pane shows, in lines.
+  void setCaption(const QString& lines);
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setRoi(std::optional<RoiBox> roi);
   void setPorts(std::vector<PortMark> marks);

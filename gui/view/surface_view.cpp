@@ -41,7 +41,8 @@ struct SurfaceView::State {
   QTimer refine;
   bool buttonDown = false;
   // What is set already: telling it again must not cost a frame of the projection.
-  bool mipVisible = true, surfaceVisible = true, edgesVisible = false;
+  bool mipVisible = true, surfaceVisible = true, edgesVisible = false, dimmed = false;
+  QString caption;
   std::vector<Eigen::Vector3d> seeds;
   std::optional<RoiBox> roi;
   std::vector<std::array<double, 3>> patchColours;
@@ -104,6 +105,15 @@ void SurfaceView::setEdgesVisible(bool visible) {
   if (std::exchange(state_->edgesVisible, visible) == visible) return;
   state_->scene.setEdgesVisible(visible);
   changed();
+}
+
+void SurfaceView::setCaption(const QString& lines, bool dimmed) {
+  if (lines == state_->caption && dimmed == state_->dimmed) return;
+  state_->caption = lines;
+  state_->dimmed = dimmed;
+  state_->scene.setCaption(lines.toStdString());
+  state_->scene.setSurfaceDimmed(dimmed);
+  requestRender();
 }
 
 void SurfaceView::setSurfaceColours(std::vector<float> perTriangle, const QString& title, double lo,

@@ -36,6 +36,8 @@ class SurfaceView : public VtkView {
   void setSurface(std::shared_ptr<const TriMesh> mesh);
   void setSurfaceVisible(bool visible);
   void setEdgesVisible(bool visible);
+  /// What the pane shows, in lines; dimmed: the surface is out of date.
+  void setCaption(const QString& lines, bool dimmed = false);
 
   /// One scalar per triangle, red at `lo`, blue at `hi`, with a colour bar.
   void setSurfaceColours(std::vector<float> perTriangle, const QString& title, double lo,

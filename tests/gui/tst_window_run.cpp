@@ -21,6 +21,7 @@ using namespace angiomesh;
 using angiomesh::test::evolveFor;
 using angiomesh::test::kLongEvolution;
 using angiomesh::test::kPatienceMs;
+using angiomesh::test::litShare;
 using angiomesh::test::slowTree;
 using angiomesh::test::twoTubes;
 using angiomesh::test::WindowCase;
@@ -166,6 +167,31 @@ class TestWindowRun : public QObject {
     QVERIFY(c.state().meshKind() == MeshKind::MarchingCubes);
     c.models().document.setField("smooth.iterations", std::int64_t(7));
     QVERIFY(c.find<QLabel>("hints")->text().contains("earlier parameters"));
+  }
+
+  void whatIsOutOfDateIsDimmedAndSaysSo() {
+    WindowCase c;
+    c.models().files.take(twoTubes());
+    c.state().setMip(false);
+    c.click(c.find<QPushButton>("run"));
+    const auto pictures = [&] {
+      return std::vector<QImage>{c.window->views().slice(2)->grabFramebuffer(),
+                                 c.window->views().surface()->grabFramebuffer()};
+    };
+    auto* hints = c.find<QLabel>("hints");
+    auto* parts = c.find<QLabel>("componentSummary");
+    QVERIFY2(hints->text().startsWith("Result 1\n"), qPrintable(hints->text()));
+    QCOMPARE(parts->text(), QString("Result 1. Parts: 2"));
+    const std::vector<QImage> fresh = pictures();
+    c.models().document.setField("levelset.xi", 35.0);
+    QVERIFY2(hints->text().contains("Result 1 belongs to earlier"), qPrintable(hints->text()));
+    QCOMPARE(parts->text(), QString("Result 1, out of date. Parts: 2"));
+    const std::vector<QImage> stale = pictures();
+    QVERIFY(stale[0] != fresh[0]);
+    QVERIFY(litShare(stale[1]) < 0.8 * litShare(fresh[1]));
+    c.clickTool("undo");
+    QVERIFY(hints->text().startsWith("Result 1\n"));
+    QVERIFY(pictures() == fresh);
   }
 
   void everyFormatIsExportedAndReadBack_data() {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/model/result_text.h"
+
+#include <QObject>
+
+#include "gui/model/step_text.h"
+
+namespace angiomesh {
+
+namespace {
+
+ShownText shown(const QString& text, bool stale) {
+  return {stale ? QObject::tr("%1, out of date").arg(text) : text, stale};
+}
+
+ShownText evolving(const RunModel& runs) {
+  return {QObject::tr("Evolving, iteration %1").arg(runs.iterations())};
+}
+
+QString resultText(const QString& name) { return QObject::tr("Result %1").arg(name); }
+
+}  // namespace
+
+ShownText layerText(const ResultModel& results, Layer layer, bool isShown) {
+  const QString title = layerTitle(layer);
+  if (!isShown) return {QObject::tr("Source (no %1 yet)").arg(title.toLower())};
+  return shown(title, !results.layerFresh(layer));
+}
+
+ShownText contourText(const ResultModel& results, const RunModel& runs) {
+  if (results.live()) return evolving(runs);
+  if (!results.evolveResult()) return {};
+  return shown(resultText(results.segmentationName()), !results.fresh(Step::Evolve));
+}
+
+ShownText surfaceText(const ResultModel& results, const RunModel& runs, MeshKind kind) {
+  if (results.liveSurface()) return evolving(runs);
+  if (!results.meshFits() && results.evolveResult()) {
+    const ShownText segmentation = contourText(results, runs);
+    return {QObject::tr("%1, no mesh yet").arg(segmentation.text), segmentation.stale};
+  }
+  const ShownText mesh = meshText(results);
+  if (mesh.text.isEmpty()) return {};
+  return {mesh.text + '\n' + meshTitle(results.kindAtHand(kind)), mesh.stale};
+}
+
+ShownText meshText(const ResultModel& results) {
+  if (results.meshName().isEmpty()) return {};
+  return shown(resultText(results.meshName()), !results.meshFresh());
+}
+
+}  // namespace angiomesh
