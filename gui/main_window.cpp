@@ -50,7 +50,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       models_(std::make_unique<CaseModels>(options_.makeRunner, options_.recovery)),
       state_(new ViewState(*models_, this)),
       ports_(new CasePorts(*models_, options_.makeRunner, this)),
-      views_(new ViewGrid(*models_, *state_, *ports_, this)),
+      views_(new ViewGrid(*models_, *state_, *ports_, options_.makeRunner, this)),
       cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
                              options_.recovery)),
       tools_(new ViewTools(this, *models_, *state_, *views_)) {
@@ -92,7 +92,9 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
 
 MainWindow::~MainWindow() {
   // The panels listen to the ports and to the models: these go first, with their workers, and
-  // say nothing more.
+  // say nothing more. Before them go the panes, which have workers, too.
+  delete views_;
+  views_ = nullptr;
   ports_->disconnect();
   delete ports_;
   ports_ = nullptr;
@@ -313,6 +315,8 @@ void MainWindow::showProgress() {
                ? tr("%1: iteration %2").arg(stepTitle(*step)).arg(models_->runs.iterations())
                : stepTitle(*step);
     fraction = models_->runs.runFraction();
+    if (const std::optional<double> left = models_->runs.secondsLeft())
+      text += tr(", %1 left").arg(durationText(*left));
   }
   work_->setText(text);
   progress_->setVisible(fraction >= 0.0);

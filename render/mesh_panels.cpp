@@ -109,7 +109,7 @@ Picture renderMeshPanels(const std::vector<MeshPanel>& panels, const Box& detail
       const double left = static_cast<double>(i) / count;
       const double right = static_cast<double>(i + 1) / count;
       actors.push_back(std::make_unique<SurfaceActor>(std::array<double, 3>{0.84, 0.27, 0.21}));
-      actors.back()->setMesh(meshes[number]);
+      actors.back()->setMesh(drawnMesh(meshes[number]));
       actors.back()->setEdgesVisible(near && edges);
       addPart(window, {left, near ? 0.0 : 0.5, right, near ? 0.5 : 1.0}, *actors.back(), bounds,
               front, near ? std::string() : panels[number].title);

@@ -65,7 +65,7 @@ Picture renderSurfacePicture(const TriMesh& mesh, const Volume<float>* image, in
                      "run the steps before it first");
   SurfaceActor surface({0.84, 0.27, 0.21});
   // The mesh is only read before this function returns.
-  surface.setMesh(std::shared_ptr<const TriMesh>(std::shared_ptr<void>(), &mesh));
+  surface.setMesh(drawnMesh(std::shared_ptr<const TriMesh>(std::shared_ptr<void>(), &mesh)));
   const vtkSmartPointer<vtkActor> outline = image != nullptr ? outlineOf(image->geometry) : nullptr;
 
   const vtkSmartPointer<vtkRenderWindow> window = makeOffscreenWindow(width, height);

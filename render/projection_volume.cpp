@@ -1,29 +1,80 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/projection_volume.h"
 
+#include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/conversion.h"
 
 namespace angiomesh {
 
+namespace {
+
+/// Draws the last picture again where a new one would be the same: a surface that evolves in front
+/// of the projection then costs nothing of it.
+class RememberingCaster : public vtkFixedPointVolumeRayCastMapper {
+ public:
+  static RememberingCaster* New();
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override {
+    const View now = viewOf(renderer, volume);
+    if (shown_ == now) {
+      DisplayRenderedImage(renderer, volume);
+      return;
+    }
+    vtkFixedPointVolumeRayCastMapper::Render(renderer, volume);
+    shown_ = now;
+  }
+
+ private:
+  /// All that the picture follows from, but for the clipping range, which never cuts the volume.
+  struct View {
+    std::array<double, 10> camera{};
+    std::array<int, 2> size{0, 0};
+    std::array<vtkMTimeType, 3> changes{};
+
+    bool operator==(const View&) const = default;
+  };
+
+  View viewOf(vtkRenderer* renderer, vtkVolume* volume) {
+    View view;
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->GetPosition(&view.camera[0]);
+    camera->GetFocalPoint(&view.camera[3]);
+    camera->GetViewUp(&view.camera[6]);
+    view.camera[9] = camera->GetViewAngle();
+    view.size = {renderer->GetSize()[0], renderer->GetSize()[1]};
+    view.changes = {GetMTime(), volume->GetMTime(), GetInput()->GetMTime()};
+    return view;
+  }
+
+  View shown_;
+};
+
+vtkStandardNewMacro(RememberingCaster);
+
+}  // namespace
+
 struct ProjectionVolume::Parts {
   vtkNew<vtkVolume> volume;
   vtkNew<vtkColorTransferFunction> grey;
   vtkNew<vtkPiecewiseFunction> opacity;
   vtkSmartPointer<vtkGPUVolumeRayCastMapper> hardware;
-  vtkSmartPointer<vtkFixedPointVolumeRayCastMapper> processor;
+  vtkSmartPointer<RememberingCaster> processor;
   vtkSmartPointer<vtkImageData> image;
   double voxelMm = 1.0, coarseness = 1.0;
   bool software = false;
@@ -36,7 +87,7 @@ void ProjectionVolume::Parts::update() {
   const double ray = voxelMm * coarseness;
   if (software) {
     if (!processor) {
-      processor = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
+      processor = vtkSmartPointer<RememberingCaster>::New();
       processor->SetBlendModeToMaximumIntensity();
       processor->AutoAdjustSampleDistancesOff();
     }

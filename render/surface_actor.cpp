@@ -15,60 +15,100 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/mesh/coarse_mesh.h"
 #include "render/conversion.h"
 
 namespace angiomesh {
 
+/// The polygons of a mesh, and per triangle of theirs the one of the mesh that it stands for.
+struct Polygons {
+  vtkSmartPointer<vtkPolyData> data;
+  std::vector<std::uint32_t> from;  // empty: all, in their order
+};
+
+struct DrawnMesh {
+  std::shared_ptr<const TriMesh> mesh;
+  Polygons full;
+  Polygons coarse;  // without data where there are few triangles
+  bool patches = false;
+};
+
+std::shared_ptr<const DrawnMesh> drawnMesh(std::shared_ptr<const TriMesh> mesh,
+                                           std::size_t coarseTriangles) {
+  auto drawn = std::make_shared<DrawnMesh>();
+  drawn->mesh = std::move(mesh);
+  if (!drawn->mesh || drawn->mesh->triangles.empty()) return drawn;
+  const TriMesh& full = *drawn->mesh;
+  drawn->full.data = toPolyData(full);
+  drawn->patches = std::any_of(full.patch.begin(), full.patch.end(), [](auto n) { return n != 0; });
+  if (coarseTriangles > 0 && full.triangles.size() > coarseTriangles) {
+    CoarseMesh coarse = coarseMesh(full, coarseTriangles);
+    drawn->coarse = {toPolyData(coarse.mesh), std::move(coarse.from)};
+  }
+  return drawn;
+}
+
+const std::shared_ptr<const TriMesh>& meshOf(const DrawnMesh& drawn) { return drawn.mesh; }
+
 struct SurfaceActor::Parts {
   vtkNew<vtkActor> actor;
   vtkNew<vtkPolyDataMapper> mapper;
-  vtkSmartPointer<vtkPolyData> data;
-  std::vector<std::uint32_t> patch;  // of the triangles; empty: none has one
+  std::shared_ptr<const DrawnMesh> drawn;
   std::vector<std::array<double, 3>> patchColours;
   std::array<double, 3> colour;
   std::vector<float> values;
   vtkSmartPointer<vtkLookupTable> table;
-  bool visible = true;
+  bool visible = true, edges = false, coarse = false;
 
+  [[nodiscard]] std::size_t triangles() const {
+    return drawn && drawn->mesh ? drawn->mesh->triangles.size() : 0;
+  }
   void update();
-  void colourPatches();
+  [[nodiscard]] vtkSmartPointer<vtkDataArray> coloursOf(const Polygons& polygons) const;
 };
 
-void SurfaceActor::Parts::colourPatches() {
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(patch.size()));
-  for (std::size_t i = 0; i < patch.size(); ++i) {
-    const std::size_t n = patch[i];
-    const auto& c = n == 0 || n > patchColours.size() ? colour : patchColours[n - 1];
-    array->SetTuple3(static_cast<vtkIdType>(i), 255.0 * c[0], 255.0 * c[1], 255.0 * c[2]);
+/// Null: none of its own.
+vtkSmartPointer<vtkDataArray> SurfaceActor::Parts::coloursOf(const Polygons& polygons) const {
+  const auto count = static_cast<std::size_t>(polygons.data->GetNumberOfPolys());
+  const auto original = [&polygons](std::size_t i) {
+    return polygons.from.empty() ? i : polygons.from[i];
+  };
+  if (!values.empty()) {
+    auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetNumberOfValues(static_cast<vtkIdType>(count));
+    float* value = array->GetPointer(0);
+    for (std::size_t i = 0; i < count; ++i) value[i] = values[original(i)];
+    return array;
   }
-  data->GetCellData()->SetScalars(array);
-  mapper->SetScalarModeToUseCellData();
-  mapper->ScalarVisibilityOn();
+  if (!drawn->patches || patchColours.empty()) return nullptr;
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  unsigned char* rgb = array->GetPointer(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t n = drawn->mesh->patch[original(i)];
+    const auto& c = n == 0 || n > patchColours.size() ? colour : patchColours[n - 1];
+    for (const double part : c) *rgb++ = static_cast<unsigned char>(255.0 * part);
+  }
+  return array;
 }
 
 void SurfaceActor::Parts::update() {
-  const vtkIdType triangles = data ? data->GetNumberOfPolys() : 0;
-  actor->SetVisibility(visible && triangles > 0);
-  if (triangles == 0) return;
-  if (static_cast<vtkIdType>(values.size()) != triangles) values.clear();
-  if (values.empty() && !patch.empty() && !patchColours.empty()) {
-    colourPatches();
-  } else if (values.empty()) {
-    data->GetCellData()->SetScalars(nullptr);
-    mapper->ScalarVisibilityOff();
-  } else {
-    vtkNew<vtkFloatArray> array;
-    array->SetNumberOfValues(triangles);
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    data->GetCellData()->SetScalars(array);
-    mapper->SetScalarModeToUseCellData();
+  actor->SetVisibility(visible && triangles() > 0);
+  if (triangles() == 0) return;
+  if (values.size() != triangles()) values.clear();
+  const bool few = coarse && drawn->coarse.data;
+  const Polygons& polygons = few ? drawn->coarse : drawn->full;
+  const vtkSmartPointer<vtkDataArray> colours = coloursOf(polygons);
+  polygons.data->GetCellData()->SetScalars(colours);
+  mapper->SetScalarVisibility(colours != nullptr);
+  mapper->SetScalarModeToUseCellData();
+  if (!values.empty()) {
     mapper->SetLookupTable(table);
     mapper->UseLookupTableScalarRangeOn();
-    mapper->ScalarVisibilityOn();
   }
-  mapper->SetInputData(data);
+  mapper->SetInputData(polygons.data);
+  actor->GetProperty()->SetEdgeVisibility(edges && !few);
 }
 
 SurfaceActor::SurfaceActor(const std::array<double, 3>& colour)
@@ -93,12 +133,15 @@ SurfaceActor::~SurfaceActor() = default;
 
 vtkActor* SurfaceActor::actor() const { return parts_->actor; }
 
-void SurfaceActor::setMesh(const std::shared_ptr<const TriMesh>& mesh) {
-  parts_->data = mesh && !mesh->triangles.empty() ? toPolyData(*mesh) : nullptr;
-  if (!parts_->data) parts_->values.clear();
-  parts_->patch.clear();
-  if (mesh && std::any_of(mesh->patch.begin(), mesh->patch.end(), [](auto n) { return n != 0; }))
-    parts_->patch.assign(mesh->patch.begin(), mesh->patch.end());
+void SurfaceActor::setMesh(std::shared_ptr<const DrawnMesh> mesh) {
+  parts_->drawn = std::move(mesh);
+  if (parts_->triangles() == 0) parts_->values.clear();
+  parts_->update();
+}
+
+void SurfaceActor::setCoarse(bool coarse) {
+  if (coarse == parts_->coarse) return;
+  parts_->coarse = coarse;
   parts_->update();
 }
 
@@ -108,7 +151,7 @@ void SurfaceActor::setPatchColours(std::vector<std::array<double, 3>> colours) {
   parts_->update();
 }
 
-bool SurfaceActor::empty() const { return !parts_->data; }
+bool SurfaceActor::empty() const { return parts_->triangles() == 0; }
 
 void SurfaceActor::setVisible(bool visible) {
   parts_->visible = visible;
@@ -116,7 +159,8 @@ void SurfaceActor::setVisible(bool visible) {
 }
 
 void SurfaceActor::setEdgesVisible(bool visible) {
-  parts_->actor->GetProperty()->SetEdgeVisibility(visible);
+  parts_->edges = visible;
+  parts_->update();
 }
 
 void SurfaceActor::setDimmed(bool dimmed) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -11,6 +12,15 @@ class vtkActor;
 class vtkLookupTable;
 
 namespace angiomesh {
+
+/// A mesh as it is drawn. Making it takes a while, and any thread may.
+struct DrawnMesh;
+/// @param mesh may be null   @param coarseTriangles more than these are drawn by some as many while
+/// the actor is coarse; 0: never
+std::shared_ptr<const DrawnMesh> drawnMesh(std::shared_ptr<const TriMesh> mesh,
+                                           std::size_t coarseTriangles = 0);
+/// What it was made of.
+const std::shared_ptr<const TriMesh>& meshOf(const DrawnMesh& drawn);
 
 /// A triangle mesh as a lit actor, in one colour or coloured per triangle.
 class SurfaceActor {
@@ -23,7 +33,9 @@ class SurfaceActor {
 
   [[nodiscard]] vtkActor* actor() const;
   /// Null or an empty mesh shows nothing. Colours of another number of triangles are dropped.
-  void setMesh(const std::shared_ptr<const TriMesh>& mesh);
+  void setMesh(std::shared_ptr<const DrawnMesh> mesh);
+  /// Fewer triangles, without their edges, in place of many.
+  void setCoarse(bool coarse);
   [[nodiscard]] bool empty() const;
   void setVisible(bool visible);
   void setEdgesVisible(bool visible);

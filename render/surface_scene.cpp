@@ -281,11 +281,21 @@ void SurfaceScene::setMipWindow(double from, double to) { parts_->projection.set
 void SurfaceScene::setInteractive(bool interactive) {
   parts_->interactive = interactive;
   parts_->chooseQuality();
+  setSurfaceCoarse(interactive);
+}
+
+void SurfaceScene::setSurfaceCoarse(bool coarse) {
+  // A graphics card draws millions of triangles in time.
+  parts_->surface.setCoarse(coarse && parts_->software);
 }
 
 void SurfaceScene::setSurface(std::shared_ptr<const TriMesh> mesh) {
-  parts_->mesh = mesh;
-  parts_->surface.setMesh(mesh);
+  setDrawnSurface(drawnMesh(std::move(mesh)));
+}
+
+void SurfaceScene::setDrawnSurface(std::shared_ptr<const DrawnMesh> mesh) {
+  parts_->mesh = meshOf(*mesh);
+  parts_->surface.setMesh(std::move(mesh));
   parts_->showColourBar();
   parts_->fitOnce();
 }

@@ -12,6 +12,7 @@
 #include "core/mesh/tri_mesh.h"
 #include "render/port_marks.h"
 #include "render/slice_scene.h"
+#include "render/surface_actor.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
@@ -43,6 +44,11 @@ class SurfaceScene {
 
   /// Replacing a surface never moves the camera (the very first thing shown does).
   void setSurface(std::shared_ptr<const TriMesh> mesh);
+  /// The same, made ready by another thread. No other scene may draw it.
+  void setDrawnSurface(std::shared_ptr<const DrawnMesh> mesh);
+  /// A large surface by fewer triangles where OpenGL runs in software; setInteractive() does so,
+  /// too.
+  void setSurfaceCoarse(bool coarse);
   void setSurfaceVisible(bool visible);
   void setEdgesVisible(bool visible);
   /// As what is out of date.

@@ -24,12 +24,12 @@ struct StepFacts {
 constexpr std::array<StepFacts, kStepCount> kSteps{{
     {"load", "Load", 1, 0.0, false, false},
     {"preprocess", "Preprocess", 2, 0.0, false, false},
-    {"vesselness", "Vesselness", 2, 0.05, true, true},
-    {"seeds", "Seeds", 2, 0.32, true, true},
-    {"evolve", "Evolve", 9, 0.35, false, false},
-    {"surface", "Surface", 6, 0.8, false, false},
-    {"smooth", "Smooth", 5, 0.88, false, false},
-    {"quality", "Quality", 3, 0.94, false, false},
+    {"vesselness", "Vesselness", 2, 0.02, true, true},
+    {"seeds", "Seeds", 2, 0.09, true, true},
+    {"evolve", "Evolve", 9, 0.1, false, false},
+    {"surface", "Surface", 6, 0.5, false, false},
+    {"smooth", "Smooth", 5, 0.86, false, false},
+    {"quality", "Quality", 3, 0.9, false, false},
 }};
 
 constexpr const StepFacts& factsOf(Step step) { return kSteps[static_cast<std::size_t>(step)]; }

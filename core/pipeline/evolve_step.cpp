@@ -8,10 +8,12 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/base/exact_math.h"
 #include "core/distance/mask_distance.h"
 #include "core/distance/redistance.h"
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/flood.h"
+#include "core/pipeline/live_snapshots.h"
 #include "core/pipeline/segments.h"
 #include "core/pipeline/vesselness_step.h"
 #include "core/pipeline/wall_step.h"
@@ -19,47 +21,72 @@
 namespace angiomesh {
 namespace {
 
-void postSnapshot(const LevelSetEvolution& evolution, const RunOptions& options,
-                  const Progress& progress) {
-  const auto snapshot = std::make_shared<EvolutionSnapshot>();
-  snapshot->iterations = evolution.iterations();
-  snapshot->change = evolution.change();
-  snapshot->phi = std::make_shared<const Volume<float>>(evolution.phi());
-  snapshot->surface = std::make_shared<const TriMesh>(
-      marchingCubes(*snapshot->phi, SurfaceBorder::Cap, progress.sub(0.0, 0.0)));
-  options.snapshots->post(snapshot);
-}
+constexpr int kIterationsAtOnce = 5;
+
+/// Which part of its iterations an evolution has behind it: its change falls about as a power of
+/// the iterations.
+class HowFar {
+ public:
+  explicit HowFar(const LevelSetParams& params)
+      : params_(params), total_(kUsualChecks * params.checkEvery) {}
+
+  double at(const LevelSetEvolution& evolution) {
+    const int iterations = evolution.iterations();
+    const double change = evolution.change();
+    if (change > 0.0 && change != change_) {
+      if (change < change_ && change > params_.tolerance) {
+        const double checks =
+            portableLog(params_.tolerance / change) / portableLog(change / change_);
+        total_ = iterations + checks * params_.checkEvery;
+      }
+      change_ = change;
+    }
+    const double total = std::min(std::max(total_, iterations + 1.0), 1.0 * params_.maxIterations);
+    return std::min(iterations / total, 1.0);
+  }
+
+ private:
+  static constexpr int kUsualChecks = 4;
+
+  const LevelSetParams& params_;
+  double total_;
+  double change_ = -1.0;
+};
 
 /// Steps the evolution to its end, obeying `options.control` and posting snapshots.
 StopReason evolveWatched(LevelSetEvolution& evolution, const RunOptions& options,
+                         const LevelSetParams& params, LiveSnapshots& snapshots,
                          const Progress& progress) {
+  HowFar howFar(params);
   Clock::time_point shown = Clock::now() - std::chrono::hours(1);
   int posted = -1;
+  int wanted = kIterationsAtOnce;
   while (!evolution.converged()) {
-    int wanted = 5;
     if (options.control) {
       EvolutionControl& control = *options.control;
       if (control.finishNow) return StopReason::Stopped;
       if (control.paused) {
         const int asked = control.stepsWanted.exchange(0);
-        if (asked <= 0) {
-          if (options.snapshots && posted != evolution.iterations()) {
-            postSnapshot(evolution, options, progress);
-            posted = evolution.iterations();
-          }
-          progress.check();
-          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        if (asked > 0) {
+          evolution.step(asked, progress);
           continue;
         }
-        wanted = asked;
+        if (std::exchange(posted, evolution.iterations()) != evolution.iterations())
+          snapshots.post(evolution);
+        progress.check();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        continue;
       }
     }
+    const Clock::time_point start = Clock::now();
     evolution.step(wanted, progress);
-    if (options.snapshots && secondsSince(shown) >= options.snapshotSeconds) {
-      postSnapshot(evolution, options, progress);
-      posted = evolution.iterations();
-      shown = Clock::now();
-    }
+    progress.report(howFar.at(evolution));
+    // Where an iteration takes long, one at a time.
+    wanted = secondsSince(start) > 0.5 * options.snapshotSeconds ? 1 : kIterationsAtOnce;
+    if (secondsSince(shown) < options.snapshotSeconds) continue;
+    snapshots.post(evolution);
+    posted = evolution.iterations();
+    shown = Clock::now();
   }
   return evolution.stopReason();
 }
@@ -104,6 +131,8 @@ EvolveResult makeSegmentation(const Volume<float>& image,
   vessels.reset();
   Volume<std::uint8_t> found;
   Volume<float> phi;
+  LiveSnapshots snapshots(options.snapshots, progress);
+  const double evolved = params.lumen.enabled ? 0.3 : 0.9;  // share of the step's time
   {
     Volume<float> start;
     if (p.start == StartRule::Flood) {
@@ -114,20 +143,20 @@ EvolveResult makeSegmentation(const Volume<float>& image,
       start = fastMarchingStart(v->geometry, seeds.pointsLps, params.seeds.radiusVoxels);
     }
     LevelSetEvolution evolution(std::move(v), result.thresholds, std::move(start), p);
-    result.stopReason = evolveWatched(evolution, options, progress.sub(0.0, 0.6));
+    result.stopReason = evolveWatched(evolution, options, p, snapshots, progress.sub(0.0, evolved));
     result.iterations = evolution.iterations();
     if (evolution.insideVoxels() == 0)
       throw NumericError("the level set shrank to nothing", "evolve",
                          "lower levelset.b or levelset.xi, or check the range of vessel sizes "
                          "(vesselness.sigmaMinMm, vesselness.sigmaMaxMm) and the seeds");
-    if (options.snapshots) postSnapshot(evolution, options, progress);
+    snapshots.post(evolution);
     phi = evolution.takePhi();
   }
   result.converged = result.stopReason == StopReason::Converged;
   // Where the wall is placed anew, a front that flickers about it to the end does no harm.
   if (result.stopReason == StopReason::Limit && !params.lumen.enabled)
     warnings.push_back("the evolution ended at levelset.maxIterations before it converged");
-  const Progress rest = progress.sub(0.8, 1.0);
+  const Progress rest = progress.sub(evolved, 1.0);
   if (!params.lumen.enabled) {
     result.phi = std::make_shared<const Volume<float>>(redistance(std::move(phi), 5.0, rest));
     return result;

@@ -17,7 +17,9 @@ struct EvolutionSnapshot {
   int iterations = 0;
   double change = -1.0;
   std::shared_ptr<const Volume<float>> phi;  ///< sparse-field phi, working voxels
-  std::shared_ptr<const TriMesh> surface;    ///< its zero set
+  /// Its zero set, or that of an earlier phi while the new one is being made; null before the
+  /// first.
+  std::shared_ptr<const TriMesh> surface;
 };
 
 /// A one-place mailbox: a newer value replaces one that was not taken.

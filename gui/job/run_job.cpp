@@ -12,8 +12,8 @@ namespace angiomesh {
 
 namespace {
 
-/// The window promises two pictures of the evolving surface per second.
-constexpr double kSnapshotSeconds = 0.3;
+/// The window promises five pictures of the evolving contour per second.
+constexpr double kSnapshotSeconds = 0.17;
 
 std::shared_ptr<const MeshFacts> measureFacts(const RunResult& run) {
   auto facts = std::make_shared<MeshFacts>();

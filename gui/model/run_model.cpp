@@ -11,6 +11,10 @@ namespace angiomesh {
 
 namespace {
 
+// Before, a guess at the time left would be worth nothing.
+constexpr double kLeastSeconds = 2.0;
+constexpr double kLeastShare = 0.05;
+
 QString stopText(StopReason reason) {
   switch (reason) {
     case StopReason::Converged:
@@ -81,6 +85,7 @@ void RunModel::startRun(Step until) {
   polledStep_.reset();
   saidBefore_.clear();
   interruptAfter_.reset();
+  fractionThen_ = -1.0;
   results_.cancelEstimate();
   results_.setRunning(true);
   slot_.start(std::make_shared<RunJob>(document_.pipeline(), document_.parameters(), until));
@@ -104,6 +109,9 @@ bool RunModel::leave() {
 void RunModel::setPaused(bool paused) {
   if (slot_) {
     slot_.job()->control().paused = paused;
+    // The pause is no time of the run's.
+    fractionThen_ = runFraction();
+    since_.restart();
     Q_EMIT statesChanged();
   }
 }
@@ -147,6 +155,15 @@ std::optional<Step> RunModel::stepInWork() const {
 }
 
 double RunModel::runFraction() const { return slot_ ? slot_.job()->fraction() : 0.0; }
+
+std::optional<double> RunModel::secondsLeft() const {
+  if (!slot_ || quiet_ || paused() || fractionThen_ < 0.0) return std::nullopt;
+  const double end = shareOf(slot_.job()->until())[1];
+  const double done = runFraction() - fractionThen_;
+  const double seconds = 1e-3 * static_cast<double>(since_.elapsed());
+  if (seconds < kLeastSeconds || done < kLeastShare * (end - fractionThen_)) return std::nullopt;
+  return seconds * (end - runFraction()) / done;
+}
 
 double RunModel::stepFraction() const { return slot_ ? slot_.job()->stepFraction() : 0.0; }
 
@@ -194,6 +211,11 @@ void RunModel::watch(RunJob& job) {
   for (const auto& [step, warning] : job.takeWarnings()) {
     saidBefore_.push_back(warning);
     log_.say(Severity::Warning, stepTitle(step) + ": " + QString::fromStdString(warning));
+  }
+  // What is remembered is passed over in no time, and tells nothing of what is not.
+  if (fractionThen_ < 0.0 && job.fraction() > 0.0) {
+    fractionThen_ = shareOf(job.step())[0];
+    since_.start();
   }
   bool arrived = false;
   for (const StepResult& result : job.takeResults()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <optional>
@@ -42,6 +43,8 @@ class RunModel : public QObject {
   /// Of the run, and of the step in work: 0..1.
   [[nodiscard]] double runFraction() const;
   [[nodiscard]] double stepFraction() const;
+  /// Of the run, by what it has done so far; empty while that tells nothing.
+  [[nodiscard]] std::optional<double> secondsLeft() const;
   /// Why a step failed; empty where it did not.
   [[nodiscard]] QString failure(Step step) const;
   [[nodiscard]] int iterations() const { return iterations_; }
@@ -80,6 +83,8 @@ class RunModel : public QObject {
   std::optional<Step> polledStep_;       ///< of the run, when last looked at
   std::optional<Step> interruptAfter_;   ///< this step the run is of no more use
   std::optional<Step> runAgain_;         ///< once the present run has ended
+  QElapsedTimer since_;                  ///< the run that is on has begun to compute
+  double fractionThen_ = -1.0;           ///< of the run, when since_ began; negative: not yet
   std::vector<std::string> saidBefore_;  ///< warnings that came before the step's result
   std::string failedKey_;
   Step failedStep_ = Step::Load;

@@ -4,6 +4,7 @@
 #include "core/parameters/field.h"
 
 #include <QCoreApplication>
+#include <cmath>
 
 namespace angiomesh {
 
@@ -53,6 +54,14 @@ QString boxSizeText(const Eigen::Vector3d& size, LengthUnit unit) {
       .arg(size[1], 0, 'f', decimals)
       .arg(size[2], 0, 'f', decimals)
       .arg(metres ? QStringLiteral("m") : QStringLiteral("mm"));
+}
+
+QString durationText(double seconds) {
+  if (seconds < 7.5) return QObject::tr("a few seconds");
+  if (seconds < 90.0)
+    return QObject::tr("about %1 s")
+        .arg(seconds < 55.0 ? 5 * std::lround(seconds / 5.0) : 10 * std::lround(seconds / 10.0));
+  return QObject::tr("about %1 min").arg(std::lround(seconds / 60.0));
 }
 
 QString labelOf(const Field& field) {

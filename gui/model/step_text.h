@@ -20,6 +20,9 @@ QString gridText(const Geometry& grid);
 /// "40.00 × 30.00 × 20.00 mm", of a size in `unit`.
 QString boxSizeText(const Eigen::Vector3d& size, LengthUnit unit);
 
+/// "a few seconds", "about 40 s", "about 3 min": as exactly as an estimate is worth.
+QString durationText(double seconds);
+
 /// What a form calls a parameter.
 QString labelOf(const Field& field);
 

@@ -173,12 +173,7 @@ void StepPanel::showState() {
 
 void StepPanel::showProgress() {
   if (!progress_->isVisibleTo(this)) return;
-  if (step_ == Step::Evolve) {
-    // How far an evolution has to go is not known.
-    progress_->setRange(0, 0);
-  } else {
-    progress_->setValue(static_cast<int>(1000.0 * models_.runs.stepFraction()));
-  }
+  progress_->setValue(static_cast<int>(1000.0 * models_.runs.stepFraction()));
 }
 
 }  // namespace angiomesh

@@ -9,6 +9,7 @@
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/named.h"
+#include "gui/panel/surface_feed.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 
@@ -21,7 +22,8 @@ constexpr double kRadiiAround = 8.0;
 
 }  // namespace
 
-ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, QWidget* parent)
+ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
+                   const JobRunnerFactory& makeRunner, QWidget* parent)
     : QWidget(parent), models_(models), state_(state), ports_(ports) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -38,6 +40,13 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, QWidg
   comparison_ = named(new SurfaceView(pane3d_), "comparison3d");
   comparison_->setMipVisible(false);
   comparison_->hide();
+  surfaceFeed_ = new SurfaceFeed(*surface_, models_.timer, makeRunner, this);
+  comparisonFeed_ = new SurfaceFeed(*comparison_, models_.timer, makeRunner, this);
+  connect(surfaceFeed_, &SurfaceFeed::arrived, this, [this] {
+    paintSurface();
+    refreshCaptions();
+  });
+  connect(comparisonFeed_, &SurfaceFeed::arrived, this, &ViewGrid::paintComparison);
   auto* beside = new QHBoxLayout(pane3d_);
   beside->setContentsMargins(0, 0, 0, 0);
   beside->setSpacing(2);
@@ -62,7 +71,11 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, QWidg
   connect(&models_.files, &CaseFiles::caseChanged, this, &ViewGrid::resetViews);
   connect(&models_.results, &ResultModel::resultsChanged, this, &ViewGrid::refreshAll);
   connect(&models_.runs, &RunModel::snapshotArrived, this, &ViewGrid::refreshSegmentation);
-  connect(&models_.runs, &RunModel::statesChanged, this, &ViewGrid::refreshSegmentation);
+  connect(&models_.runs, &RunModel::statesChanged, this, [this] {
+    const bool busy = models_.runs.running() && !models_.runs.paused();
+    for (SurfaceView* view : {surface_, comparison_}) view->setBusy(busy);
+    refreshSegmentation();
+  });
   connect(&models_.document, &CaseDocument::parametersChanged, this, &ViewGrid::refreshEdits);
   connect(&models_.document, &CaseDocument::edited, this, &ViewGrid::refreshSegmentation);
   connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
@@ -201,18 +214,21 @@ void ViewGrid::refreshSurface() {
     for (const MeshKind kind : {state_.meshKind(), MeshKind::Exported, MeshKind::Unsmoothed})
       mesh = mesh ? mesh : results.mesh(kind);
   }
-  const ShownText text = surfaceText(results, models_.runs, state_.meshKind());
-  surfaceCaption_ = text.text;
-  surfaceDimmed_ = text.stale;
+  surfaceFeed_->show(mesh, live);
+  paintSurface();
+}
+
+void ViewGrid::paintSurface() {
+  const ResultModel& results = models_.results;
+  const bool live = results.liveSurface() != nullptr;
+  if (live || surfaceFeed_->settled())
+    surfaceText_ = surfaceText(results, models_.runs, state_.meshKind());
+  const std::shared_ptr<const TriMesh>& mesh = surfaceFeed_->shown();
   const bool ofKind = mesh && mesh == results.mesh(state_.meshKind());
   const std::shared_ptr<const MeshFacts> facts = ofKind && !live ? results.facts() : nullptr;
   const MeshColour colour = facts ? state_.meshColour() : MeshColour::Plain;
   if (mesh == shownMesh_ && colour == shownColour_ && facts == shownFacts_) return;
-  if (mesh != shownMesh_) {
-    surface_->clearSurfaceColours();
-    surface_->setSurface(mesh);
-    surface_->setPatchColours(patchColours(mesh));
-  }
+  if (mesh != shownMesh_) surface_->setPatchColours(patchColours(mesh));
   shownMesh_ = mesh;
   shownColour_ = colour;
   shownFacts_ = facts;
@@ -237,20 +253,21 @@ void ViewGrid::refreshComparison() {
   comparison_->setVisible(wanted);
   if (!wanted) return;
   comparison_->setEdgesVisible(state_.edges());
-  const std::shared_ptr<const TriMesh> mesh = models_.results.mesh(MeshKind::MarchingCubes);
-  const std::shared_ptr<const MeshFacts> facts = models_.results.facts();
-  const MeshColour colour = mesh && facts ? state_.meshColour() : MeshColour::Plain;
-  if (mesh != comparedMesh_ || colour != comparedColour_ || facts != comparedFacts_) {
-    if (mesh != comparedMesh_) {
-      comparison_->clearSurfaceColours();
-      comparison_->setSurface(mesh);
-    }
-    comparedMesh_ = mesh;
-    comparedColour_ = colour;
-    comparedFacts_ = facts;
-    paintQuality(*comparison_, MeshKind::MarchingCubes, colour);
-  }
+  comparisonFeed_->show(models_.results.mesh(MeshKind::MarchingCubes), false);
+  paintComparison();
   if (appears) comparison_->takeCameraOf(*surface_);
+}
+
+void ViewGrid::paintComparison() {
+  const std::shared_ptr<const TriMesh>& mesh = comparisonFeed_->shown();
+  const bool there = mesh && mesh == models_.results.mesh(MeshKind::MarchingCubes);
+  const std::shared_ptr<const MeshFacts> facts = there ? models_.results.facts() : nullptr;
+  const MeshColour colour = facts ? state_.meshColour() : MeshColour::Plain;
+  if (mesh == comparedMesh_ && colour == comparedColour_ && facts == comparedFacts_) return;
+  comparedMesh_ = mesh;
+  comparedColour_ = colour;
+  comparedFacts_ = facts;
+  paintQuality(*comparison_, MeshKind::MarchingCubes, colour);
 }
 
 void ViewGrid::refreshCaptions() {
@@ -266,8 +283,8 @@ void ViewGrid::refreshCaptions() {
   const QString contour = shownPhi_ ? contourText(results, models_.runs).text : QString();
   for (SliceView* view : slices_) view->setCaption(lines(layer, contour));
   const QString projection = state_.mip() ? tr("MIP: %1").arg(layer) : QString();
-  surface_->setCaption(lines(projection, state_.surface() ? surfaceCaption_ : QString()),
-                       surfaceDimmed_);
+  surface_->setCaption(lines(projection, state_.surface() ? surfaceText_.text : QString()),
+                       surfaceText_.stale);
   const ShownText mesh = meshText(results);
   comparison_->setCaption(lines(mesh.text, meshTitle(MeshKind::MarchingCubes)), mesh.stale);
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "gui/model/result_text.h"
 #include "gui/model/view_state.h"
 #include "render/port_mark.h"
 
@@ -15,6 +16,7 @@ namespace angiomesh {
 
 class CasePorts;
 class SliceView;
+class SurfaceFeed;
 class SurfaceView;
 class VtkView;
 
@@ -23,7 +25,8 @@ class ViewGrid : public QWidget {
   Q_OBJECT
 
  public:
-  ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, QWidget* parent = nullptr);
+  ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
+           const JobRunnerFactory& makeRunner, QWidget* parent = nullptr);
 
   [[nodiscard]] SliceView* slice(int plane) const {
     return slices_[static_cast<std::size_t>(plane)];
@@ -53,7 +56,9 @@ class ViewGrid : public QWidget {
   void refreshImage();
   void refreshSegmentation();
   void refreshSurface();
+  void paintSurface();
   void refreshComparison();
+  void paintComparison();
   void refreshCaptions();
   void paintQuality(SurfaceView& view, MeshKind kind, MeshColour colour) const;
   void refreshEdits();
@@ -74,8 +79,9 @@ class ViewGrid : public QWidget {
   std::shared_ptr<const Volume<float>> shownImage_, shownPhi_;
   bool layerShown_ = false;  ///< shownImage_ is the layer chosen, not the source in its place
   bool phiDimmed_ = false;
-  QString surfaceCaption_;  ///< of the surface in the 3D pane
-  bool surfaceDimmed_ = false;
+  ShownText surfaceText_;  ///< of the surface in the 3D pane
+  SurfaceFeed* surfaceFeed_ = nullptr;
+  SurfaceFeed* comparisonFeed_ = nullptr;
   std::shared_ptr<const TriMesh> shownMesh_;
   std::vector<PortMark> shownPorts_;
   std::shared_ptr<const MeshFacts> shownFacts_;

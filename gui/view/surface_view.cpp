@@ -42,6 +42,7 @@ struct SurfaceView::State {
   bool buttonDown = false;
   // What is set already: telling it again must not cost a frame of the projection.
   bool mipVisible = true, surfaceVisible = true, edgesVisible = false, dimmed = false;
+  bool busy = false;
   QString caption;
   std::vector<Eigen::Vector3d> seeds;
   std::optional<RoiBox> roi;
@@ -60,7 +61,7 @@ SurfaceView::SurfaceView(QWidget* parent) : VtkView(parent), state_(std::make_un
   state_->refine.setSingleShot(true);
   state_->refine.setInterval(refineAfterMs);
   connect(&state_->refine, &QTimer::timeout, this, [this] {
-    if (state_->buttonDown) return;
+    if (state_->buttonDown || state_->busy) return;
     state_->scene.setInteractive(false);
     requestRender();
   });
@@ -91,8 +92,19 @@ void SurfaceView::setMipVisible(bool visible) {
 }
 
 void SurfaceView::setSurface(std::shared_ptr<const TriMesh> mesh) {
-  state_->scene.setSurface(std::move(mesh));
-  changed();
+  setDrawnSurface(drawnMesh(std::move(mesh), kCoarseTriangles));
+}
+
+void SurfaceView::setDrawnSurface(std::shared_ptr<const DrawnMesh> mesh) {
+  state_->scene.setSurfaceCoarse(true);
+  state_->scene.setDrawnSurface(std::move(mesh));
+  state_->refine.start();
+  requestRender();
+}
+
+void SurfaceView::setBusy(bool busy) {
+  if (std::exchange(state_->busy, busy) == busy) return;
+  if (!busy) state_->refine.start();
 }
 
 void SurfaceView::setSurfaceVisible(bool visible) {
@@ -119,12 +131,12 @@ void SurfaceView::setCaption(const QString& lines, bool dimmed) {
 void SurfaceView::setSurfaceColours(std::vector<float> perTriangle, const QString& title, double lo,
                                     double hi) {
   state_->scene.setSurfaceColours(std::move(perTriangle), title.toStdString(), lo, hi);
-  changed();
+  requestRender();
 }
 
 void SurfaceView::clearSurfaceColours() {
   state_->scene.clearSurfaceColours();
-  changed();
+  requestRender();
 }
 
 void SurfaceView::setPatchColours(std::vector<std::array<double, 3>> colours) {

@@ -15,8 +15,12 @@
 #include "gui/view/vtk_view.h"
 #include "render/port_mark.h"
 #include "render/slice_scene.h"
+#include "render/surface_actor.h"
 
 namespace angiomesh {
+
+/// What software draws in a 25th of a second.
+constexpr std::size_t kCoarseTriangles = 60000;
 
 /// The 3D pane: left button turns, middle pans, right and wheel zoom, a double click asks to
 /// maximise, keys A, P, L, S, I and Shift-R look from that side of the patient, R resets. The left
@@ -34,6 +38,10 @@ class SurfaceView : public VtkView {
 
   /// Replacing the surface keeps the camera. Null removes it.
   void setSurface(std::shared_ptr<const TriMesh> mesh);
+  /// The same, made ready by another thread with kCoarseTriangles. No other view may show it.
+  void setDrawnSurface(std::shared_ptr<const DrawnMesh> mesh);
+  /// While something else needs the processor all frames are quick ones.
+  void setBusy(bool busy);
   void setSurfaceVisible(bool visible);
   void setEdgesVisible(bool visible);
   /// What the pane shows, in lines; dimmed: the surface is out of date.

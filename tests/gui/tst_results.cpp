@@ -9,6 +9,7 @@
 #include "gui/model/case_models.h"
 #include "gui/model/modality_habits.h"
 #include "gui/model/result_text.h"
+#include "gui/model/step_text.h"
 #include "small_case.h"
 
 using namespace angiomesh;
@@ -145,6 +146,38 @@ class TestResults : public QObject {
     QCOMPARE(contour(models), QString("Result 2"));
     models.document.undoStack()->undo();
     QCOMPARE(contour(models), QString("Result 2, out of date"));
+  }
+
+  void timeLeftIsSaidAsWellAsItIsKnown() {
+    QCOMPARE(durationText(0.4), QString("a few seconds"));
+    QCOMPARE(durationText(12.0), QString("about 10 s"));
+    QCOMPARE(durationText(53.0), QString("about 55 s"));
+    QCOMPARE(durationText(88.0), QString("about 90 s"));
+    QCOMPARE(durationText(100.0), QString("about 2 min"));
+  }
+
+  /// The bar of a step and that of the run never fall, and each step moves its own.
+  void progressOnlyRises() {
+    CaseModels models;
+    models.files.take(slowTree());
+    QTRY_VERIFY_WITH_TIMEOUT(models.document.hasCase(), kPatienceMs);
+    double last = 0.0;
+    bool fell = false;
+    double evolved = 0.0;
+    connect(&models.timer, &JobTimer::ticked, this, [&] {
+      if (!models.runs.running()) return;
+      fell = fell || models.runs.runFraction() < last;
+      last = models.runs.runFraction();
+      if (models.runs.stepInWork() == Step::Evolve && models.results.live())
+        evolved = std::max(evolved, models.runs.stepFraction());
+    });
+    models.document.setField("levelset.checkEvery", std::int64_t(2));
+    models.runs.run();
+    QTRY_VERIFY_WITH_TIMEOUT(!models.runs.running(), kPatienceMs);
+    QVERIFY(models.runs.state(Step::Quality) == StepState::Fresh);
+    QVERIFY(!fell && last > 0.5);
+    QVERIFY(evolved > 0.0);
+    QVERIFY(!models.runs.secondsLeft());
   }
 
   void layersSayWhatTheyAre() {

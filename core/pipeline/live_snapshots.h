@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "core/base/progress.h"
+#include "core/levelset/evolution.h"
+#include "core/pipeline/run_options.h"
+
+namespace angiomesh {
+
+/// Posts a level set as it evolves: phi at once, its surface as soon as that is made. The surface
+/// is made on a thread of its own, so that the evolution waits for a copy of phi only.
+class LiveSnapshots {
+ public:
+  /// @param mailbox null: nothing is posted   @param progress ends the making of a surface
+  LiveSnapshots(std::shared_ptr<Mailbox<EvolutionSnapshot>> mailbox, const Progress& progress);
+  /// Waits for the surface of the last snapshot.
+  ~LiveSnapshots();
+  LiveSnapshots(const LiveSnapshots&) = delete;
+  LiveSnapshots& operator=(const LiveSnapshots&) = delete;
+
+  void post(const LevelSetEvolution& evolution);
+
+ private:
+  void makeSurfaces();
+
+  std::shared_ptr<Mailbox<EvolutionSnapshot>> mailbox_;
+  Progress progress_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  // Guarded by mutex_.
+  std::shared_ptr<const EvolutionSnapshot> last_;  ///< posted
+  bool wanted_ = false;                            ///< a surface of last_
+  bool ends_ = false;
+  std::jthread maker_;
+};
+
+}  // namespace angiomesh
