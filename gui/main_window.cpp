@@ -288,7 +288,7 @@ void MainWindow::refreshActions() {
       models_->results.mesh(MeshKind::Exported) || models_->results.mesh(MeshKind::Unsmoothed);
   enableActions(this, {"export"}, mesh);
   enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
-  enableActions(this, {"surface", "edges"}, mesh || models_->results.liveSurface());
+  enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());
   enableActions(this, {"contours"}, mesh || models_->results.phi());
   enableActions(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "resetWindow"},
                 any);
