@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <functional>
 
+#include "gui/dialog/case_questions.h"
+#include "gui/dialog/export_dialog.h"
 #include "gui/model/case_models.h"
 #include "gui/model/view_state.h"
-#include "gui/panel/case_questions.h"
-#include "gui/panel/export_dialog.h"
 #include "gui/panel/view_grid.h"
 
 namespace angiomesh {

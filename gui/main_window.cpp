@@ -17,10 +17,10 @@
 #include <algorithm>
 
 #include "gui/case_dialogs.h"
+#include "gui/dialog/help_dialogs.h"
 #include "gui/model/case_ports.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
-#include "gui/panel/help_dialogs.h"
 #include "gui/panel/inspector_panel.h"
 #include "gui/panel/log_panel.h"
 #include "gui/panel/named.h"

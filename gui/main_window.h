@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <memory>
 
+#include "gui/dialog/case_questions.h"
+#include "gui/dialog/export_dialog.h"
+#include "gui/dialog/open_questions.h"
 #include "gui/job/job_runner.h"
-#include "gui/panel/case_questions.h"
-#include "gui/panel/export_dialog.h"
-#include "gui/panel/open_questions.h"
 
 class QLabel;
 class QMenu;

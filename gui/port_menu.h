@@ -7,8 +7,8 @@
 #include <QString>
 #include <optional>
 
+#include "gui/dialog/export_dialog.h"
 #include "gui/model/case_ports.h"
-#include "gui/panel/export_dialog.h"
 #include "gui/panel/port_panel.h"
 #include "gui/panel/view_grid.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "gui/dialog/label_dialog.h"
 #include "gui/model/case_models.h"
-#include "gui/panel/label_dialog.h"
 #include "io/volume/image_write.h"
 #include "window_case.h"
 

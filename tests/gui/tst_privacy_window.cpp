@@ -6,8 +6,8 @@
 #include <QTimer>
 #include <memory>
 
-#include "gui/panel/case_questions.h"
-#include "gui/panel/export_dialog.h"
+#include "gui/dialog/case_questions.h"
+#include "gui/dialog/export_dialog.h"
 #include "tests/app/cli_process.h"
 #include "tests/io/planted_identity.h"
 #include "window_case.h"

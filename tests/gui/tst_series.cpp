@@ -3,8 +3,8 @@
 #include <QPushButton>
 #include <QTableWidget>
 
+#include "gui/dialog/series_dialog.h"
 #include "gui/model/case_models.h"
-#include "gui/panel/series_dialog.h"
 #include "tests/io/dicom_writer.h"
 #include "window_case.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/series_dialog.h"
+#include "gui/dialog/series_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>

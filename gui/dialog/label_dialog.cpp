@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/label_dialog.h"
+#include "gui/dialog/label_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>

@@ -8,7 +8,7 @@
 #include "core/base/formatted.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
-#include "window_events.h"
+#include "tests/gui/window_events.h"
 
 using namespace angiomesh;
 using angiomesh::test::drag;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/shared_history.h"
+#include "gui/dialog/shared_history.h"
 
 #include <QSettings>
 

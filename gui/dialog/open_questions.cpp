@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/open_questions.h"
+#include "gui/dialog/open_questions.h"
 
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "gui/panel/label_dialog.h"
-#include "gui/panel/series_dialog.h"
+#include "gui/dialog/label_dialog.h"
+#include "gui/dialog/series_dialog.h"
 
 namespace angiomesh {
 

@@ -10,7 +10,7 @@
 #include "gui/model/modality_habits.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
-#include "small_case.h"
+#include "tests/gui/small_case.h"
 
 using namespace angiomesh;
 using angiomesh::test::evolveFor;

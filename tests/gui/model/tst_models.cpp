@@ -10,7 +10,7 @@
 #include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/volume/image_write.h"
-#include "small_case.h"
+#include "tests/gui/small_case.h"
 
 using namespace angiomesh;
 using angiomesh::test::evolveFor;

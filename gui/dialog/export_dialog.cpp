@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/export_dialog.h"
+#include "gui/dialog/export_dialog.h"
 
 #include <Eigen/Geometry>
 #include <QCheckBox>
@@ -18,10 +18,10 @@
 #include <utility>
 
 #include "core/base/formatted.h"
+#include "gui/dialog/shared_history.h"
 #include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/named.h"
-#include "gui/panel/shared_history.h"
 #include "io/mesh/mesh_format.h"
 #include "io/volume/image_format.h"
 

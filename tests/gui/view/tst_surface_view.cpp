@@ -11,7 +11,7 @@
 
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
-#include "window_events.h"
+#include "tests/gui/window_events.h"
 
 using namespace angiomesh;
 using angiomesh::test::drag;

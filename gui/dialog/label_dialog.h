@@ -4,7 +4,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "gui/panel/open_questions.h"
+#include "gui/dialog/open_questions.h"
 
 class QTableWidget;
 

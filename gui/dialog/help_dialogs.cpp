@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/help_dialogs.h"
+#include "gui/dialog/help_dialogs.h"
 
 #include <QAction>
 #include <QDialog>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/case_questions.h"
+#include "gui/dialog/case_questions.h"
 
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "gui/panel/shared_history.h"
+#include "gui/dialog/shared_history.h"
 
 namespace angiomesh {
 
