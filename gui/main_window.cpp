@@ -28,6 +28,7 @@
 #include "gui/panel/plot_widget.h"
 #include "gui/panel/port_panel.h"
 #include "gui/panel/view_grid.h"
+#include "gui/panel/why_panel.h"
 #include "gui/port_menu.h"
 #include "gui/view_tools.h"
 #include "gui/window_actions.h"
@@ -92,7 +93,9 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
 
 MainWindow::~MainWindow() {
   // The panels listen to the ports and to the models: these go first, with their workers, and
-  // say nothing more. Before them go the panes, which have workers, too.
+  // say nothing more. Before them go the panes and what follows them, which have workers, too.
+  delete why_;
+  why_ = nullptr;
   delete views_;
   views_ = nullptr;
   ports_->disconnect();
@@ -124,6 +127,10 @@ void MainWindow::buildDocks() {
   QDockWidget* plot = dock("convergenceDock", tr("Convergence"), Qt::BottomDockWidgetArea,
                            new ConvergencePlot(*models_, this));
   splitDockWidget(log, plot, Qt::Horizontal);
+  why_ = new WhyPanel(*models_, *views_, options_.makeRunner, this);
+  QDockWidget* why = dock("whyDock", tr("Why here?"), Qt::RightDockWidgetArea, why_);
+  tabifyDockWidget(ports, why);
+  ports->raise();
   resizeDocks({inspector, ports}, {kInspectorHeight, kPortsHeight}, Qt::Vertical);
   resizeDocks({log, plot}, {150, 150}, Qt::Vertical);
   const int side = width() < kWidth ? kNarrowPanelWidth : kPanelWidth;

@@ -22,6 +22,7 @@ class CasePorts;
 class PortMenu;
 class PortPanel;
 class ViewGrid;
+class WhyPanel;
 class ViewState;
 class ViewTools;
 
@@ -83,6 +84,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<CaseModels> models_;
   ViewState* state_;
   CasePorts* ports_;
+  WhyPanel* why_ = nullptr;
   ViewGrid* views_;
   CaseDialogs* cases_;
   ViewTools* tools_;

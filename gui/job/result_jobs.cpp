@@ -41,4 +41,12 @@ void OutlineJob::execute() noexcept {
   }
 }
 
+void ReasonJob::execute() noexcept {
+  try {
+    reason = reasonAt(pointLps, *image, *vessels, *evolve, keptPhi.get(), params);
+  } catch (const std::exception& failure) {
+    error = failure.what();
+  }
+}
+
 }  // namespace angiomesh

@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/parameters/parameters.h"
 #include "core/pipeline/step_results.h"
+#include "core/pipeline/voxel_reason.h"
 
 namespace angiomesh {
 
@@ -47,6 +48,23 @@ struct OutlineJob {
 
   // After execute():
   std::shared_ptr<const TriMesh> surface;  ///< null where it failed
+};
+
+/// Why a place is vessel or not.
+struct ReasonJob {
+  // What the segmentation was made of, and with.
+  std::shared_ptr<const Volume<float>> image;
+  std::shared_ptr<const VesselnessResult> vessels;
+  std::shared_ptr<const EvolveResult> evolve;
+  std::shared_ptr<const Volume<float>> keptPhi;  ///< of the parts that were kept; may be null
+  Parameters params;
+  Eigen::Vector3d pointLps{0.0, 0.0, 0.0};
+
+  void execute() noexcept;
+
+  // After execute():
+  std::optional<VoxelReason> reason;
+  std::string error;  ///< empty: there is a reason
 };
 
 }  // namespace angiomesh

@@ -64,6 +64,7 @@ void ResultModel::accept(const StepResult& result) {
         segmentation_ = names_.segmentation(byHand ? std::string() : result.key);
       }
       shown_.evolve = run.evolve;
+      evolveParams_ = run.params;
       livePhi_.reset();
       liveSurface_.reset();
       break;
@@ -167,6 +168,22 @@ std::shared_ptr<const Volume<float>> ResultModel::phi() const {
 std::shared_ptr<const Volume<float>> ResultModel::uncutPhi() const {
   if (meshFits() && meshRun_->surface) return meshRun_->surface->uncutPhi;
   return shown_.evolve ? shown_.evolve->phi : nullptr;
+}
+
+std::shared_ptr<ReasonJob> ResultModel::groundsOfSegmentation() const {
+  if (!shown_.evolve || !shown_.vesselness || !shown_.vesselness->multiScale ||
+      !shown_.preprocessed || !evolves(evolveParams_))
+    return nullptr;
+  const Pipeline& pipeline = *document_.pipeline();
+  for (const Step step : {Step::Preprocess, Step::Vesselness})
+    if (key(step) != pipeline.key(step, evolveParams_)) return nullptr;
+  auto job = std::make_shared<ReasonJob>();
+  job->image = shown_.preprocessed;
+  job->vessels = shown_.vesselness;
+  job->evolve = shown_.evolve;
+  job->keptPhi = uncutPhi();
+  job->params = evolveParams_;
+  return job;
 }
 
 std::vector<std::size_t> ResultModel::dropsIn(const SegmentComponent& component,

@@ -81,6 +81,9 @@ class ResultModel : public QObject {
   [[nodiscard]] std::shared_ptr<const Volume<float>> phi() const;
   /// What cuts are made in: phi of the kept components, else the evolution's; null before.
   [[nodiscard]] std::shared_ptr<const Volume<float>> uncutPhi() const;
+  /// What a ReasonJob needs beside a place; null where the segmentation shown is not of the level
+  /// set method, or what it was made of is not at hand.
+  [[nodiscard]] std::shared_ptr<ReasonJob> groundsOfSegmentation() const;
   [[nodiscard]] std::vector<ComponentRow> components() const;
   void setComponentTicked(int index, bool ticked);
 
@@ -140,6 +143,7 @@ class ResultModel : public QObject {
   std::array<StageReport, kStepCount> reports_;
   std::shared_ptr<const RunResult> meshRun_;
   std::shared_ptr<const MeshFacts> facts_;
+  Parameters evolveParams_;  ///< that the segmentation shown was made with
   ResultNames names_;
   int segmentation_ = 0;  ///< number of the segmentation shown; 0: there is none
   int meshOf_ = 0;        ///< of the one that meshRun_ is of

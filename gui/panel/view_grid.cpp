@@ -112,6 +112,7 @@ void ViewGrid::connectSlice(SliceView* view) {
     for (SliceView* other : slices_) {
       if (other != view) other->setCursor({x, y, z});
     }
+    Q_EMIT crosshairMoved();
   });
   connect(view, &SliceView::windowLevelChanged, &state_, &ViewState::setWindowLevel);
   connect(view, &SliceView::slabChanged, this, [this](double thicknessMm) {
@@ -159,6 +160,7 @@ Eigen::Vector3d ViewGrid::crosshair() const { return slices_[2]->cursor(); }
 
 void ViewGrid::setCrosshair(const Eigen::Vector3d& lps) {
   for (SliceView* view : slices_) view->setCursor(lps);
+  Q_EMIT crosshairMoved();
 }
 
 void ViewGrid::refreshAll() {

@@ -46,6 +46,7 @@ class ViewGrid : public QWidget {
 
  Q_SIGNALS:
   void hovered(const QString& text);
+  void crosshairMoved();
   /// A right click: `place` is empty where there is nothing, `port` off the ports.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                      const QString& port);
