@@ -404,6 +404,13 @@ void SurfaceScene::resetView() { parts_->resetView(); }
 
 void SurfaceScene::fit() { parts_->fit(); }
 
+void SurfaceScene::turn(double right, double up) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  camera->Azimuth(-right);
+  camera->Elevation(-up);
+  camera->OrthogonalizeViewUp();
+}
+
 void SurfaceScene::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   double direction[3];

@@ -90,6 +90,8 @@ class SurfaceScene {
   /// From anterior, fitted; from the feet when what there is lies flat in axial planes.
   void resetView();
   void fit();  ///< keeps the direction of view
+  /// Turns what is seen, degrees: its front to the right, and upwards.
+  void turn(double right, double up);
   /// Turns the camera towards a point, at a distance that shows `radiusMm` around it.
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
   void takeCameraOf(const SurfaceScene& other);

@@ -13,6 +13,7 @@
 #include <QWheelEvent>
 #include <utility>
 
+#include "gui/view/view_buttons.h"
 #include "render/surface_scene.h"
 
 namespace angiomesh {
@@ -31,6 +32,7 @@ class QuietTrackball : public vtkInteractorStyleTrackballCamera {
 vtkStandardNewMacro(QuietTrackball);
 
 constexpr int refineAfterMs = 350;
+constexpr double turnStep = 6.0;       // degrees, as angiography stations turn
 constexpr double clickDistance = 3.0;  // Qt pixels: a shorter way is a click, not a drag
 
 }  // namespace
@@ -60,6 +62,7 @@ SurfaceView::SurfaceView(QWidget* parent) : VtkView(parent), state_(std::make_un
   interactor()->SetInteractorStyle(state_->style);
   state_->refine.setSingleShot(true);
   state_->refine.setInterval(refineAfterMs);
+  new ViewButtons(this);
   connect(&state_->refine, &QTimer::timeout, this, [this] {
     if (state_->buttonDown || state_->busy) return;
     state_->scene.setInteractive(false);
@@ -168,6 +171,12 @@ void SurfaceView::setRoi(std::optional<RoiBox> roi) {
 
 void SurfaceView::viewFrom(char side) {
   state_->scene.viewFrom(side);
+  changed();
+  Q_EMIT cameraMoved();
+}
+
+void SurfaceView::turn(double right, double up) {
+  state_->scene.turn(right, up);
   changed();
   Q_EMIT cameraMoved();
 }
@@ -300,6 +309,18 @@ void SurfaceView::keyPressEvent(QKeyEvent* event) {
       case Qt::Key_S:
       case Qt::Key_I:
         viewFrom(static_cast<char>('A' + event->key() - Qt::Key_A));
+        return;
+      case Qt::Key_Left:
+        turn(-turnStep, 0.0);
+        return;
+      case Qt::Key_Right:
+        turn(turnStep, 0.0);
+        return;
+      case Qt::Key_Up:
+        turn(0.0, turnStep);
+        return;
+      case Qt::Key_Down:
+        turn(0.0, -turnStep);
         return;
       case Qt::Key_R:
         if (shift)

@@ -23,9 +23,10 @@ namespace angiomesh {
 constexpr std::size_t kCoarseTriangles = 60000;
 
 /// The 3D pane: left button turns, middle pans, right and wheel zoom, a double click asks to
-/// maximise, keys A, P, L, S, I and Shift-R look from that side of the patient, R resets. The left
-/// button drags the disc of a port along its vessel (Shift: anywhere) and tilts it by its arrow; a
-/// click of the right button asks for a menu.
+/// maximise, keys A, P, L, S, I and Shift-R look from that side of the patient, as do the buttons
+/// in the corner, arrow keys turn by 6 degrees, R resets. The left button drags the disc of a port
+/// along its vessel (Shift: anywhere) and tilts it by its arrow; a click of the right button asks
+/// for a menu.
 class SurfaceView : public VtkView {
   Q_OBJECT
 
@@ -66,6 +67,8 @@ class SurfaceView : public VtkView {
   void setRoi(std::optional<RoiBox> roi);
 
   void viewFrom(char side);  ///< 'A', 'P', 'L', 'R', 'S', 'I'
+  /// Turns what is seen, degrees: to the right about the pane's upward axis, and upwards.
+  void turn(double right, double up);
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
   void resetView();  ///< from anterior (from the feet when the image lies flat), fitted
   /// Takes over the camera of another view. Two views that do so on each other's cameraMoved()

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <cmath>
 
 #include "gui/view/slice_view.h"
@@ -74,6 +75,20 @@ class TestSurfaceView : public QObject {
     }
     QTest::keyClick(&view, Qt::Key_L);
     Eigen::Vector3d forward;
+    camera->GetDirectionOfProjection(forward.data());
+    QVERIFY((forward - Eigen::Vector3d(-1, 0, 0)).norm() < 1e-9);
+    // The front goes to the right: from there the patient's right side is seen.
+    QTest::keyClick(&view, Qt::Key_A);
+    for (int i = 0; i < 15; ++i) QTest::keyClick(&view, Qt::Key_Right);
+    camera->GetDirectionOfProjection(forward.data());
+    QVERIFY((forward - Eigen::Vector3d(1, 0, 0)).norm() < 1e-9);
+    QTest::keyClick(&view, Qt::Key_A);
+    for (int i = 0; i < 5; ++i) QTest::keyClick(&view, Qt::Key_Up);
+    camera->GetDirectionOfProjection(forward.data());
+    QVERIFY(std::abs(forward.z() - 0.5) < 1e-9);  // 30 degrees from below
+    auto* fromLeft = view.findChild<QToolButton*>("fromL");
+    QVERIFY(fromLeft->isVisible());
+    QTest::mouseClick(fromLeft, Qt::LeftButton);
     camera->GetDirectionOfProjection(forward.data());
     QVERIFY((forward - Eigen::Vector3d(-1, 0, 0)).norm() < 1e-9);
     for (const char key : {'q', 'e', 'w', 'p', '3'}) QTest::keyClick(&view, key);
