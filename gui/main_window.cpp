@@ -297,8 +297,7 @@ void MainWindow::refreshActions() {
   enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
   enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());
   enableActions(this, {"contours"}, mesh || models_->results.phi());
-  enableActions(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "resetWindow"},
-                any);
+  enableActions(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews"}, any);
   enableActions(this, {"clearSeeds"}, !models_->document.seeds().empty());
   enableActions(this, {"clearRoi"}, models_->document.parameters().preprocess.roi.has_value());
   tools_->refresh();

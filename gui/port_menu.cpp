@@ -84,7 +84,7 @@ void PortMenu::refresh() {
 }
 
 void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
-                    const QString& port) {
+                    const QString& port, bool onSlice) {
   auto* menu = named(new QMenu(window_), "portMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (port.isEmpty()) {
@@ -95,6 +95,10 @@ void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& 
     menu->addSection(port);
     for (const char* name : {"cutAcross", "flipPort", "renamePort", "deletePort"})
       menu->addAction(actionOf(window_, name));
+  }
+  if (onSlice) {
+    menu->addSeparator();
+    menu->addAction(actionOf(window_, "windowMenu"));
   }
   menu->popup(global);
 }

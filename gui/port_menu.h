@@ -27,7 +27,8 @@ class PortMenu : public QObject {
   void refresh();
 
  private:
-  void show(const QPoint& global, const std::optional<Eigen::Vector3d>& place, const QString& port);
+  void show(const QPoint& global, const std::optional<Eigen::Vector3d>& place, const QString& port,
+            bool onSlice);
   void askForEnds();
   void importPorts();
   void exportPorts();

@@ -20,6 +20,7 @@
 #include "gui/panel/named.h"
 #include "gui/view/slice_view.h"
 #include "gui/window_actions.h"
+#include "gui/window_menu.h"
 
 namespace angiomesh {
 
@@ -63,8 +64,7 @@ void ViewTools::buildViewMenu() {
   addMenuToggle(window_, view, "edges", tr("Edges"), QKeySequence(tr("Ctrl+G")),
                 [this](bool on) { state_.setEdges(on); });
   view->addSeparator();
-  addMenuAction(window_, view, "resetWindow", tr("Reset window and level"),
-                QKeySequence(tr("Ctrl+W")), [this] { state_.resetWindowLevel(); });
+  new WindowMenu(window_, view, models_, state_);
   addMenuAction(window_, view, "resetViews", tr("Reset all panes"), QKeySequence(tr("Ctrl+R")),
                 [this] { views_.resetViews(); });
   view->addSeparator();

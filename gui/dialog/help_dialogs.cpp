@@ -28,7 +28,7 @@ const std::vector<std::pair<const char*, const char*>>& paneShortcuts() {
       {"Ctrl+wheel", "Zoom"},
       {"Alt+wheel", "Slab thickness"},
       {"Shift+move", "Crosshair in all panes"},
-      {"Right click", "Menu: cut the vessel there; on a port: flip, rename, delete"},
+      {"Right click", "Menu: windows; cut the vessel there; on a port: flip, rename, delete"},
       {"Left drag on a port", "Along the vessel (Shift: anywhere); by the arrow: tilt"},
       {"Double click", "One pane at full size, and back"},
       {"Arrow keys on a slice", "Next or previous slice (Shift: by 10)"},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <tuple>
 #include <utility>
 
 #include "core/base/error.h"
@@ -126,23 +127,12 @@ void LoadJob::load() {
   if (!source.image) return;
   progress_.report(0.9);
   const Volume<float>& image = *source.image;
-  const auto extremes = valueRange(image);
-  double low = extremes[0], high = extremes[1];
-  if (!info_.windows.empty()) {
-    const auto ends = info_.windows.front().range();
-    low = ends[0];
-    high = ends[1];
-  } else if (const std::vector<double> range = percentiles(image, {0.01, 0.998});
-             range[1] > range[0]) {
-    low = range[0];
-    high = range[1];
-  }
-  facts_.window = high - low;
-  facts_.level = 0.5 * (low + high);
+  display_ = displayFacts(image, info_);
+  std::tie(facts_.window, facts_.level) = display_.window();
   facts_.voxelMm = image.geometry.voxelMm();
   facts_.volumeMm3 =
       static_cast<double>(image.geometry.voxelCount()) * image.geometry.voxelVolumeMm3();
-  facts_.largestValue = extremes[1];
+  facts_.largestValue = display_.values[1];
   const auto pipeline = std::make_shared<Pipeline>(std::move(source));
   prepare(*pipeline);
   pipeline_ = pipeline;

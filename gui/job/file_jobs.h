@@ -11,6 +11,7 @@
 #include "core/base/progress.h"
 #include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
+#include "gui/job/display_facts.h"
 #include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/scan/label_image.h"
@@ -59,9 +60,9 @@ class LoadJob {
   [[nodiscard]] const std::optional<Label>& label() const { return label_; }
   /// Null when there was no source to find.
   [[nodiscard]] std::shared_ptr<Pipeline> pipeline() const { return pipeline_; }
-  /// Window and level to begin with, the file's own, else the 1st to the 99.8th percentile; and
-  /// what else forms need of the image.
+  /// What forms need of the image; the window is DisplayFacts::window().
   [[nodiscard]] const FieldContext& facts() const { return facts_; }
+  [[nodiscard]] const DisplayFacts& display() const { return display_; }
 
  protected:
   /// The source, without an image where it cannot be found; the rest goes to setInfo().
@@ -93,6 +94,7 @@ class LoadJob {
   InputInfo info_;
   std::shared_ptr<Pipeline> pipeline_;
   FieldContext facts_;
+  DisplayFacts display_;
 };
 
 enum class ExportKind { Mesh, OpenFoam, Ports };

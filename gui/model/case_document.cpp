@@ -42,9 +42,11 @@ CaseDocument::CaseDocument(MessageLog& log, QObject* parent)
     : QObject(parent), log_(log), params_(preset("angiomesh")) {}
 
 void CaseDocument::begin(std::shared_ptr<Pipeline> pipeline, const FieldContext& facts,
-                         const QString& name, const Parameters& params) {
+                         const DisplayFacts& display, const QString& name,
+                         const Parameters& params) {
   pipeline_ = std::move(pipeline);
   facts_ = facts;
+  display_ = display;
   name_ = name;
   undo_.clear();
   params_ = params;

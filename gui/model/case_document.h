@@ -12,6 +12,7 @@
 
 #include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
+#include "gui/job/display_facts.h"
 #include "gui/model/message_log.h"
 
 namespace angiomesh {
@@ -25,9 +26,9 @@ class CaseDocument : public QObject {
   explicit CaseDocument(MessageLog& log, QObject* parent = nullptr);
 
   // The source.
-  /// The facts are those of the viewer and of the image. parametersChanged() does not follow.
-  void begin(std::shared_ptr<Pipeline> pipeline, const FieldContext& facts, const QString& name,
-             const Parameters& params);
+  /// parametersChanged() does not follow.
+  void begin(std::shared_ptr<Pipeline> pipeline, const FieldContext& facts,
+             const DisplayFacts& display, const QString& name, const Parameters& params);
   [[nodiscard]] bool hasCase() const { return pipeline_ != nullptr; }
   /// Knows the keys, and remembers results. Null without a case.
   [[nodiscard]] const std::shared_ptr<Pipeline>& pipeline() const { return pipeline_; }
@@ -35,6 +36,7 @@ class CaseDocument : public QObject {
   [[nodiscard]] std::shared_ptr<const Volume<float>> image() const;
   /// Of the image alone, not of results.
   [[nodiscard]] const FieldContext& facts() const { return facts_; }
+  [[nodiscard]] const DisplayFacts& display() const { return display_; }
   [[nodiscard]] QString caseName() const { return name_; }
   void setCaseName(const QString& name) { name_ = name; }
   /// Source::hash; empty without a case.
@@ -75,6 +77,7 @@ class CaseDocument : public QObject {
   Parameters params_;
   std::shared_ptr<Pipeline> pipeline_;
   FieldContext facts_;
+  DisplayFacts display_;
   QString name_;
 };
 

@@ -166,7 +166,7 @@ void CaseFiles::begin(const LoadJob& job, const QString& name, const Parameters&
   results_.clear();
   runs_.clear();
   info_ = job.info();
-  document_.begin(job.pipeline(), job.facts(), name, params);
+  document_.begin(job.pipeline(), job.facts(), job.display(), name, params);
 }
 
 void CaseFiles::announce() {

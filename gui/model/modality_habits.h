@@ -2,7 +2,10 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <string>
+
+#include "gui/model/window_presets.h"
 
 namespace angiomesh {
 
@@ -12,5 +15,13 @@ namespace angiomesh {
 /// The preset that was chosen last, else the one made for the modality.
 QString presetFor(const std::string& modality);
 void rememberPreset(const std::string& modality, const QString& preset);
+
+/// The window that was set last, for another image. Numbers are remembered of CT alone, whose
+/// values mean the same in each scan; of others it is that of the file or the percentiles, if one
+/// of these was chosen. Nothing, if there is none that suits the image.
+std::optional<WindowLevel> windowFor(const DisplayFacts& facts);
+void rememberWindow(const std::string& modality, const WindowLevel& window);
+void rememberWindow(const std::string& modality, WindowPreset preset);
+void forgetWindow(const std::string& modality);
 
 }  // namespace angiomesh

@@ -114,7 +114,7 @@ QString ResultModel::segmentationName() const {
 
 double ResultModel::seconds(Step step) const { return fresh(step) ? report(step).seconds : -1.0; }
 
-std::pair<double, double> ResultModel::windowLevel(Layer layer) const {
+WindowLevel ResultModel::windowLevel(Layer layer) const {
   switch (layer) {
     case Layer::Vesselness:
       return {0.6, 0.3};
@@ -124,7 +124,7 @@ std::pair<double, double> ResultModel::windowLevel(Layer layer) const {
     case Layer::Preprocessed:
       break;
   }
-  return {document_.facts().window, document_.facts().level};
+  return document_.display().window();
 }
 
 std::shared_ptr<const Volume<float>> ResultModel::layer(Layer layer) {

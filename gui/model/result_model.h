@@ -69,7 +69,7 @@ class ResultModel : public QObject {
   /// Null while it is not there; the speed is made on demand, resultsChanged() tells when.
   [[nodiscard]] std::shared_ptr<const Volume<float>> layer(Layer layer);
   /// Window and level that suit a layer.
-  [[nodiscard]] std::pair<double, double> windowLevel(Layer layer) const;
+  [[nodiscard]] WindowLevel windowLevel(Layer layer) const;
   [[nodiscard]] std::shared_ptr<const VesselnessResult> vesselnessResult() const {
     return shown_.vesselness;
   }

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "gui/model/modality_habits.h"
+
 namespace angiomesh {
 
 namespace {
@@ -39,6 +41,8 @@ ViewState::ViewState(CaseModels& models, QObject* parent) : QObject(parent), mod
     for (int i = 0; i < kLayerCount; ++i)
       windowLevels_[static_cast<std::size_t>(i)] =
           models_.results.windowLevel(static_cast<Layer>(i));
+    if (models_.document.hasCase())
+      if (const auto habit = windowFor(models_.document.display())) windowLevels_.front() = *habit;
     Q_EMIT changed();
   };
   reset();
@@ -81,7 +85,8 @@ void ViewState::take(const CaseView& view) {
   for (std::size_t i = 0; i < kLayers.size(); ++i) {
     const auto found = view.windowLevels.find(kLayers[i]);
     if (found != view.windowLevels.end() && found->second[0] > 0.0)
-      windowLevels_[i] = {found->second[0], found->second[1]};
+      windowLevels_[i] =
+          limitsOf(static_cast<Layer>(i)).bounded({found->second[0], found->second[1]});
   }
   fromWord(slabMode_, view.slab, kSlabs);
   if (view.slabThicknessMm > 0.0) slabThicknessMm_ = view.slabThicknessMm;
@@ -100,17 +105,42 @@ void ViewState::take(const CaseView& view) {
   showAwaitedLayer();
 }
 
-std::pair<double, double> ViewState::windowLevel() const {
+WindowLevel ViewState::windowLevel() const {
   return windowLevels_[static_cast<std::size_t>(layer_)];
 }
 
+WindowLimits ViewState::limitsOf(Layer layer) const {
+  if (layer == Layer::Vesselness) return {0.0, 1.0, 1.0};
+  if (layer == Layer::Speed) return {-1.0, 1.0, 2.0};
+  return imageLimits(models_.document.display());
+}
+
+void ViewState::showWindow(const WindowLevel& window) {
+  set(windowLevels_[static_cast<std::size_t>(layer_)], windowLimits().bounded(window));
+}
+
 void ViewState::setWindowLevel(double window, double level) {
-  set(windowLevels_[static_cast<std::size_t>(layer_)], std::pair(window, level));
+  showWindow({window, level});
+  if (layer_ == Layer::Source) rememberWindow(models_.document.display().modality, windowLevel());
 }
 
 void ViewState::resetWindowLevel() {
-  const auto [window, level] = models_.results.windowLevel(layer_);
-  setWindowLevel(window, level);
+  showWindow(models_.results.windowLevel(layer_));
+  if (layer_ == Layer::Source) forgetWindow(models_.document.display().modality);
+}
+
+std::optional<WindowLevel> ViewState::presetWindow(WindowPreset preset) const {
+  // The preprocessed layer has the source's values, the others have none of a scan.
+  if (!models_.document.hasCase() || (layer_ != Layer::Source && layer_ != Layer::Preprocessed))
+    return std::nullopt;
+  return angiomesh::presetWindow(preset, models_.document.display());
+}
+
+void ViewState::setPresetWindow(WindowPreset preset) {
+  const std::optional<WindowLevel> window = presetWindow(preset);
+  if (!window) return;
+  setWindowLevel(window->first, window->second);
+  if (layer_ == Layer::Source) rememberWindow(models_.document.display().modality, preset);
 }
 
 void ViewState::setSlab(SlabMode mode, double thicknessMm) {

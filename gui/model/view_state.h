@@ -5,10 +5,10 @@
 #include <QObject>
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "gui/model/case_models.h"
 #include "gui/model/mouse_tool.h"
+#include "gui/model/window_presets.h"
 #include "render/slice_raster.h"
 
 namespace angiomesh {
@@ -26,10 +26,16 @@ class ViewState : public QObject {
   [[nodiscard]] Layer layer() const { return layer_; }
   void setLayer(Layer layer);
 
-  /// Of the layer shown; each layer remembers its own.
-  [[nodiscard]] std::pair<double, double> windowLevel() const;
+  /// Of the layer shown; each layer remembers its own, and keeps it within its limits. The source's
+  /// last one is remembered for other images of its modality.
+  [[nodiscard]] WindowLevel windowLevel() const;
+  [[nodiscard]] WindowLimits windowLimits() const { return limitsOf(layer_); }
   void setWindowLevel(double window, double level);
+  /// To what the layer begins with; what was remembered is forgotten.
   void resetWindowLevel();
+  /// Of the layer shown; nothing: it does not suit it.
+  [[nodiscard]] std::optional<WindowLevel> presetWindow(WindowPreset preset) const;
+  void setPresetWindow(WindowPreset preset);
 
   [[nodiscard]] SlabMode slabMode() const { return slabMode_; }
   [[nodiscard]] double slabThicknessMm() const { return slabThicknessMm_; }
@@ -75,11 +81,13 @@ class ViewState : public QObject {
   }
 
   void showAwaitedLayer();
+  [[nodiscard]] WindowLimits limitsOf(Layer layer) const;
+  void showWindow(const WindowLevel& window);
 
   CaseModels& models_;
   Layer layer_ = Layer::Source;
   std::optional<Layer> awaitedLayer_;
-  std::array<std::pair<double, double>, kLayerCount> windowLevels_;
+  std::array<WindowLevel, kLayerCount> windowLevels_;
   SlabMode slabMode_ = SlabMode::None;
   double slabThicknessMm_ = 10.0;
   bool contours_ = true, mip_ = true, surface_ = true, edges_ = false;

@@ -95,7 +95,10 @@ void ViewGrid::connectPorts() {
     connect(view, &View::portPressed, &ports_, &CasePorts::select);
     connect(view, &View::portDragged, &ports_, &CasePorts::drag);
     connect(view, &View::portDropped, &ports_, &CasePorts::drop);
-    connect(view, &View::menuRequested, this, &ViewGrid::menuRequested);
+    connect(view, &View::menuRequested, this,
+            [this](const QPoint& global, const auto& place, const QString& port) {
+              Q_EMIT menuRequested(global, place, port, std::is_same_v<View, SliceView>);
+            });
     connect(view, &View::cutPicked, this, [this](double x, double y, double z) {
       ports_.cutHere({x, y, z});
       state_.setTool(Tool::Navigate);
@@ -181,6 +184,7 @@ void ViewGrid::refreshImage() {
   const auto [window, level] = state_.windowLevel();
   for (SliceView* view : slices_) {
     view->setWindowLevel(window, level);
+    view->setWindowLimits(state_.windowLimits());
     view->setSlab(state_.slabMode(), state_.slabThicknessMm());
     view->setTool(state_.tool());
     view->setScheme(state_.scheme());

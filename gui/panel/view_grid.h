@@ -49,7 +49,7 @@ class ViewGrid : public QWidget {
   void crosshairMoved();
   /// A right click: `place` is empty where there is nothing, `port` off the ports.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
-                     const QString& port);
+                     const QString& port, bool onSlice);
 
  private:
   void connectSlice(SliceView* view);

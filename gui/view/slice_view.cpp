@@ -19,7 +19,8 @@ namespace {
 enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port };
 
 constexpr double dimmedOpacity = 0.45;
-constexpr double clickDistance = 3.0;  // Qt pixels: a shorter way is a click, not a drag
+constexpr double pixelsForUsualWindow = 400.0;  // of a drag
+constexpr double clickDistance = 3.0;           // Qt pixels: a shorter way is a click, not a drag
 
 }  // namespace
 
@@ -30,7 +31,7 @@ struct SliceView::State {
   Drag drag = Drag::None;
   bool mayBeClick = false;
   QPointF pressed, last;
-  double contrastPerPixel = 1.0;  // change of window or level per Qt pixel of a drag
+  WindowLimits limits;
   Eigen::Vector3d roiCorner{0.0, 0.0, 0.0};
   std::optional<RoiBox> roiBefore;
   std::optional<PortDrag> portDrag;  // of the port grabbed
@@ -47,10 +48,6 @@ SliceView::~SliceView() { releaseGl(); }
 void SliceView::setImage(std::shared_ptr<const Volume<float>> image) {
   const int before = slice();
   state_->scene.setImage(std::move(image));
-  if (state_->scene.image()) {
-    const std::array<double, 2> range = displayRange(*state_->scene.image(), 0.01, 0.998);
-    state_->contrastPerPixel = (range[1] - range[0]) / 400.0;
-  }
   requestRender();
   if (slice() != before) Q_EMIT sliceChanged(slice());
 }
@@ -67,6 +64,8 @@ void SliceView::setWindowLevel(double window, double level) {
   state_->scene.setWindowLevel(window, level);
   requestRender();
 }
+
+void SliceView::setWindowLimits(const WindowLimits& limits) { state_->limits = limits; }
 
 double SliceView::windowWidth() const { return state_->scene.window(); }
 double SliceView::windowLevel() const { return state_->scene.level(); }
@@ -203,11 +202,10 @@ void SliceView::stepSlab(int steps) {
 }
 
 void SliceView::dragContrast(const QPointF& moved, bool fine) {
-  const double step = state_->contrastPerPixel * (fine ? 0.1 : 1.0);
-  const double smallest = 0.1 * state_->contrastPerPixel;
-  const double window = std::max(smallest, windowWidth() + step * moved.x());
+  const double step = state_->limits.usual / (fine ? 10.0 : 1.0) / pixelsForUsualWindow;
   // Upwards is brighter.
-  const double level = windowLevel() + step * moved.y();
+  const auto [window, level] =
+      state_->limits.bounded({windowWidth() + step * moved.x(), windowLevel() + step * moved.y()});
   state_->scene.setWindowLevel(window, level);
   requestRender();
   Q_EMIT windowLevelChanged(window, level);

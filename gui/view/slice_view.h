@@ -10,6 +10,7 @@
 
 #include "core/image/volume.h"
 #include "gui/model/mouse_tool.h"
+#include "gui/model/window_presets.h"
 #include "gui/view/vtk_view.h"
 #include "render/slice_scene.h"
 
@@ -32,6 +33,8 @@ class SliceView : public VtkView {
   void setImage(std::shared_ptr<const Volume<float>> image);
   void setPlane(int plane);  ///< 0 sagittal, 1 coronal, 2 axial
   void setWindowLevel(double window, double level);
+  /// Where a drag of window and level ends, and how fast it goes.
+  void setWindowLimits(const WindowLimits& limits);
   [[nodiscard]] double windowWidth() const;
   [[nodiscard]] double windowLevel() const;
   /// Moves the crosshair, and to the slice that it lies in. Emits no cursorMoved().

@@ -263,7 +263,7 @@ class TestPorts : public QObject {
     slice->grabFramebuffer();
     c.rightClick(slice, centre.toPoint());
     auto* menu = c.find<QMenu>("portMenu");
-    QVERIFY(menu && menu->actions().size() == 5);
+    QVERIFY(menu && menu->actions().contains(c.window->findChild<QAction*>("flipPort")));
     menu->close();
   }
 

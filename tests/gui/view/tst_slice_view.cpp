@@ -50,6 +50,7 @@ class TestSliceView : public QObject {
     view->setPlane(plane);
     view->setImage(image_);
     view->setWindowLevel(1000.0, 500.0);
+    view->setWindowLimits({0.0, 1000.0, 1000.0});
     view->setCrosshairVisible(false);
     view->show();
     [[maybe_unused]] const bool exposed = QTest::qWaitForWindowExposed(view.get());
