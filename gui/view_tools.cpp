@@ -63,6 +63,8 @@ void ViewTools::buildViewMenu() {
                 [this](bool on) { state_.setSurface(on); });
   addMenuToggle(window_, view, "edges", tr("Edges"), QKeySequence(tr("Ctrl+G")),
                 [this](bool on) { state_.setEdges(on); });
+  addMenuToggle(window_, view, "interpolate", tr("Interpolate slices"), QKeySequence(tr("Ctrl+T")),
+                [this](bool on) { state_.setInterpolated(on); });
   view->addSeparator();
   new WindowMenu(window_, view, models_, state_);
   addMenuAction(window_, view, "resetViews", tr("Reset all panes"), QKeySequence(tr("Ctrl+R")),
@@ -147,6 +149,7 @@ void ViewTools::refreshActions() {
   check("mip", state_.mip());
   check("surface", state_.surface());
   check("edges", state_.edges());
+  check("interpolate", state_.interpolated());
   check("toolNavigate", state_.tool() == Tool::Navigate);
   check("toolSeed", state_.tool() == Tool::PickSeed);
   check("toolRoi", state_.tool() == Tool::DrawRoi);

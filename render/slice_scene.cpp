@@ -346,6 +346,11 @@ void SliceScene::setWindowLevel(double window, double level) {
 double SliceScene::window() const { return parts_->imageProp->GetProperty()->GetColorWindow(); }
 double SliceScene::level() const { return parts_->imageProp->GetProperty()->GetColorLevel(); }
 
+void SliceScene::setInterpolated(bool on) {
+  parts_->imageProp->GetProperty()->SetInterpolationType(on ? VTK_LINEAR_INTERPOLATION
+                                                            : VTK_NEAREST_INTERPOLATION);
+}
+
 void SliceScene::setSlice(int slice) {
   const int clamped = std::clamp(slice, 0, std::max(0, sliceCount() - 1));
   if (clamped == parts_->slice) return;

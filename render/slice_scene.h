@@ -48,6 +48,8 @@ class SliceScene {
   [[nodiscard]] double window() const;
   [[nodiscard]] double level() const;
 
+  void setInterpolated(bool on);  ///< between voxels; else each is drawn in one shade
+
   void setSlice(int slice);  ///< index along axes().across, clamped
   [[nodiscard]] int slice() const;
   [[nodiscard]] int sliceCount() const;

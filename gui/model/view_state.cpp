@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/model/view_state.h"
 
+#include <QSettings>
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -18,6 +19,8 @@ constexpr std::array<const char*, 4> kSlabs{"none", "mip", "minip", "mean"};
 constexpr std::array<const char*, kMeshKindCount> kMeshes{"exported", "unsmoothed",
                                                           "marching-cubes"};
 constexpr std::array<const char*, 3> kColours{"plain", "min-angle", "radius-ratio"};
+
+constexpr const char* kInterpolated = "view/interpolated";  // of the settings
 
 /// `value` stays where the word is unknown.
 template <class T, std::size_t N>
@@ -46,6 +49,7 @@ ViewState::ViewState(CaseModels& models, QObject* parent) : QObject(parent), mod
     Q_EMIT changed();
   };
   reset();
+  interpolated_ = QSettings().value(kInterpolated, true).toBool();
   connect(&models_.files, &CaseFiles::caseChanged, this, reset);
   connect(&models_.results, &ResultModel::resultsChanged, this, &ViewState::showAwaitedLayer);
 }
@@ -72,6 +76,7 @@ CaseView ViewState::caseView() const {
                 {"mip", mip_},
                 {"surface", surface_},
                 {"edges", edges_},
+                {"interpolated", interpolated_},
                 {"comparison", comparison_}};
   view.mesh = wordOf(meshKind_, kMeshes);
   view.colour = wordOf(meshColour_, kColours);
@@ -98,6 +103,7 @@ void ViewState::take(const CaseView& view) {
   takeShown(mip_, "mip");
   takeShown(surface_, "surface");
   takeShown(edges_, "edges");
+  takeShown(interpolated_, "interpolated");
   takeShown(comparison_, "comparison");
   fromWord(meshKind_, view.mesh, kMeshes);
   fromWord(meshColour_, view.colour, kColours);
@@ -141,6 +147,11 @@ void ViewState::setPresetWindow(WindowPreset preset) {
   if (!window) return;
   setWindowLevel(window->first, window->second);
   if (layer_ == Layer::Source) rememberWindow(models_.document.display().modality, preset);
+}
+
+void ViewState::setInterpolated(bool on) {
+  QSettings().setValue(kInterpolated, on);
+  set(interpolated_, on);
 }
 
 void ViewState::setSlab(SlabMode mode, double thicknessMm) {

@@ -50,6 +50,10 @@ class ViewState : public QObject {
   [[nodiscard]] bool edges() const { return edges_; }
   void setEdges(bool on) { set(edges_, on); }
 
+  /// Of slices, between voxels. What the user chose is remembered.
+  [[nodiscard]] bool interpolated() const { return interpolated_; }
+  void setInterpolated(bool on);
+
   /// For a case file, without the crosshair; and back. A layer that is not there yet is shown once
   /// it is.
   [[nodiscard]] CaseView caseView() const;
@@ -91,6 +95,7 @@ class ViewState : public QObject {
   SlabMode slabMode_ = SlabMode::None;
   double slabThicknessMm_ = 10.0;
   bool contours_ = true, mip_ = true, surface_ = true, edges_ = false;
+  bool interpolated_ = true;
   Tool tool_ = Tool::Navigate;
   MouseScheme scheme_ = MouseScheme::Radiology;
   MeshKind meshKind_ = MeshKind::Exported;

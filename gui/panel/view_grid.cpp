@@ -185,6 +185,7 @@ void ViewGrid::refreshImage() {
   for (SliceView* view : slices_) {
     view->setWindowLevel(window, level);
     view->setWindowLimits(state_.windowLimits());
+    view->setInterpolated(state_.interpolated());
     view->setSlab(state_.slabMode(), state_.slabThicknessMm());
     view->setTool(state_.tool());
     view->setScheme(state_.scheme());

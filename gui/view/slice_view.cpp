@@ -9,6 +9,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/formatted.h"
 
@@ -32,6 +33,7 @@ struct SliceView::State {
   bool mayBeClick = false;
   QPointF pressed, last;
   WindowLimits limits;
+  bool interpolated = true;
   Eigen::Vector3d roiCorner{0.0, 0.0, 0.0};
   std::optional<RoiBox> roiBefore;
   std::optional<PortDrag> portDrag;  // of the port grabbed
@@ -82,6 +84,12 @@ Eigen::Vector3d SliceView::cursor() const { return state_->scene.cursor(); }
 
 void SliceView::setCrosshairVisible(bool visible) {
   state_->scene.setCrosshairVisible(visible);
+  requestRender();
+}
+
+void SliceView::setInterpolated(bool on) {
+  if (std::exchange(state_->interpolated, on) == on) return;
+  state_->scene.setInterpolated(on);
   requestRender();
 }
 

@@ -41,6 +41,7 @@ class SliceView : public VtkView {
   void setCursor(const Eigen::Vector3d& lps);
   [[nodiscard]] Eigen::Vector3d cursor() const;
   void setCrosshairVisible(bool visible);
+  void setInterpolated(bool on);  ///< between voxels
   void setSlab(SlabMode mode, double thicknessMm);
   [[nodiscard]] SlabMode slabMode() const;
   [[nodiscard]] double slabThicknessMm() const;
