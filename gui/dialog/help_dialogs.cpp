@@ -22,6 +22,7 @@ namespace {
 const std::vector<std::pair<const char*, const char*>>& paneShortcuts() {
   static const std::vector<std::pair<const char*, const char*>> table{
       {"Left drag on a slice", "Window and level (Engineering: crosshair; Ctrl: fine)"},
+      {"Left click", "Crosshair in all panes; in 3D on the surface"},
       {"Middle drag", "Pan"},
       {"Right drag", "Zoom"},
       {"Wheel on a slice", "Next or previous slice"},

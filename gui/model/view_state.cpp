@@ -72,12 +72,9 @@ CaseView ViewState::caseView() const {
     view.windowLevels[kLayers[i]] = {windowLevels_[i].first, windowLevels_[i].second};
   view.slab = wordOf(slabMode_, kSlabs);
   view.slabThicknessMm = slabThicknessMm_;
-  view.shown = {{"contours", contours_},
-                {"mip", mip_},
-                {"surface", surface_},
-                {"edges", edges_},
-                {"interpolated", interpolated_},
-                {"comparison", comparison_}};
+  view.shown = {{"contours", contours_},         {"mip", mip_},
+                {"surface", surface_},           {"edges", edges_},
+                {"interpolated", interpolated_}, {"comparison", comparison_}};
   view.mesh = wordOf(meshKind_, kMeshes);
   view.colour = wordOf(meshColour_, kColours);
   return view;

@@ -53,6 +53,9 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   for (SurfaceView* view : {surface_, comparison_}) {
     beside->addWidget(view, 1);
     connect(view, &VtkView::maximiseRequested, this, [this] { toggleMaximised(pane3d_); });
+    connect(view, &SurfaceView::placePicked, this, [this](double x, double y, double z) {
+      setCrosshair({x, y, z});
+    });
   }
   connect(surface_, &SurfaceView::cameraMoved, this, [this] {
     if (state_.comparison()) comparison_->takeCameraOf(*surface_);

@@ -272,9 +272,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
       if (event->buttons() == Qt::NoButton) showPointer(position);
       break;
     case Drag::Contrast:
-      // A seed's click may shake a little without changing the contrast.
-      if (s.tool == Tool::Navigate || !s.mayBeClick)
-        dragContrast(moved, event->modifiers().testFlag(Qt::ControlModifier));
+      // A click may shake a little without changing the contrast.
+      if (!s.mayBeClick) dragContrast(moved, event->modifiers().testFlag(Qt::ControlModifier));
       break;
     case Drag::Pan:
       s.scene.pan(moved.x() * devicePixelRatioF(), -moved.y() * devicePixelRatioF());
@@ -323,6 +322,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   const std::optional<Eigen::Vector3d> place = picked();
   if (!place) return;
   const Eigen::Vector3d& p = *place;
+  if (ended == Drag::Contrast && s.tool == Tool::Navigate) moveCrosshair(s.pressed);
   if (ended == Drag::Contrast && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
   if (ended == Drag::Contrast && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
   if (ended == Drag::Zoom) {

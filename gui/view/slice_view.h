@@ -19,9 +19,10 @@ namespace angiomesh {
 /// One slice pane. Positions are mm LPS. Middle button pans, right zooms, the wheel steps slices
 /// (Ctrl: zooms, Alt: slab thickness), Shift with the moving mouse sets the crosshair, a double
 /// click asks to maximise, arrow keys step slices (Shift: by 10), R resets the view; Ctrl with the
-/// left drag changes window and level in fine steps; a click of the right button asks for a menu.
-/// The left button drags the disc of a port along its vessel (Shift: within the slice), and the
-/// crosshair goes with it; by the tip of its arrow it is turned in the slice.
+/// left drag changes window and level in fine steps; a left click sets the crosshair; a click of
+/// the right button asks for a menu. The left button drags the disc of a port along its vessel
+/// (Shift: within the slice), and the crosshair goes with it; by the tip of its arrow it is turned
+/// in the slice.
 class SliceView : public VtkView {
   Q_OBJECT
 

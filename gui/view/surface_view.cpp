@@ -281,16 +281,21 @@ void SurfaceView::clicked(const QMouseEvent& event) {
   State& s = *state_;
   s.mayBeClick = false;
   const Eigen::Vector2d at = toDisplay(s.pressed);
-  const bool cuts = event.button() == Qt::LeftButton && tool_ == Tool::CutVessel;
-  if (!cuts && event.button() != Qt::RightButton) return;
+  const bool picks = tool_ == Tool::CutVessel || tool_ == Tool::Navigate;
+  if (event.button() != Qt::RightButton && !(event.button() == Qt::LeftButton && picks)) return;
   const auto port = s.scene.portAt(at[0], at[1]);
   const std::optional<Eigen::Vector3d> place = s.scene.surfaceAt(at[0], at[1]);
-  if (event.button() == Qt::RightButton)
+  if (event.button() == Qt::RightButton) {
     Q_EMIT menuRequested(
         event.globalPosition().toPoint(), place,
         port ? QString::fromStdString(s.scene.ports()[port->mark].name) : QString());
-  else if (place && !port)
-    Q_EMIT cutPicked((*place)[0], (*place)[1], (*place)[2]);
+  } else if (place && !port) {
+    const Eigen::Vector3d& p = *place;
+    if (tool_ == Tool::CutVessel)
+      Q_EMIT cutPicked(p[0], p[1], p[2]);
+    else
+      Q_EMIT placePicked(p[0], p[1], p[2]);
+  }
 }
 
 void SurfaceView::wheelEvent(QWheelEvent* event) {

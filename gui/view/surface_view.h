@@ -25,8 +25,8 @@ constexpr std::size_t kCoarseTriangles = 60000;
 /// The 3D pane: left button turns, middle pans, right and wheel zoom, a double click asks to
 /// maximise, keys A, P, L, S, I and Shift-R look from that side of the patient, as do the buttons
 /// in the corner, arrow keys turn by 6 degrees, R resets. The left button drags the disc of a port
-/// along its vessel (Shift: anywhere) and tilts it by its arrow; a click of the right button asks
-/// for a menu.
+/// along its vessel (Shift: anywhere) and tilts it by its arrow; a left click on the surface points
+/// at a place, a click of the right button asks for a menu.
 class SurfaceView : public VtkView {
   Q_OBJECT
 
@@ -79,6 +79,7 @@ class SurfaceView : public VtkView {
   void portPressed(const QString& name);
   void portDragged(const QString& name, const CutPlane& plane);
   void portDropped();
+  void placePicked(double x, double y, double z);  ///< on the surface, with Tool::Navigate
   void cutPicked(double x, double y, double z);
   /// `place` is empty off the surface, `port` off the ports.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+
 #include <QSet>
 
 #include "tests/gui/window_case.h"
@@ -7,6 +12,13 @@ using namespace angiomesh;
 using namespace angiomesh::test;
 
 namespace {
+
+void click(QWidget& widget, const QPoint& at) {
+  sendMouse(widget, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+  // No hand is that still.
+  sendMouse(widget, QEvent::MouseMove, at + QPoint(1, 1), Qt::NoButton, Qt::LeftButton);
+  sendMouse(widget, QEvent::MouseButtonRelease, at + QPoint(1, 1), Qt::LeftButton, Qt::NoButton);
+}
 
 /// How many shades of grey a picture has.
 int shades(const QImage& picture) {
@@ -51,6 +63,63 @@ class TestPanes : public QObject {
     QVERIFY(!c.state().interpolated());
     WindowCase next;
     QVERIFY(next.state().interpolated());  // the case's switch is not the user's
+  }
+
+  void aClickSetsTheCrosshairAndADragDoesNot() {
+    WindowCase c;
+    c.models().files.take(twoTubes());
+    ViewGrid& views = c.window->views();
+    SliceView* axial = views.slice(2);
+    const double window = axial->windowWidth(), level = axial->windowLevel();
+    const QPoint at(axial->width() / 3, axial->height() / 3);
+    const Eigen::Vector3d expected = axial->lpsAt(at);
+    click(*axial, at);
+    for (int plane = 0; plane < 3; ++plane)
+      QVERIFY((views.slice(plane)->cursor() - expected).norm() < 1e-6);
+    QCOMPARE(axial->windowWidth(), window);
+    QCOMPARE(axial->windowLevel(), level);
+    drag(*axial, Qt::LeftButton, at + QPoint(40, 40), at + QPoint(90, 70));
+    QVERIFY((axial->cursor() - expected).norm() < 1e-6);
+    QVERIFY(axial->windowWidth() > window);
+    click(*axial, {1, axial->height() / 2});  // beside the image, or on its edge
+    c.clickTool("toolSeed");
+    click(*axial, at + QPoint(20, 0));
+    QCOMPARE(c.models().document.seeds().size(), std::size_t{1});
+    QVERIFY((axial->cursor() - c.models().document.seeds().front()).norm() > 1.0);
+  }
+
+  void aClickOnTheSurfaceTakesTheSlicesThere() {
+    WindowCase c;
+    c.models().files.take(twoTubes());
+    auto mesh = std::make_shared<TriMesh>();
+    const Eigen::Vector3d centre = c.models().document.image()->geometry.toPhysical({8, 9, 10});
+    for (const Eigen::Vector3d& corner : {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, -1, -1),
+                                          Eigen::Vector3d(-1, 1, -1), Eigen::Vector3d(-1, -1, 1)})
+      mesh->points.push_back(centre + 2.0 * corner);
+    mesh->triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    ViewGrid& views = c.window->views();
+    SurfaceView* surface = views.surface();
+    surface->setSurface(mesh);
+    surface->viewFrom('A');
+    surface->grabFramebuffer();
+    vtkCamera* camera =
+        surface->renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
+    const Eigen::Vector3d eye(camera->GetPosition());
+    const Eigen::Vector3d before = views.crosshair();
+    const QPoint at = surface->positionOf(centre).toPoint();
+    drag(*surface, Qt::LeftButton, at, at + QPoint(30, 0));
+    QVERIFY((views.crosshair() - before).norm() < 1e-9);
+    surface->viewFrom('A');
+    click(*surface, surface->positionOf(centre).toPoint());
+    const Eigen::Vector3d found = views.crosshair();
+    QVERIFY2((found - centre).norm() < 2.5, qPrintable(QString::number((found - centre).norm())));
+    QVERIFY((views.slice(0)->cursor() - found).norm() < 1e-9);
+    click(*surface, {3, 3});  // on nothing
+    QVERIFY((views.crosshair() - found).norm() < 1e-9);
+    c.clickTool("toolSeed");
+    surface->viewFrom('P');
+    click(*surface, surface->positionOf(centre).toPoint());
+    QVERIFY((views.crosshair() - found).norm() < 1e-9);
   }
 };
 
