@@ -32,9 +32,9 @@ const std::vector<std::pair<const char*, const char*>>& paneShortcuts() {
       {"Right click", "Menu: windows; cut the vessel there; on a port: flip, rename, delete"},
       {"Left drag on a port", "Along the vessel (Shift: anywhere); by the arrow: tilt"},
       {"Double click", "One pane at full size, and back"},
-      {"Arrow keys on a slice", "Next or previous slice (Shift: by 10)"},
-      {"R", "Reset this pane"},
-      {"A, P, L, Shift+R, S, I in 3D", "Look from anterior, posterior, left, right, ..."}};
+      {"Arrow keys over a slice", "Next or previous slice (Shift: by 10)"},
+      {"R", "Reset the pane under the mouse"},
+      {"A, P, L, Shift+R, S, I over 3D", "Look from anterior, posterior, left, right, ..."}};
   return table;
 }
 

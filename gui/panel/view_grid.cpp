@@ -10,6 +10,7 @@
 #include "gui/model/step_text.h"
 #include "gui/panel/named.h"
 #include "gui/panel/surface_feed.h"
+#include "gui/view/pane_focus.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 
@@ -71,6 +72,7 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
     grid->setColumnStretch(i, 1);
   }
   setMinimumSize(320, 320);
+  new PaneFocus({slices_[0], slices_[1], slices_[2], surface_, comparison_}, this);
   connect(&models_.files, &CaseFiles::caseChanged, this, &ViewGrid::resetViews);
   connect(&models_.results, &ResultModel::resultsChanged, this, &ViewGrid::refreshAll);
   connect(&models_.runs, &RunModel::snapshotArrived, this, &ViewGrid::refreshSegmentation);

@@ -4,6 +4,9 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
+#include <QDoubleSpinBox>
+#include <QEnterEvent>
+#include <QLineEdit>
 #include <QSet>
 
 #include "tests/gui/window_case.h"
@@ -12,6 +15,12 @@ using namespace angiomesh;
 using namespace angiomesh::test;
 
 namespace {
+
+void enter(QWidget& widget) {
+  const QPointF at = widget.rect().center();
+  QEnterEvent event(at, at, widget.mapToGlobal(at));
+  QApplication::sendEvent(&widget, &event);
+}
 
 void click(QWidget& widget, const QPoint& at) {
   sendMouse(widget, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
@@ -120,6 +129,60 @@ class TestPanes : public QObject {
     surface->viewFrom('P');
     click(*surface, surface->positionOf(centre).toPoint());
     QVERIFY((views.crosshair() - found).norm() < 1e-9);
+  }
+
+  void keysActOnThePaneThatTheMouseEnters() {
+    WindowCase c;
+    c.models().files.take(twoTubes());
+    ViewGrid& views = c.window->views();
+    SliceView *axial = views.slice(2), *coronal = views.slice(1);
+    enter(*axial);
+    QVERIFY(axial->hasFocus());
+    enter(*coronal);
+    QVERIFY(coronal->hasFocus());
+    const int axialSlice = axial->slice(), coronalSlice = coronal->slice();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
+    QCOMPARE(axial->slice(), axialSlice);
+    QVERIFY(coronal->slice() != coronalSlice);
+    enter(*views.surface());
+    QVERIFY(views.surface()->hasFocus());
+    // A list or a chooser is no editor.
+    c.find<QComboBox>("layer")->setFocus();
+    enter(*axial);
+    QVERIFY(axial->hasFocus());
+  }
+
+  void whoeverTypesKeepsTheKeyboard() {
+    WindowCase c;
+    c.models().files.take(twoTubes());
+    SliceView* axial = c.window->views().slice(2);
+    auto* spin = c.find<QDoubleSpinBox>("spin", "field:levelset.xi");
+    auto* line = spin->findChild<QLineEdit*>();
+    // A click into the text, before the first digit.
+    QTest::mouseClick(line, Qt::LeftButton, {}, line->rect().center());
+    QVERIFY(spin->hasFocus());
+    enter(*axial);
+    QVERIFY(spin->hasFocus());
+    QTest::keyClick(spin, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(spin, "31");
+    enter(*axial);
+    QVERIFY(spin->hasFocus());
+    QTest::keyClick(spin, Qt::Key_Return);
+    QCOMPARE(spin->value(), 31.0);
+    enter(*axial);
+    QVERIFY(axial->hasFocus());
+    // The arrows of a spin box take the focus too, but nobody types.
+    QTest::mouseClick(spin, Qt::LeftButton, {}, QPoint(spin->width() - 6, 5));
+    QVERIFY(spin->hasFocus() && spin->value() > 31.0);
+    enter(*axial);
+    QVERIFY(axial->hasFocus());
+    // Digits choose windows, but not while one is typed.
+    const double window = axial->windowWidth();
+    spin->setFocus(Qt::TabFocusReason);
+    enter(*axial);
+    QVERIFY(spin->hasFocus());
+    QTest::keyClick(spin, Qt::Key_3);
+    QCOMPARE(axial->windowWidth(), window);
   }
 };
 
