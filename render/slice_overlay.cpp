@@ -90,11 +90,24 @@ void SliceOverlay::setLetters(const PaneAxes& axes) {
   parts_->bottom->SetInput(orientationLetters(-axes.upLps).c_str());
 }
 
-void SliceOverlay::setTexts(const std::string& upperLeft, const std::string& upperRight,
-                            const std::string& lowerLeft) {
-  parts_->upperLeft->SetInput(upperLeft.c_str());
-  parts_->upperRight->SetInput(upperRight.c_str());
-  parts_->lowerLeft->SetInput(lowerLeft.c_str());
+void SliceOverlay::setTexts(const Texts& texts) {
+  constexpr std::array<const char*, 3> rising{"L", "P", "S"};
+  constexpr std::array<const char*, 3> falling{"R", "A", "I"};
+  const auto plane = static_cast<std::size_t>(texts.plane);
+  parts_->upperLeft->SetInput(
+      formatted("%s %d/%d\n%s %.1f mm", planeName(texts.plane), texts.slice + 1, texts.count,
+                texts.alongMm >= 0.0 ? rising[plane] : falling[plane], std::abs(texts.alongMm))
+          .c_str());
+  constexpr std::array<const char*, 4> slabs{"", "MIP", "MinIP", "Mean"};
+  const std::string slab =
+      texts.slabMode != SlabMode::None
+          ? formatted("%s %.1f mm\n", slabs[static_cast<std::size_t>(texts.slabMode)],
+                      texts.slabThicknessMm)
+          : std::string();
+  parts_->upperRight->SetInput((slab + texts.caption).c_str());
+  const std::string contrast = formatted("W %.4g  L %.4g", texts.window, texts.level);
+  const std::string above = texts.pointer.empty() ? std::string() : texts.pointer + "\n";
+  parts_->lowerLeft->SetInput((above + contrast).c_str());
 }
 
 void SliceOverlay::setScale(double mmPerPixel, int widthPixels, int heightPixels,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render/pane_axes.h"
+#include "render/slice_raster.h"
 
 class vtkRenderer;
 
@@ -25,8 +26,18 @@ class SliceOverlay {
 
   void setVisible(bool visible);
   void setLetters(const PaneAxes& axes);
-  void setTexts(const std::string& upperLeft, const std::string& upperRight,
-                const std::string& lowerLeft);
+  /// What the lines of text say of a slice.
+  struct Texts {
+    int plane = 2;  ///< 0 sagittal, 1 coronal, 2 axial
+    int slice = 0, count = 0;
+    double alongMm = 0.0;  ///< position of the slice's middle along the plane's axis, LPS
+    SlabMode slabMode = SlabMode::None;
+    double slabThicknessMm = 0.0;
+    double window = 0.0, level = 0.0;
+    std::string caption;  ///< lines, upper right
+    std::string pointer;  ///< lines, lower left above window and level; may be empty
+  };
+  void setTexts(const Texts& texts);
   /// To be called when the zoom or the pane's size has changed.
   void setScale(double mmPerPixel, int widthPixels, int heightPixels, double pixelRatio);
 

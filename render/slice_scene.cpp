@@ -23,7 +23,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/formatted.h"
 #include "render/slice_layer.h"
 #include "render/slice_marks.h"
 #include "render/slice_overlay.h"
@@ -50,7 +49,7 @@ struct SliceScene::Parts {
   vtkNew<vtkCallbackCommand> beforeFrame;
 
   std::shared_ptr<const Volume<float>> image;
-  std::string caption;
+  SliceOverlay::Texts texts;
   std::vector<float> values;  // shown pixels, screen order
   std::vector<ContourLayer> contours;
   std::vector<Eigen::Vector3d> seeds;
@@ -266,25 +265,15 @@ void SliceScene::Parts::showTexts() {
   overlay->setLetters(axes);
   const Eigen::Vector2d middle(0.5 * (plane.width() - 1) * plane.pixelWidthMm(),
                                0.5 * (plane.height() - 1) * plane.pixelHeightMm());
-  const double along = plane.toLps(middle)[axes.plane];
-  constexpr std::array<const char*, 3> rising{"L", "P", "S"};
-  constexpr std::array<const char*, 3> falling{"R", "A", "I"};
-  const auto p = static_cast<std::size_t>(axes.plane);
-  const int count = image->geometry.size[static_cast<std::size_t>(axes.across)];
-  const std::string upperLeft =
-      formatted("%s %d/%d\n%s %.1f mm", planeName(axes.plane), slice + 1, count,
-                along >= 0.0 ? rising[p] : falling[p], std::abs(along));
-  const std::string lowerLeft =
-      formatted("W %.4g  L %.4g", imageProp->GetProperty()->GetColorWindow(),
-                imageProp->GetProperty()->GetColorLevel());
-  std::string upperRight;
-  if (slabMode != SlabMode::None) {
-    constexpr std::array<const char*, 4> names{"", "MIP", "MinIP", "Mean"};
-    upperRight =
-        formatted("%s %.1f mm\n", names[static_cast<std::size_t>(slabMode)], slabThickness);
-  }
-  upperRight += caption;
-  overlay->setTexts(upperLeft, upperRight, lowerLeft);
+  texts.plane = axes.plane;
+  texts.slice = slice;
+  texts.count = image->geometry.size[static_cast<std::size_t>(axes.across)];
+  texts.alongMm = plane.toLps(middle)[axes.plane];
+  texts.slabMode = slabMode;
+  texts.slabThicknessMm = slabThickness;
+  texts.window = imageProp->GetProperty()->GetColorWindow();
+  texts.level = imageProp->GetProperty()->GetColorLevel();
+  overlay->setTexts(texts);
 }
 
 SliceScene::SliceScene() : parts_(std::make_unique<Parts>()) {}
@@ -414,7 +403,12 @@ ViewRay SliceScene::rayAt(double displayX, double displayY) const {
 }
 
 void SliceScene::setCaption(const std::string& lines) {
-  parts_->caption = lines;
+  parts_->texts.caption = lines;
+  parts_->showTexts();
+}
+
+void SliceScene::setPointerText(const std::string& lines) {
+  parts_->texts.pointer = lines;
   parts_->showTexts();
 }
 

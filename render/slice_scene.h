@@ -73,6 +73,8 @@ class SliceScene {
   [[nodiscard]] ViewRay rayAt(double displayX, double displayY) const;
   /// Lines under the slab in the upper right corner, on what the pane shows.
   void setCaption(const std::string& lines);
+  /// Lines above window and level in the lower left corner, on what is under the pointer.
+  void setPointerText(const std::string& lines);
   void setRoi(const std::optional<RoiBox>& roi);
   [[nodiscard]] const std::optional<RoiBox>& roi() const;
 

@@ -186,10 +186,13 @@ void ViewGrid::refreshImage() {
     for (SliceView* view : slices_) view->setImage(image);
     surface_->setImage(image);
   }
+  const Layer layer = layerShown_ ? state_.layer() : Layer::Source;
+  const bool hounsfield = layer == Layer::Source && models_.document.display().modality == "CT";
   const auto [window, level] = state_.windowLevel();
   for (SliceView* view : slices_) {
     view->setWindowLevel(window, level);
     view->setWindowLimits(state_.windowLimits());
+    view->setValueNames(layerTitle(layer), hounsfield ? tr("HU") : QString());
     view->setInterpolated(state_.interpolated());
     view->setSlab(state_.slabMode(), state_.slabThicknessMm());
     view->setTool(state_.tool());

@@ -6,6 +6,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QStringList>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,9 @@ struct SliceView::State {
   std::optional<PortDrag> portDrag;  // of the port grabbed
   QString grabbed;
   SlabMode lastSlabMode = SlabMode::Mip;
+  std::optional<QPointF> pointer;  // over the pane
+  QString valueLayer, valueUnit;
+  QStringList hovered;  // lines on what is under the pointer
 };
 
 SliceView::SliceView(QWidget* parent) : VtkView(parent), state_(std::make_unique<State>()) {
@@ -51,6 +55,7 @@ void SliceView::setImage(std::shared_ptr<const Volume<float>> image) {
   const int before = slice();
   state_->scene.setImage(std::move(image));
   requestRender();
+  hover();
   if (slice() != before) Q_EMIT sliceChanged(slice());
 }
 
@@ -77,6 +82,7 @@ void SliceView::setCursor(const Eigen::Vector3d& lps) {
   state_->scene.setCursor(lps);
   state_->scene.setSlice(state_->scene.sliceAt(lps));
   requestRender();
+  hover();
   if (slice() != before) Q_EMIT sliceChanged(slice());
 }
 
@@ -98,6 +104,7 @@ void SliceView::setSlab(SlabMode mode, double thicknessMm) {
   if (mode != SlabMode::None) state_->lastSlabMode = mode;
   state_->scene.setSlab(mode, thicknessMm);
   requestRender();
+  hover();
 }
 
 SlabMode SliceView::slabMode() const { return state_->scene.slabMode(); }
@@ -117,6 +124,12 @@ void SliceView::setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed
 void SliceView::setCaption(const QString& lines) {
   state_->scene.setCaption(lines.toStdString());
   requestRender();
+}
+
+void SliceView::setValueNames(const QString& layer, const QString& unit) {
+  state_->valueLayer = layer;
+  state_->valueUnit = unit;
+  hover();
 }
 
 void SliceView::setSeeds(std::vector<Eigen::Vector3d> lps) {
@@ -148,6 +161,7 @@ void SliceView::setScheme(MouseScheme scheme) { state_->scheme = scheme; }
 void SliceView::resetView() {
   state_->scene.fit();
   requestRender();
+  hover();
 }
 
 int SliceView::slice() const { return state_->scene.slice(); }
@@ -165,6 +179,7 @@ void SliceView::setSlice(int slice) {
   const Eigen::Vector3d lps = geometry.toPhysical(index);
   scene.setCursor(lps);
   requestRender();
+  hover();
   Q_EMIT sliceChanged(scene.slice());
   Q_EMIT cursorMoved(lps[0], lps[1], lps[2]);
 }
@@ -296,7 +311,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
       dragPort(position, event->modifiers().testFlag(Qt::ShiftModifier));
       break;
   }
-  hover(position);
+  s.pointer = position;
+  hover();
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
@@ -408,7 +424,8 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   } else {
     stepSlices(steps * (event->modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1));
   }
-  hover(event->position());
+  state_->pointer = event->position();
+  hover();
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
@@ -435,24 +452,30 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
 }
 
 void SliceView::leaveEvent(QEvent* event) {
-  Q_EMIT hovered(QString());
+  state_->pointer.reset();
+  hover();
   VtkView::leaveEvent(event);
 }
 
-void SliceView::hover(const QPointF& position) {
-  const Eigen::Vector3d lps = lpsAt(position);
-  const std::optional<SliceScene::Probe> probe = state_->scene.probe(lps);
-  if (!probe) {
-    Q_EMIT hovered(QString());
-    return;
+void SliceView::hover() {
+  State& s = *state_;
+  const std::optional<Eigen::Vector3d> lps =
+      s.pointer ? std::optional(lpsAt(*s.pointer)) : std::nullopt;
+  const std::optional<SliceScene::Probe> probe = lps ? s.scene.probe(*lps) : std::nullopt;
+  QStringList lines;
+  if (probe) {
+    QStringList value{s.valueLayer, QString::number(static_cast<double>(probe->value), 'g', 5),
+                      s.valueUnit};
+    value.removeAll(QString());
+    const Index3& v = probe->voxel;
+    lines << tr("%1, voxel %2,%3,%4").arg(value.join(' ')).arg(v[0]).arg(v[1]).arg(v[2])
+          << QString::fromStdString(placeText(*lps));
   }
-  const Index3& v = probe->voxel;
-  Q_EMIT hovered(QString("%1, voxel %2,%3,%4, %5")
-                     .arg(QString::number(static_cast<double>(probe->value), 'g', 6))
-                     .arg(v[0])
-                     .arg(v[1])
-                     .arg(v[2])
-                     .arg(QString::fromStdString(placeText(lps))));
+  if (lines == s.hovered) return;
+  s.hovered = lines;
+  s.scene.setPointerText(lines.join('\n').toStdString());
+  requestRender();
+  Q_EMIT hovered(lines.join(QLatin1String(", ")));
 }
 
 }  // namespace angiomesh

@@ -50,6 +50,8 @@ class SliceView : public VtkView {
   void setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed = false);
   /// What the pane shows, in lines.
   void setCaption(const QString& lines);
+  /// What the values under the pointer are of, and their unit; either may be empty.
+  void setValueNames(const QString& layer, const QString& unit);
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setRoi(std::optional<RoiBox> roi);
   void setPorts(std::vector<PortMark> marks);
@@ -82,7 +84,8 @@ class SliceView : public VtkView {
   void portDragged(const QString& name, const CutPlane& plane);
   void portDropped();
   void roiDrawn(const RoiBox& roi);
-  /// "value, voxel i,j,k, L 12.3 P 4.1 S 30.0 mm"; empty outside the image.
+  /// "Source 40 HU, voxel i,j,k, L 12.3 P 4.1 S 30.0 mm", as the pane says too; empty outside the
+  /// image.
   void hovered(const QString& text);
 
  protected:
@@ -103,7 +106,7 @@ class SliceView : public VtkView {
   void dragContrast(const QPointF& moved, bool fine);
   /// What is under the pressed position, as the pane shows it; nothing outside the image.
   [[nodiscard]] std::optional<Eigen::Vector3d> picked() const;
-  void hover(const QPointF& position);
+  void hover();
   /// While the tool lets ports be grabbed.
   [[nodiscard]] std::optional<PortHit> portAt(const QPointF& position) const;
   [[nodiscard]] QString nameOf(const PortHit& hit) const;

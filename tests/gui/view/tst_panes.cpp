@@ -6,9 +6,12 @@
 
 #include <QDoubleSpinBox>
 #include <QEnterEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSet>
 
+#include "core/base/formatted.h"
+#include "io/volume/image_write.h"
 #include "tests/gui/window_case.h"
 
 using namespace angiomesh;
@@ -29,12 +32,36 @@ void click(QWidget& widget, const QPoint& at) {
   sendMouse(widget, QEvent::MouseButtonRelease, at + QPoint(1, 1), Qt::LeftButton, Qt::NoButton);
 }
 
+void hover(QWidget& widget, const QPoint& at) {
+  sendMouse(widget, QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton);
+}
+
 /// How many shades of grey a picture has.
 int shades(const QImage& picture) {
   QSet<int> found;
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) found.insert(qGray(picture.pixel(x, y)));
   return static_cast<int>(found.size());
+}
+
+/// Of the lower left corner, where the lines on the pointer are.
+QImage corner(SliceView* view) {
+  const QImage frame = view->grabFramebuffer();
+  return frame.copy(0, frame.height() - 64, frame.width() / 2, 64);
+}
+
+/// Two tubes on the disk, as a CT.
+QString saveCt(const WindowCase& c) {
+  QString path = c.folder.filePath("ct.mha");
+  writeVolume(*twoTubes().image, path.toStdString());
+  QFile file(path);
+  [[maybe_unused]] const bool read = file.open(QIODevice::ReadOnly);
+  QByteArray bytes = file.readAll();
+  file.close();
+  bytes.replace("ElementType", "Modality = MET_MOD_CT\nElementType");
+  [[maybe_unused]] const bool written = file.open(QIODevice::WriteOnly);
+  file.write(bytes);
+  return path;
 }
 
 }  // namespace
@@ -183,6 +210,56 @@ class TestPanes : public QObject {
     QVERIFY(spin->hasFocus());
     QTest::keyClick(spin, Qt::Key_3);
     QCOMPARE(axial->windowWidth(), window);
+  }
+
+  void thePaneSaysWhatIsUnderThePointer() {
+    WindowCase c;
+    c.window->open(saveCt(c));
+    QTRY_VERIFY(c.models().document.hasCase());
+    SliceView* axial = c.window->views().slice(2);
+    auto* bar = c.find<QLabel>("hover");
+    const QImage away = corner(axial);
+    const QPoint at = axial->rect().center() + QPoint(7, 9);
+    hover(*axial, at);
+    const QImage over = corner(axial);
+    QVERIFY(over != away);
+    const std::shared_ptr<const Volume<float>> image = c.models().document.image();
+    const auto saidAt = [&](int slice) {
+      const Eigen::Vector3d index = image->geometry.toIndex(axial->lpsAt(at));
+      const auto i = static_cast<int>(std::lround(index[0]));
+      const auto j = static_cast<int>(std::lround(index[1]));
+      return QString("%1 HU, voxel %2,%3,%4, %5")
+          .arg(QString::number(static_cast<double>(image->at(i, j, slice)), 'g', 5))
+          .arg(i)
+          .arg(j)
+          .arg(slice)
+          .arg(QString::fromStdString(placeText(axial->lpsAt(at))));
+    };
+    QCOMPARE(bar->text(), "Source " + saidAt(axial->slice()));
+    // The slice goes on under a pointer that rests.
+    QTest::keyClick(axial, Qt::Key_Up);
+    QCOMPARE(bar->text(), "Source " + saidAt(axial->slice()));
+    QVERIFY(corner(axial) != over);
+    QTest::keyClick(axial, Qt::Key_Down);
+    QVERIFY(corner(axial) == over);
+    QTest::mouseClick(c.find<QWidget>("runToHere", "step:vesselness"), Qt::LeftButton);
+    c.choose(c.find<QComboBox>("layer"), static_cast<int>(Layer::Vesselness));
+    QVERIFY2(bar->text().startsWith("Vesselness ") && !bar->text().contains("HU"),
+             qPrintable(bar->text()));
+    c.choose(c.find<QComboBox>("layer"), static_cast<int>(Layer::Source));
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(axial, &leave);
+    QVERIFY(bar->text().isEmpty());
+    QVERIFY(corner(axial) == away);
+  }
+
+  void otherFilesHaveNoUnit() {
+    WindowCase c;
+    c.models().files.take(twoTubes());
+    SliceView* axial = c.window->views().slice(2);
+    hover(*axial, axial->rect().center());
+    const QString text = c.find<QLabel>("hover")->text();
+    QVERIFY2(text.startsWith("Source ") && !text.contains("HU"), qPrintable(text));
   }
 };
 
