@@ -293,7 +293,7 @@ void MainWindow::refreshActions() {
   actionOf(this, "pauseRun")->setText(models_->runs.paused() ? tr("Resume") : tr("Pause"));
   const bool mesh =
       models_->results.mesh(MeshKind::Exported) || models_->results.mesh(MeshKind::Unsmoothed);
-  enableActions(this, {"export"}, mesh);
+  enableActions(this, {"export"}, mesh || models_->results.evolveResult());
   enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
   enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());
   enableActions(this, {"contours"}, mesh || models_->results.phi());

@@ -11,6 +11,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -31,15 +32,32 @@ namespace {
 
 constexpr double kMillimetresPerMetre = 1000.0;
 
-/// What the list of formats has: a format of files in one encoding, or a folder for OpenFOAM.
+/// The item for the mask comes after those for the kinds of meshes.
+constexpr int kMask = kMeshKindCount;
+
+/// What the list of formats has: a format of meshes in one encoding, a folder for OpenFOAM, or a
+/// format of masks.
 struct Format {
   QString title;
-  const MeshFormat* file;  ///< null: the folder
-  MeshEncoding encoding;
+  const MeshFormat* file = nullptr;  ///< null: the folder or a mask
+  MeshEncoding encoding = MeshEncoding::Binary;
+  QString maskEnding = {};  ///< empty: of meshes
+
+  [[nodiscard]] bool ofMasks() const { return !maskEnding.isEmpty(); }
+  /// Not a file but a folder.
+  [[nodiscard]] bool isFolder() const { return !file && !ofMasks(); }
+  [[nodiscard]] QString extension() const {
+    return file ? QString(QLatin1String(file->extension)) : maskEnding;
+  }
 
   [[nodiscard]] bool holdsExtras() const { return file && file->properties; }
   [[nodiscard]] bool holdsNames() const { return !file || file->holdsNames(encoding); }
   [[nodiscard]] QString hint() const {
+    if (ofMasks()) {
+      return ExportDialog::tr(
+          "1 in the voxels of the scan whose centre lies in the vessels, 0 in all others: it lies "
+          "on the scan in any program.");
+    }
     return !file ? ExportDialog::tr(
                        "A folder with the surface in metres, a patch for each port, "
                        "and what OpenFOAM needs to fill it.")
@@ -47,7 +65,19 @@ struct Format {
   }
 };
 
-std::vector<Format> exportFormats() {
+std::vector<Format> maskFormats() {
+  std::vector<Format> all;
+  for (const ImageFormat& format : imageFormats()) {
+    const ImageEnding& ending = format.endings.front();
+    if (ending.write == nullptr) continue;
+    const QString text = QLatin1String(ending.text);
+    all.push_back({QStringLiteral("%1 (%2)").arg(QLatin1String(format.name), text), nullptr,
+                   MeshEncoding::Binary, text});
+  }
+  return all;
+}
+
+std::vector<Format> meshExports() {
   std::vector<Format> all;
   for (const MeshFormat& format : meshFormats()) {
     const QString name = QLatin1String(format.name);
@@ -64,11 +94,10 @@ std::vector<Format> exportFormats() {
   return all;
 }
 
-/// Not a file but a folder.
-bool isFolder(const Format& format) { return format.file == nullptr; }
+std::vector<Format> exportFormats(bool masks) { return masks ? maskFormats() : meshExports(); }
 
-Format chosenFormat(const QComboBox& combo) {
-  return exportFormats()[static_cast<std::size_t>(std::max(combo.currentIndex(), 0))];
+Format chosenFormat(const QComboBox& combo, bool masks) {
+  return exportFormats(masks)[static_cast<std::size_t>(std::max(combo.currentIndex(), 0))];
 }
 
 }  // namespace
@@ -106,50 +135,51 @@ PathChooser dialogPathChooser() {
 ExportDialog::ExportDialog(CaseModels& models, PathChooser chooser, QWidget* parent)
     : QDialog(parent), models_(models), chooser_(std::move(chooser)) {
   setObjectName("exportDialog");
-  setWindowTitle(tr("Export mesh"));
+  setWindowTitle(tr("Export"));
   auto* column = new QVBoxLayout(this);
-  auto* form = new QFormLayout;
-  column->addLayout(form);
-  addChoices(form);
-  addNotes(form, column);
+  form_ = new QFormLayout;
+  column->addLayout(form_);
+  addChoices();
+  addNotes(column);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   auto* go = named(buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole), "exportGo");
   go->setDefault(true);
   column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(go, &QPushButton::clicked, this, &ExportDialog::exportNow);
-  for (QComboBox* combo : {mesh_, format_, unit_, frame_})
+  connect(mesh_, &QComboBox::currentIndexChanged, this, &ExportDialog::listFormats);
+  for (QComboBox* combo : {format_, unit_, frame_})
     connect(combo, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
   connect(&models_.results, &ResultModel::resultsChanged, this, &ExportDialog::refresh);
-  refresh();
+  listFormats();
 }
 
-void ExportDialog::addChoices(QFormLayout* form) {
+void ExportDialog::addChoices() {
   const auto combo = [&](const char* name, const QString& label, const QStringList& items) {
     auto* made = named(new QComboBox(this), name);
     made->addItems(items);
-    form->addRow(label, made);
+    form_->addRow(label, made);
     return made;
   };
-  mesh_ = combo("exportMesh", tr("Mesh"), {});
+  mesh_ = combo("exportMesh", tr("What"), {});
   for (int i = 0; i < kMeshKindCount; ++i)
     if (models_.results.mesh(static_cast<MeshKind>(i)))
-      mesh_->addItem(meshTitle(static_cast<MeshKind>(i)), i);
+      mesh_->addItem(tr("Mesh, %1").arg(meshTitle(static_cast<MeshKind>(i))), i);
+  if (models_.results.evolveResult()) mesh_->addItem(tr("Mask of the vessels"), kMask);
   format_ = combo("exportFormat", tr("Format"), {});
-  for (const Format& format : exportFormats()) format_->addItem(format.title);
   unit_ = combo("exportUnit", tr("Unit"), {tr("millimetres"), tr("metres")});
   frame_ = combo("exportFrame", tr("Frame"), {tr("LPS (DICOM, ITK)"), tr("RAS (NIfTI, Slicer)")});
 }
 
-void ExportDialog::addNotes(QFormLayout* form, QVBoxLayout* below) {
+void ExportDialog::addNotes(QVBoxLayout* below) {
   const auto check = [&](const char* name, const QString& text, bool on) {
     auto* made = named(new QCheckBox(text, this), name);
     made->setChecked(on);
-    form->addRow(made);
+    form_->addRow(made);
     return made;
   };
   size_ = named(new QLabel(this), "exportSize");
-  form->addRow(tr("Size of the result"), size_);
+  form_->addRow(tr("Size of the result"), size_);
   normals_ = check("exportNormals", tr("Normals of the vertices"), false);
   quality_ = check("exportQuality", tr("Quality of the triangles (radius ratio)"), false);
   report_ = check("exportReport", tr("Write NAME.report.json beside it"), true);
@@ -157,26 +187,64 @@ void ExportDialog::addNotes(QFormLayout* form, QVBoxLayout* below) {
                  !models_.document.parameters().ports.cuts.empty());
   patches_ = check("exportPatches", tr("Write each patch to a file of its own, too"), false);
   hint_ = named(new QLabel(this), "exportHint");
-  note_ = new QLabel(tr("The mesh belongs to earlier parameters: run again for the present ones."),
-                     this);
+  note_ = named(new QLabel(this), "exportNote");
   for (QLabel* label : {hint_, note_}) {
     label->setWordWrap(true);
     below->addWidget(label);
   }
 }
 
+bool ExportDialog::ofMask() const { return mesh_->currentData().toInt() == kMask; }
+
 MeshKind ExportDialog::kind() const { return static_cast<MeshKind>(mesh_->currentData().toInt()); }
 
+void ExportDialog::listFormats() {
+  const std::vector<Format> formats = exportFormats(ofMask());
+  if (format_->count() == 0 || formats.front().title != format_->itemText(0)) {
+    const QSignalBlocker quiet(format_);
+    format_->clear();
+    for (const Format& format : formats) format_->addItem(format.title);
+  }
+  for (QWidget* widget : std::initializer_list<QWidget*>{unit_, frame_, normals_, quality_, report_,
+                                                         ports_, patches_})
+    form_->setRowVisible(widget, !ofMask());
+  refresh();
+}
+
 void ExportDialog::refresh() {
-  const Format format = chosenFormat(*format_);
+  if (ofMask())
+    refreshMask();
+  else
+    refreshMesh();
+  // Once the layout knows of the text: the dialog does not grow with it by itself.
+  QMetaObject::invokeMethod(
+      this, [this] { adjustSize(); }, Qt::QueuedConnection);
+}
+
+void ExportDialog::refreshMask() {
+  const std::shared_ptr<const Volume<float>> scan = models_.document.image();
+  size_->setText(scan ? gridText(scan->geometry) : tr("nothing"));
+  QStringList hints{chosenFormat(*format_, true).hint()};
+  if (models_.results.live())
+    hints << tr("The segmentation in work is not done: the one before is exported.");
+  hint_->setText(hints.join('\n'));
+  hint_->setVisible(true);
+  note_->setText(
+      tr("The segmentation belongs to earlier parameters: run again for the present ones."));
+  note_->setVisible(!models_.results.segmentationFresh());
+}
+
+void ExportDialog::refreshMesh() {
+  const Format format = chosenFormat(*format_, ofMask());
   const bool patches = !models_.results.ports(kind()).empty();
   normals_->setEnabled(format.holdsExtras());
   quality_->setEnabled(format.holdsExtras());
   for (QWidget* widget : std::initializer_list<QWidget*>{unit_, frame_, report_})
-    widget->setEnabled(!isFolder(format));
-  ports_->setEnabled(patches && !isFolder(format));
-  patches_->setEnabled(patches && !isFolder(format));
+    widget->setEnabled(!format.isFolder());
+  ports_->setEnabled(patches && !format.isFolder());
+  patches_->setEnabled(patches && !format.isFolder());
   refreshHint();
+  note_->setText(tr("The mesh belongs to earlier parameters: run again for the present ones."));
   note_->setVisible(!models_.results.meshFresh());
   const auto mesh = models_.results.mesh(kind());
   if (!mesh || mesh->points.empty()) {
@@ -191,7 +259,7 @@ void ExportDialog::refresh() {
 }
 
 void ExportDialog::refreshHint() {
-  const Format format = chosenFormat(*format_);
+  const Format format = chosenFormat(*format_, ofMask());
   QStringList hints;
   if (!format.hint().isEmpty()) hints << format.hint();
   const std::vector<Port> ports = models_.results.ports(kind());
@@ -205,7 +273,7 @@ void ExportDialog::refreshHint() {
         "⚠ This mesh cuts itself or is no manifold: a flow solver will refuse it. Marching "
         "cubes of the same level set may do.");
   }
-  if (isFolder(format)) {
+  if (format.isFolder()) {
     if (ports.empty()) hints << tr("⚠ This mesh has no ports: nothing could flow in or out.");
     if (quality && !quality->closed)
       hints << tr("⚠ The mesh is not closed: choose surface.border = cap.");
@@ -217,15 +285,12 @@ void ExportDialog::refreshHint() {
   }
   hint_->setText(hints.join('\n'));
   hint_->setVisible(!hints.isEmpty());
-  // Once the layout knows of the text: the dialog does not grow with it by itself.
-  QMetaObject::invokeMethod(
-      this, [this] { adjustSize(); }, Qt::QueuedConnection);
 }
 
 MeshWriteOptions ExportDialog::options() const {
-  const Format format = chosenFormat(*format_);
+  const Format format = chosenFormat(*format_, ofMask());
   MeshWriteOptions options;
-  const bool metres = unit_->currentIndex() == 1 || isFolder(format);
+  const bool metres = unit_->currentIndex() == 1 || format.isFolder();
   options.unit = metres ? LengthUnit::Metre : LengthUnit::Millimetre;
   options.frame = frame_->currentIndex() == 1 ? Frame::Ras : Frame::Lps;
   options.encoding = format.encoding;
@@ -245,21 +310,29 @@ void ExportDialog::exportOpenFoam() {
 }
 
 void ExportDialog::exportNow() {
-  if (isFolder(chosenFormat(*format_))) {
+  const Format format = chosenFormat(*format_, ofMask());
+  if (format.isFolder()) {
     exportOpenFoam();
     return;
   }
-  const QString extension = QLatin1String(chosenFormat(*format_).file->extension);
+  const QString extension = format.extension();
   QString path = chooser_.save(this, "vessels" + extension,
                                tr("%1 (*%2)").arg(format_->currentText(), extension));
   if (path.isEmpty()) return;
   if (!path.endsWith(extension, Qt::CaseInsensitive)) path += extension;
+  if (ofMask())
+    models_.exports.exportMask(path);
+  else
+    models_.exports.exportMesh(kind(), path, options(), extras());
+  accept();
+}
+
+ExportExtras ExportDialog::extras() const {
   ExportExtras extras;
   extras.report = report_->isChecked();
   extras.ports = ports_->isEnabled() && ports_->isChecked();
   extras.patches = patches_->isEnabled() && patches_->isChecked();
-  models_.exports.exportMesh(kind(), path, options(), extras);
-  accept();
+  return extras;
 }
 
 }  // namespace angiomesh

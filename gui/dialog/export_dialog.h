@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <functional>
 
+#include "gui/job/file_jobs.h"
 #include "gui/job/run_job.h"
 #include "io/mesh/mesh_io.h"
 
@@ -27,8 +28,8 @@ struct PathChooser {
 };
 PathChooser dialogPathChooser();
 
-/// What to export and how: mesh, format with what it can hold, unit and frame, with the size that
-/// the result will have, and what goes beside it.
+/// What to export and how: a mesh or the mask; format with what it can hold, unit and frame, with
+/// the size that the result will have, and what goes beside it.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -36,17 +37,23 @@ class ExportDialog : public QDialog {
   ExportDialog(CaseModels& models, PathChooser chooser, QWidget* parent = nullptr);
 
  private:
-  void addChoices(QFormLayout* form);
-  void addNotes(QFormLayout* form, QVBoxLayout* below);
+  void addChoices();
+  void addNotes(QVBoxLayout* below);
+  void listFormats();
   void refresh();
+  void refreshMask();
+  void refreshMesh();
   void refreshHint();
   void exportNow();
   void exportOpenFoam();
+  [[nodiscard]] bool ofMask() const;
   [[nodiscard]] MeshKind kind() const;
   [[nodiscard]] MeshWriteOptions options() const;
+  [[nodiscard]] ExportExtras extras() const;
 
   CaseModels& models_;
   PathChooser chooser_;
+  QFormLayout* form_;
   QComboBox* mesh_;
   QComboBox* format_;
   QComboBox* unit_;

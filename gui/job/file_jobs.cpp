@@ -9,8 +9,10 @@
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/report.h"
+#include "core/pipeline/segmentation_mask.h"
 #include "io/dicom/dicom.h"
 #include "io/file/files.h"
+#include "io/scan/mask_file.h"
 #include "io/vessel/openfoam_case.h"
 #include "io/vessel/patch_files.h"
 #include "io/vessel/ports_file.h"
@@ -158,7 +160,20 @@ void ExportJob::write() {
     case ExportKind::Ports:
       writePorts(request_.ports, request_.path);
       break;
+    case ExportKind::Mask:
+      writeMaskFile();
+      break;
   }
+}
+
+void ExportJob::writeMaskFile() {
+  const RunResult& run = *request_.segmentation;
+  const Volume<std::uint8_t> mask = segmentationMask(run, run.source.image->geometry);
+  maskVoxels_ = static_cast<std::size_t>(std::count(mask.voxels.begin(), mask.voxels.end(), 1));
+  if (maskVoxels_ == 0)
+    throw InputError("no voxel of the scan has its centre in the vessels", "mask",
+                     "export the mesh instead, or tick parts on");
+  writeMask(mask, request_.path);
 }
 
 void ExportJob::writeMeshFiles() {

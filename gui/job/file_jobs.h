@@ -97,7 +97,7 @@ class LoadJob {
   DisplayFacts display_;
 };
 
-enum class ExportKind { Mesh, OpenFoam, Ports };
+enum class ExportKind { Mesh, OpenFoam, Ports, Mask };
 
 /// Files beside an exported mesh.
 struct ExportExtras {
@@ -110,15 +110,17 @@ struct ExportExtras {
 struct ExportRequest {
   ExportKind kind = ExportKind::Mesh;
   std::shared_ptr<const TriMesh> mesh;
-  std::vector<Port> ports;     ///< of the mesh
-  std::filesystem::path path;  ///< .ply, .stl, .obj or .vtp; of OpenFOAM a folder; of ports .json
+  std::vector<Port> ports;  ///< of the mesh
+  /// By extension; of OpenFOAM a folder.
+  std::filesystem::path path;
   MeshWriteOptions options;
   ExportExtras extras;
-  std::shared_ptr<const RunResult> report;  ///< for ExportExtras::report
-  bool replace = false;                     ///< a case in the folder for OpenFOAM
+  std::shared_ptr<const RunResult> report;        ///< for ExportExtras::report
+  bool replace = false;                           ///< a case in the folder for OpenFOAM
+  std::shared_ptr<const RunResult> segmentation;  ///< of a mask, which needs no mesh
 };
 
-/// Writes a mesh, and reads it back to see that the file holds it.
+/// Writes a mesh or a mask, and reads it back to see that the file holds it.
 class ExportJob {
  public:
   explicit ExportJob(ExportRequest request) : request_(std::move(request)) {}
@@ -131,18 +133,22 @@ class ExportJob {
   /// What was read back.
   [[nodiscard]] const MeshFileFacts& facts() const { return facts_; }
   [[nodiscard]] std::size_t patchFiles() const { return patchFiles_; }
+  /// Inside the mask.
+  [[nodiscard]] std::size_t maskVoxels() const { return maskVoxels_; }
   /// The file's name without its folder.
   [[nodiscard]] std::string fileName() const { return request_.path.filename().string(); }
 
  private:
   void write();
   void writeMeshFiles();
+  void writeMaskFile();
 
   ExportRequest request_;
   std::string error_;
   std::vector<std::string> warnings_;
   MeshFileFacts facts_;
   std::size_t patchFiles_ = 0;
+  std::size_t maskVoxels_ = 0;
 };
 
 /// `message` with the name in place of the path and of its folder: a path may hold a patient's

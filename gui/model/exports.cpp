@@ -8,6 +8,12 @@
 
 namespace angiomesh {
 
+namespace {
+
+constexpr double kMm3PerMl = 1000.0;
+
+}  // namespace
+
 Exports::Exports(ResultModel& results, MessageLog& log, JobTimer& timer,
                  const JobRunnerFactory& makeRunner, QObject* parent)
     : QObject(parent),
@@ -60,6 +66,19 @@ void Exports::exportOpenFoam(MeshKind kind, const QString& folder, bool replace)
   start(std::move(request));
 }
 
+void Exports::exportMask(const QString& path) {
+  ExportRequest request;
+  request.kind = ExportKind::Mask;
+  request.path = path.toStdString();
+  request.segmentation = results_.segmentationRun();
+  if (request.segmentation && !results_.segmentationFresh()) {
+    log_.say(
+        Severity::Warning,
+        tr("This segmentation belongs to earlier parameters: run again for the present ones."));
+  }
+  start(std::move(request));
+}
+
 void Exports::exportPorts(const QString& path) {
   ExportRequest request = this->request(MeshKind::Exported, path);
   request.kind = ExportKind::Ports;
@@ -75,8 +94,11 @@ void Exports::start(ExportRequest request) {
     log_.say(Severity::Warning, tr("An export is being written: try again when it is done."));
     return;
   }
-  if (!request.mesh) {
-    log_.say(Severity::Error, tr("There is no mesh to export: run the pipeline first."));
+  if (!request.mesh && !request.segmentation) {
+    log_.say(Severity::Error,
+             request.kind == ExportKind::Mask
+                 ? tr("There is no segmentation to export: run the pipeline first.")
+                 : tr("There is no mesh to export: run the pipeline first."));
     return;
   }
   slot_.start(std::make_shared<ExportJob>(std::move(request)));
@@ -105,6 +127,17 @@ void Exports::sayExported(const ExportJob& job) {
       log_.say(Severity::Info,
                tr("Wrote the OpenFOAM case %1. Its script Allrun fills it.").arg(name));
       return;
+    case ExportKind::Mask: {
+      const Geometry& grid = job.request().segmentation->source.image->geometry;
+      log_.say(Severity::Info,
+               tr("Wrote %1. Read back: a mask of %2 voxels (%3 ml) in %4.")
+                   .arg(name)
+                   .arg(job.maskVoxels())
+                   .arg(static_cast<double>(job.maskVoxels()) * grid.voxelVolumeMm3() / kMm3PerMl,
+                        0, 'f', 2)
+                   .arg(gridText(grid)));
+      return;
+    }
     case ExportKind::Mesh:
       break;
   }

@@ -186,6 +186,23 @@ std::shared_ptr<ReasonJob> ResultModel::groundsOfSegmentation() const {
   return job;
 }
 
+std::shared_ptr<const RunResult> ResultModel::segmentationRun() const {
+  if (!shown_.evolve) return nullptr;
+  if (meshFits() && meshRun_->surface) return meshRun_;
+  auto run = std::make_shared<RunResult>();
+  run->source = document_.pipeline()->source();
+  run->evolve = shown_.evolve;
+  run->params = evolveParams_;
+  SegmentationParams& parts = run->params.segmentation;
+  const SegmentationParams& present = document_.parameters().segmentation;
+  parts.keep = present.keep;
+  parts.minVolumeMm3 = present.minVolumeMm3;
+  parts.minLengthMm = present.minLengthMm;
+  parts.drop = present.drop;
+  run->params.seeds.points = document_.parameters().seeds.points;
+  return run;
+}
+
 std::vector<std::size_t> ResultModel::dropsIn(const SegmentComponent& component,
                                               const Parameters& params) {
   const std::vector<double>& drop = params.segmentation.drop;

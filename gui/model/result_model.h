@@ -75,6 +75,13 @@ class ResultModel : public QObject {
   }
   [[nodiscard]] std::shared_ptr<const SeedsResult> seedsResult() const { return shown_.seeds; }
   [[nodiscard]] std::shared_ptr<const EvolveResult> evolveResult() const { return shown_.evolve; }
+  /// What the mask of the segmentation shown is made of, see segmentationMask(): parts and cuts are
+  /// those of its mesh or, as long as it has none, those that are ticked. Null without one.
+  [[nodiscard]] std::shared_ptr<const RunResult> segmentationRun() const;
+  /// Whether that mask is that of the present parameters.
+  [[nodiscard]] bool segmentationFresh() const {
+    return fresh(meshFits() ? Step::Surface : Step::Evolve);
+  }
   /// Whether an evolution is shown as it goes on.
   [[nodiscard]] bool live() const { return livePhi_ != nullptr; }
   /// phi to outline: the evolving one, else that of the kept components, else the evolution's.

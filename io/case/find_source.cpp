@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/scan/label_image.h"
+#include "io/volume/geometry_check.h"
 
 namespace angiomesh {
 namespace {
@@ -13,14 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostEntries = 300;  ///< looked at in one folder
-constexpr double kTolerance = 1e-4;        ///< relative; headers round
-
-bool sameGrid(const Geometry& a, const Geometry& b) {
-  const double voxel = b.voxelMm();
-  return a.size == b.size && a.spacing.isApprox(b.spacing, kTolerance) &&
-         a.direction.isApprox(b.direction, 10.0 * kTolerance) &&
-         (a.origin - b.origin).norm() < 0.1 * voxel;
-}
 
 void addEntries(const fs::path& folder, const fs::path& but, std::vector<fs::path>& places) {
   std::vector<fs::path> files, folders;

@@ -60,4 +60,11 @@ std::vector<std::string> checkGeometry(Geometry& g) {
   return warnings;
 }
 
+bool sameGrid(const Geometry& a, const Geometry& b) {
+  constexpr double kTolerance = 1e-4;
+  return a.size == b.size && a.spacing.isApprox(b.spacing, kTolerance) &&
+         a.direction.isApprox(b.direction, 10.0 * kTolerance) &&
+         (a.origin - b.origin).norm() < 0.1 * b.voxelMm();
+}
+
 }  // namespace angiomesh

@@ -13,4 +13,8 @@ namespace angiomesh {
 /// of vessels has. Says so in warnings; the place of no voxel changes.
 std::vector<std::string> checkGeometry(Geometry& geometry);
 
+/// Whether two grids are one and the same, but for the rounding of a header: 1e-4 of the spacing,
+/// 1e-3 of the axes and a tenth of a voxel at the origin.
+bool sameGrid(const Geometry& a, const Geometry& b);
+
 }  // namespace angiomesh

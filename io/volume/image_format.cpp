@@ -94,7 +94,7 @@ const std::vector<ImageFormat>& imageFormats() {
        isMetaImage,
        readMetaImageHeader},
       {"NRRD", {{".nrrd", writeNrrd}, {".nhdr", writeNhdr}}, false, isNrrd, readNrrdHeader},
-      {"NIfTI", {{".nii", writeNii}, {".nii.gz", writeNiiGz}}, true, isNifti, readNiftiHeader},
+      {"NIfTI", {{".nii.gz", writeNiiGz}, {".nii", writeNii}}, true, isNifti, readNiftiHeader},
       {"DICOM", {{".dcm", nullptr}}, false, isDicom, nullptr},
   };
   return formats;

@@ -21,8 +21,8 @@ struct ImageEnding {
 /// and messages) comes from their table.
 struct ImageFormat {
   const char* name;
-  std::vector<ImageEnding> endings;
-  bool zipped;  ///< is read where the whole file is compressed with gzip, too
+  std::vector<ImageEnding> endings;  ///< the first one that is written: of a single, packed file
+  bool zipped;                       ///< is read where the whole file is compressed with gzip, too
   /// By the first 4096 bytes. @throws IoError (truncated), InputError (a version that is not read)
   bool (*begins)(const std::string& head, const std::filesystem::path& path);
   /// As readHeader(); null of DICOM, of which a volume takes many files.

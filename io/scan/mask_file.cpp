@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/scan/mask_file.h"
+
+#include "core/base/error.h"
+#include "io/file/files.h"
+#include "io/scan/image_io.h"
+#include "io/volume/geometry_check.h"
+#include "io/volume/image_write.h"
+
+namespace angiomesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+void checkHolds(const fs::path& file, const Volume<std::uint8_t>& mask, const fs::path& path) {
+  const Volume<std::uint8_t> back = readMask(file).mask;
+  if (!sameGrid(back.geometry, mask.geometry) || back.voxels != mask.voxels)
+    throw IoError("what was written does not read back as the same mask", path.string(),
+                  "choose another place");
+}
+
+}  // namespace
+
+void writeMask(const Volume<std::uint8_t>& mask, const fs::path& path) {
+  writeAtomically(path, [&](const fs::path& temporary) {
+    writeVolume(mask, temporary);
+    checkHolds(temporary, mask, path);
+  });
+}
+
+}  // namespace angiomesh
