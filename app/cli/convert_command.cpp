@@ -11,6 +11,7 @@
 #include "io/mesh/mesh_format.h"
 #include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
+#include "io/scan/mask_file.h"
 #include "io/vessel/openfoam_case.h"
 #include "io/vessel/patch_files.h"
 #include "io/volume/image_format.h"
@@ -29,6 +30,8 @@ struct ConvertOptions {
   std::string input, output, unit = "mm", frame = "lps", fromFrame, fromUnit;
   bool ascii = false, normals = false, quality = false, solidNames = false, patchFiles = false,
        openFoam = false, force = false;
+  std::string like;  ///< the DICOM series that a mask is of
+  bool identity = false;
   std::string meshOption;  ///< one that was given and means nothing for a volume
 };
 
@@ -131,10 +134,31 @@ int convertToOpenFoam(const ConvertOptions& options, const Progress& progress) {
   return Done;
 }
 
+bool isDicomName(const fs::path& path) { return path.extension() == ".dcm"; }
+
+/// A mask to a DICOM segmentation.
+int convertMask(const ConvertOptions& options, const Progress& progress) {
+  if (!isDicomName(options.output))
+    throw InputError("--like is for DICOM segmentations", options.output,
+                     "end the output's name in .dcm, or leave --like out");
+  const MaskImage read = readMask(options.input);
+  for (const std::string& warning : read.warnings) printWarning(warning);
+  progress.check();
+  DicomOrigin origin{options.like, options.reading.series, DicomIdentity::None};
+  if (options.identity) origin.identity = DicomIdentity::OfSource;
+  writeMask(read.mask, origin, options.output);
+  progress.report(1.0);
+  return Done;
+}
+
 int convertVolume(const ConvertOptions& options, const Progress& progress) {
   if (!options.meshOption.empty())
     throw InputError("a volume has no such property", options.meshOption,
                      "leave it out, or end the output's name in " + meshEndings(true));
+  if (!options.like.empty()) return convertMask(options, progress);
+  if (isDicomName(options.output))
+    throw InputError("of DICOM, only segmentations are written", options.output,
+                     "name the DICOM series that the mask is of with --like");
   NativeImage native =
       readNative(options.input, options.reading, options.component, progress.sub(0.0, 0.6));
   const std::string replaced = replaceNotFinite(native.volume);
@@ -166,6 +190,13 @@ void addConvert(CLI::App& program, Session& session) {
                    "Of a colour, vector or 4D image: which value of a voxel, or which point in "
                    "time, from 0 on")
       ->check(CLI::NonNegativeNumber);
+  CLI::Option* like = command->add_option(
+      "--like", options->like,
+      "Write a mask as a DICOM segmentation of this DICOM file or folder (of the series --series)");
+  command
+      ->add_flag("--identity", options->identity,
+                 "With --like: copy patient and study, which are left empty otherwise")
+      ->needs(like);
   std::vector<CLI::Option*> ofMeshes{
       command->add_option("--unit", options->unit, "Of the mesh to write: mm or m")
           ->check(CLI::IsMember({"mm", "m"})),

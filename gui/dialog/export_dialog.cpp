@@ -43,6 +43,8 @@ struct Format {
   MeshEncoding encoding = MeshEncoding::Binary;
   QString maskEnding = {};  ///< empty: of meshes
 
+  bool dicom = false;  ///< a DICOM segmentation
+
   [[nodiscard]] bool ofMasks() const { return !maskEnding.isEmpty(); }
   /// Not a file but a folder.
   [[nodiscard]] bool isFolder() const { return !file && !ofMasks(); }
@@ -53,6 +55,11 @@ struct Format {
   [[nodiscard]] bool holdsExtras() const { return file && file->properties; }
   [[nodiscard]] bool holdsNames() const { return !file || file->holdsNames(encoding); }
   [[nodiscard]] QString hint() const {
+    if (dicom) {
+      return ExportDialog::tr(
+          "A DICOM segmentation (SEG): viewers lay it on the scan. It has the UIDs of the scan's "
+          "images and of their frame of reference.");
+    }
     if (ofMasks()) {
       return ExportDialog::tr(
           "1 in the voxels of the scan whose centre lies in the vessels, 0 in all others: it lies "
@@ -65,6 +72,7 @@ struct Format {
   }
 };
 
+/// The last one is for scans from DICOM alone.
 std::vector<Format> maskFormats() {
   std::vector<Format> all;
   for (const ImageFormat& format : imageFormats()) {
@@ -74,6 +82,8 @@ std::vector<Format> maskFormats() {
     all.push_back({QStringLiteral("%1 (%2)").arg(QLatin1String(format.name), text), nullptr,
                    MeshEncoding::Binary, text});
   }
+  all.push_back({ExportDialog::tr("DICOM segmentation (.dcm)"), nullptr, MeshEncoding::Binary,
+                 QStringLiteral(".dcm"), true});
   return all;
 }
 
@@ -186,6 +196,8 @@ void ExportDialog::addNotes(QVBoxLayout* below) {
   ports_ = check("exportPortsFile", tr("Write NAME.ports.json beside it: where the ports lie"),
                  !models_.document.parameters().ports.cuts.empty());
   patches_ = check("exportPatches", tr("Write each patch to a file of its own, too"), false);
+  identity_ = check("exportIdentity", tr("With the patient's identity"), false);
+  connect(identity_, &QCheckBox::toggled, this, &ExportDialog::refresh);
   hint_ = named(new QLabel(this), "exportHint");
   note_ = named(new QLabel(this), "exportNote");
   for (QLabel* label : {hint_, note_}) {
@@ -203,7 +215,8 @@ void ExportDialog::listFormats() {
   if (format_->count() == 0 || formats.front().title != format_->itemText(0)) {
     const QSignalBlocker quiet(format_);
     format_->clear();
-    for (const Format& format : formats) format_->addItem(format.title);
+    for (const Format& format : formats)
+      if (!format.dicom || models_.files.dicomOrigin()) format_->addItem(format.title);
   }
   for (QWidget* widget : std::initializer_list<QWidget*>{unit_, frame_, normals_, quality_, report_,
                                                          ports_, patches_})
@@ -224,7 +237,16 @@ void ExportDialog::refresh() {
 void ExportDialog::refreshMask() {
   const std::shared_ptr<const Volume<float>> scan = models_.document.image();
   size_->setText(scan ? gridText(scan->geometry) : tr("nothing"));
-  QStringList hints{chosenFormat(*format_, true).hint()};
+  const Format format = chosenFormat(*format_, true);
+  form_->setRowVisible(identity_, format.dicom);
+  QStringList hints{format.hint()};
+  if (format.dicom) {
+    hints << (identity_->isChecked()
+                  ? tr("⚠ The file will name the patient and the study, as the images of the scan "
+                       "do: a PACS files it with them.")
+                  : tr("Patient and study are left empty: tick the identity for a PACS to file it "
+                       "with the scan."));
+  }
   if (models_.results.live())
     hints << tr("The segmentation in work is not done: the one before is exported.");
   hint_->setText(hints.join('\n'));
@@ -235,6 +257,7 @@ void ExportDialog::refreshMask() {
 }
 
 void ExportDialog::refreshMesh() {
+  form_->setRowVisible(identity_, false);
   const Format format = chosenFormat(*format_, ofMask());
   const bool patches = !models_.results.ports(kind()).empty();
   normals_->setEnabled(format.holdsExtras());
@@ -321,10 +344,16 @@ void ExportDialog::exportNow() {
   if (path.isEmpty()) return;
   if (!path.endsWith(extension, Qt::CaseInsensitive)) path += extension;
   if (ofMask())
-    models_.exports.exportMask(path);
+    models_.exports.exportMask(path, format.dicom ? origin() : std::nullopt);
   else
     models_.exports.exportMesh(kind(), path, options(), extras());
   accept();
+}
+
+std::optional<DicomOrigin> ExportDialog::origin() const {
+  std::optional<DicomOrigin> origin = models_.files.dicomOrigin();
+  if (origin && identity_->isChecked()) origin->identity = DicomIdentity::OfSource;
+  return origin;
 }
 
 ExportExtras ExportDialog::extras() const {

@@ -3,6 +3,7 @@
 
 #include <QDialog>
 #include <functional>
+#include <optional>
 
 #include "gui/job/file_jobs.h"
 #include "gui/job/run_job.h"
@@ -50,6 +51,7 @@ class ExportDialog : public QDialog {
   [[nodiscard]] MeshKind kind() const;
   [[nodiscard]] MeshWriteOptions options() const;
   [[nodiscard]] ExportExtras extras() const;
+  [[nodiscard]] std::optional<DicomOrigin> origin() const;
 
   CaseModels& models_;
   PathChooser chooser_;
@@ -63,6 +65,7 @@ class ExportDialog : public QDialog {
   QCheckBox* report_;
   QCheckBox* ports_;
   QCheckBox* patches_;
+  QCheckBox* identity_;
   QLabel* size_;
   QLabel* hint_;
   QLabel* note_;

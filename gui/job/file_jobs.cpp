@@ -12,7 +12,6 @@
 #include "core/pipeline/segmentation_mask.h"
 #include "io/dicom/dicom.h"
 #include "io/file/files.h"
-#include "io/scan/mask_file.h"
 #include "io/vessel/openfoam_case.h"
 #include "io/vessel/patch_files.h"
 #include "io/vessel/ports_file.h"
@@ -36,6 +35,8 @@ std::string withoutPath(std::string message, const std::filesystem::path& path,
   replaceAll(message, path.string(), name);
   if (path.has_parent_path() && path.parent_path() != path.root_path())
     replaceAll(message, path.parent_path().string(), "its folder");
+  // Where an error names its place.
+  replaceAll(message, ", " + path.filename().string() + ":", ", " + name + ":");
   return message;
 }
 
@@ -145,6 +146,7 @@ void ExportJob::execute() noexcept {
     write();
   } catch (const std::exception& failure) {
     error_ = withoutPath(failure.what(), request_.path, fileName());
+    if (request_.origin) error_ = withoutPath(error_, request_.origin->path, "the scan");
   }
 }
 
@@ -173,7 +175,10 @@ void ExportJob::writeMaskFile() {
   if (maskVoxels_ == 0)
     throw InputError("no voxel of the scan has its centre in the vessels", "mask",
                      "export the mesh instead, or tick parts on");
-  writeMask(mask, request_.path);
+  if (request_.origin)
+    writeMask(mask, *request_.origin, request_.path);
+  else
+    writeMask(mask, request_.path);
 }
 
 void ExportJob::writeMeshFiles() {

@@ -15,6 +15,7 @@
 #include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
 #include "io/scan/label_image.h"
+#include "io/scan/mask_file.h"
 
 namespace angiomesh {
 
@@ -118,6 +119,7 @@ struct ExportRequest {
   std::shared_ptr<const RunResult> report;        ///< for ExportExtras::report
   bool replace = false;                           ///< a case in the folder for OpenFOAM
   std::shared_ptr<const RunResult> segmentation;  ///< of a mask, which needs no mesh
+  std::optional<DicomOrigin> origin;              ///< the mask becomes a DICOM segmentation
 };
 
 /// Writes a mesh or a mask, and reads it back to see that the file holds it.

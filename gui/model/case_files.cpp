@@ -81,6 +81,11 @@ void CaseFiles::cancelLoad() {
   if (slot_) slot_.job()->progress().cancel();
 }
 
+std::optional<DicomOrigin> CaseFiles::dicomOrigin() const {
+  if (!document_.hasCase() || sourcePath_.empty() || info_.format != "DICOM") return std::nullopt;
+  return DicomOrigin{sourcePath_, info_.seriesUid, DicomIdentity::None};
+}
+
 void CaseFiles::open(const QString& path) {
   startLoad(std::make_shared<LoadJob>(absolute(path), nameOf(path).toStdString()));
 }
@@ -166,6 +171,7 @@ void CaseFiles::begin(const LoadJob& job, const QString& name, const Parameters&
   results_.clear();
   runs_.clear();
   info_ = job.info();
+  sourcePath_.clear();
   document_.begin(job.pipeline(), job.facts(), job.display(), name, params);
 }
 
@@ -193,6 +199,7 @@ void CaseFiles::takeVolume(const LoadJob& job) {
   announce();
   if (!job.path().empty()) {
     const QString path = QString::fromStdString(job.path().string());
+    sourcePath_ = job.path();
     Q_EMIT opened(path);
     Q_EMIT sourceSeen(path);
   }
@@ -211,6 +218,7 @@ void CaseFiles::takeCase(const std::shared_ptr<const OpenCaseJob>& job) {
   const bool recovery = job->request().place && job->request().place->recovery;
   begin(*job, recovery ? tr("restored") : QString::fromStdString(job->pipeline()->source().name),
         job->document().params);
+  sourcePath_ = job->sourcePath();
   store_.begin(job->document(), job->place());
   sayOpened(job->info());
   announce();

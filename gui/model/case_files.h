@@ -43,6 +43,8 @@ class CaseFiles : public QObject, private Polled {
     return slot_ ? slot_.job()->progress().fraction() : 0.0;
   }
   void cancelLoad();
+  /// Where the volume of the open case lies, if it is a DICOM series; without its identity.
+  [[nodiscard]] std::optional<DicomOrigin> dicomOrigin() const;
 
   // Cases on the disk.
   /// One of caseFound(), sourceMissing() and sourceDiffers() follows, or a message.
@@ -107,6 +109,7 @@ class CaseFiles : public QObject, private Polled {
   JobTimer& timer_;
   CaseStore store_;
   InputInfo info_;  ///< of the source
+  std::filesystem::path sourcePath_;
   std::vector<JournalStep> foundSteps_;
   bool restoring_ = false;                      ///< edits come from the journal
   bool noteFailed_ = false;                     ///< and the user knows

@@ -66,8 +66,9 @@ void Exports::exportOpenFoam(MeshKind kind, const QString& folder, bool replace)
   start(std::move(request));
 }
 
-void Exports::exportMask(const QString& path) {
+void Exports::exportMask(const QString& path, std::optional<DicomOrigin> origin) {
   ExportRequest request;
+  request.origin = std::move(origin);
   request.kind = ExportKind::Mask;
   request.path = path.toStdString();
   request.segmentation = results_.segmentationRun();

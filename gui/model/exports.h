@@ -22,8 +22,9 @@ class Exports : public QObject {
                   const ExportExtras& extras);
   /// A folder that OpenFOAM fills; `replace`: it holds a case already.
   void exportOpenFoam(MeshKind kind, const QString& folder, bool replace);
-  /// The mask of the segmentation shown, on the grid of the scan.
-  void exportMask(const QString& path);
+  /// The mask of the segmentation shown, on the grid of the scan; with an origin, as a DICOM
+  /// segmentation.
+  void exportMask(const QString& path, std::optional<DicomOrigin> origin = {});
   /// Only the openings of the exported mesh.
   void exportPorts(const QString& path);
   [[nodiscard]] bool writing() const { return static_cast<bool>(slot_); }

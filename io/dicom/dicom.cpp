@@ -246,11 +246,17 @@ LoadedImage readDicomStack(const std::shared_ptr<const DicomStack>& stack, bool 
   return loaded;
 }
 
+std::shared_ptr<const DicomStack> findDicom(const fs::path& path, const std::string& series,
+                                            const Progress& progress,
+                                            std::vector<std::string>& warnings) {
+  const Stacks all = stacksOf(path, progress, ScanDepth::AllBelow, warnings);
+  return choose(all, series, path, warnings);
+}
+
 LoadedImage readDicom(const fs::path& path, const ReadOptions& options, const Progress& progress) {
   progress.phase("reading");
   std::vector<std::string> warnings;
-  const Stacks all = stacksOf(path, progress.sub(0.0, 0.3), ScanDepth::AllBelow, warnings);
-  const auto stack = choose(all, options.series, path, warnings);
+  const auto stack = findDicom(path, options.series, progress.sub(0.0, 0.3), warnings);
   LoadedImage loaded = readDicomStack(stack, options.evenOut, path, progress.sub(0.3, 0.9));
   for (std::string& warning : checkGeometry(loaded.image.geometry))
     warnings.push_back(std::move(warning));

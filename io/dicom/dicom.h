@@ -18,6 +18,12 @@ namespace angiomesh {
 LoadedImage readDicom(const std::filesystem::path& path, const ReadOptions& options,
                       const Progress& progress);
 
+/// The series that readDicom() would read, by its headers alone. `warnings` are added to.
+/// @throws IoError, InputError, Cancelled
+std::shared_ptr<const DicomStack> findDicom(const std::filesystem::path& path,
+                                            const std::string& series, const Progress& progress,
+                                            std::vector<std::string>& warnings);
+
 /// A volume that describeDicom() listed. @throws as readDicom()
 LoadedImage readDicomStack(const std::shared_ptr<const DicomStack>& stack, bool evenOut,
                            const std::filesystem::path& path, const Progress& progress);

@@ -236,6 +236,7 @@ DicomFile fileOf(DcmDataset& data, const fs::path& path) {
   file.columns = word(data, DCM_Columns, 0);
   file.rows = word(data, DCM_Rows, 0);
   file.samples = word(data, DCM_SamplesPerPixel, 1);
+  file.classUid = text(data, DCM_SOPClassUID);
   file.instanceUid = text(data, DCM_SOPInstanceUID);
   file.frames = std::max(integer(data, DCM_NumberOfFrames, 1), 1);
   file.mosaic = text(data, DCM_ImageType).find("MOSAIC") != std::string::npos;

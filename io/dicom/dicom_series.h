@@ -40,7 +40,7 @@ struct DicomFile {
   bool inverted = false;  ///< MONOCHROME1: small values are bright
   bool table = false;     ///< values go through a table (Modality LUT), not a slope
   PixelLayout layout;
-  std::string instanceUid;
+  std::string classUid, instanceUid;  ///< of the SOP
 
   [[nodiscard]] std::size_t pixels() const {
     return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scan/mask_file.h"
 
+#include <vector>
+
 #include "core/base/error.h"
+#include "io/dicom/dicom.h"
 #include "io/file/files.h"
 #include "io/scan/image_io.h"
 #include "io/volume/geometry_check.h"
@@ -24,6 +27,15 @@ void checkHolds(const fs::path& file, const Volume<std::uint8_t>& mask, const fs
 void writeMask(const Volume<std::uint8_t>& mask, const fs::path& path) {
   writeAtomically(path, [&](const fs::path& temporary) {
     writeVolume(mask, temporary);
+    checkHolds(temporary, mask, path);
+  });
+}
+
+void writeMask(const Volume<std::uint8_t>& mask, const DicomOrigin& origin, const fs::path& path) {
+  std::vector<std::string> warnings;  // the scan has been read before
+  const auto series = findDicom(origin.path, origin.series, {}, warnings);
+  writeAtomically(path, [&](const fs::path& temporary) {
+    writeSegmentation(mask, *series, origin.identity, temporary);
     checkHolds(temporary, mask, path);
   });
 }

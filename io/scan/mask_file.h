@@ -3,13 +3,26 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "core/image/volume.h"
+#include "io/dicom/dicom_seg_write.h"
 
 namespace angiomesh {
 
 /// Writes a mask by extension, as writeVolume() does, and reads it back: a file appears only where
 /// it holds the same voxels on the same grid. @throws InputError, IoError: nothing is left behind
 void writeMask(const Volume<std::uint8_t>& mask, const std::filesystem::path& path);
+
+/// The DICOM series that a mask is of.
+struct DicomOrigin {
+  std::filesystem::path path;  ///< a file, or a folder in or below which the series lies
+  std::string series;          ///< as ReadOptions::series
+  DicomIdentity identity = DicomIdentity::None;
+};
+
+/// The same as a DICOM segmentation, see writeSegmentation().
+void writeMask(const Volume<std::uint8_t>& mask, const DicomOrigin& origin,
+               const std::filesystem::path& path);
 
 }  // namespace angiomesh

@@ -134,6 +134,25 @@ class TestPrivacy : public QObject {
       QCOMPARE(foundIn(form, {kPerson}).size(), std::size_t{1});
   }
 
+  /// They refer to the scan by its UIDs, and name the patient on request alone.
+  void segmentationsForViewers() {
+    const QString series = text(series_);
+    done({"run", series, "-o", "run", "--until", "evolve"});
+    done({"convert", "run/mask.nrrd", "-o", "none.dcm", "--like", series});
+    done({"convert", "run/mask.nrrd", "-o", "of.dcm", "--like", series, "--identity"});
+    const auto found = [&](const char* name) {
+      return foundIn(bytesOf(home_ / "out" / name), {kPerson, kBirthDate, kStudyDate});
+    };
+    QVERIFY2(found("none.dcm").empty(), joined(found("none.dcm")).c_str());
+    QCOMPARE(found("of.dcm").size(), std::size_t{3});
+    done({"evaluate", "none.dcm", "run/mask.nrrd", "--json"});
+    const CliResult alone = cli({"convert", "run/mask.nrrd", "-o", "alone.dcm"});
+    QVERIFY(alone.code == 2 && alone.errors.contains("--like"));
+    const CliResult other = cli({"convert", "run/mask.nrrd", "-o", "other.nrrd", "--like", series});
+    QVERIFY(other.code == 2 && other.errors.contains(".dcm"));
+    for (const char* name : {"alone.dcm", "other.nrrd"}) QVERIFY(!fs::exists(home_ / "out" / name));
+  }
+
   void aRunOfADicomFolder() {
     const QString series = text(series_);
     done({"run", series, "-o", "whole", "--truth", text(masks_.front())});

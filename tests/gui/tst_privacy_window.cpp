@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <QCheckBox>
 #include <QDialog>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTimer>
 #include <memory>
 
@@ -110,6 +112,42 @@ class TestPrivacyWindow : public QObject {
       QVERIFY2(fs::exists(home / "cases/vessels.angiomesh" / name), name);
     QCOMPARE(filesBelow(home / "meshes"), std::size_t{8});
     QVERIFY2(told().empty(), told().c_str());
+  }
+
+  /// A DICOM segmentation refers to the scan by its UIDs, and names the patient on request alone.
+  void aMaskForViewers() {
+    auto c = newWindow();
+    c->window->open(text(series_));
+    c->models().runs.run(Step::Evolve);
+    const auto exported = [&](const char* name, bool withIdentity) {
+      const fs::path path = home / "meshes" / name;
+      c->savePath = text(path);
+      trigger(*c, "export");
+      auto* dialog = c->find<QDialog>("exportDialog");
+      if (!dialog || !QTest::qWaitFor([&] { return dialog->isVisible(); })) return fs::path();
+      auto* identity = dialog->findChild<QCheckBox*>("exportIdentity");
+      auto* format = dialog->findChild<QComboBox*>("exportFormat");
+      if (identity->isVisible() || identity->isChecked()) return fs::path();
+      c->choose(format, format->count() - 1);
+      if (!identity->isVisible() || identity->isChecked()) return fs::path();
+      if (withIdentity) QTest::mouseClick(identity, Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+      c->click(dialog->findChild<QPushButton*>("exportGo"));
+      return QTest::qWaitFor([&] { return !c->find<QDialog>("exportDialog"); }) ? path : fs::path();
+    };
+    const std::vector<std::string> person{kPerson, kBirthDate, kStudyDate};
+    const std::string none = bytesOf(exported("none.dcm", false));
+    QVERIFY(none.find(kUidRoot) != std::string::npos);
+    QVERIFY2(foundIn(none, person).empty(), joined(foundIn(none, person)).c_str());
+    QCOMPARE(foundIn(bytesOf(exported("of.dcm", true)), person).size(), person.size());
+    verifyLogHasNoPath(*c);
+    QVERIFY(c->find<QPlainTextEdit>("log")->toPlainText().contains("Wrote none.dcm"));
+    // The scan is gone: the message has no path of it.
+    const fs::path away = planted_ / "away";
+    fs::rename(series_, away);
+    (void)exported("gone.dcm", false);
+    fs::rename(away, series_);
+    QVERIFY(c->find<QPlainTextEdit>("log")->toPlainText().contains("Cannot export"));
+    verifyLogHasNoPath(*c);
   }
 
   void edits() {
