@@ -29,6 +29,7 @@
 #include "gui/panel/port_panel.h"
 #include "gui/panel/view_grid.h"
 #include "gui/panel/why_panel.h"
+#include "gui/pictures.h"
 #include "gui/port_menu.h"
 #include "gui/view_tools.h"
 #include "gui/window_actions.h"
@@ -54,7 +55,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       views_(new ViewGrid(*models_, *state_, *ports_, options_.makeRunner, this)),
       cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
                              options_.recovery)),
-      tools_(new ViewTools(this, *models_, *state_, *views_)) {
+      tools_(new ViewTools(this, *models_, *state_, *views_)),
+      pictures_(new Pictures(this, *models_, *views_, options_.chooser, options_.makeRunner)) {
   setObjectName("mainWindow");
   keepSettingsPrivate();
   setAcceptDrops(true);
@@ -70,6 +72,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   connect(&models_->results, &ResultModel::resultsChanged, this, &MainWindow::refreshActions);
   connect(&models_->document, &CaseDocument::parametersChanged, this, &MainWindow::refreshActions);
   connect(&models_->runs, &RunModel::snapshotArrived, this, &MainWindow::refreshActions);
+  connect(pictures_, &Pictures::turningChanged, this, &MainWindow::refreshActions);
   connect(&models_->timer, &JobTimer::ticked, this, &MainWindow::showProgress);
   connect(&models_->files, &CaseFiles::opened, this, &MainWindow::remember);
   // Asked once the loader is done with the job: a dialog runs a loop of its own.
@@ -101,6 +104,9 @@ MainWindow::~MainWindow() {
   ports_->disconnect();
   delete ports_;
   ports_ = nullptr;
+  pictures_->disconnect();
+  delete pictures_;
+  pictures_ = nullptr;
   models_->document.undoStack()->disconnect();
   models_.reset();
 }
@@ -187,6 +193,7 @@ void MainWindow::buildFileMenu() {
   file->addSeparator();
   addMenuAction(this, file, "export", tr("Export…"), QKeySequence(tr("Ctrl+E")),
                 [this] { showExport(); });
+  pictures_->addActions(file);
   file->addSeparator();
   addMenuAction(this, file, "quit", tr("Quit"), QKeySequence::Quit, [this] { close(); });
 }
@@ -195,8 +202,10 @@ void MainWindow::buildRunMenu() {
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   addMenuAction(this, run, "runAll", tr("Run"), QKeySequence(Qt::Key_F5),
                 [this] { models_->runs.run(); });
-  addMenuAction(this, run, "cancelRun", tr("Cancel"), QKeySequence(Qt::Key_Escape),
-                [this] { models_->cancel(); });
+  addMenuAction(this, run, "cancelRun", tr("Cancel"), QKeySequence(Qt::Key_Escape), [this] {
+    models_->cancel();
+    pictures_->cancel();
+  });
   run->addSeparator();
   addMenuAction(this, run, "pauseRun", tr("Pause"), QKeySequence(Qt::Key_F6),
                 [this] { models_->runs.setPaused(!models_->runs.paused()); });
@@ -270,6 +279,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   models_->cancel();
+  pictures_->cancel();
   models_->files.leaveCase();
   cases_->refreshModified();
   event->accept();
@@ -287,7 +297,7 @@ void MainWindow::refreshActions() {
   const bool evolving = models_->runs.evolving();
   const bool any = models_->document.hasCase();
   enableActions(this, {"runAll"}, any && idle);
-  enableActions(this, {"cancelRun"}, !idle || models_->files.loading());
+  enableActions(this, {"cancelRun"}, !idle || models_->files.loading() || pictures_->turning());
   enableActions(this, {"pauseRun", "finishRun"}, evolving);
   enableActions(this, {"stepRun"}, evolving && models_->runs.paused());
   actionOf(this, "pauseRun")->setText(models_->runs.paused() ? tr("Resume") : tr("Pause"));
@@ -297,7 +307,10 @@ void MainWindow::refreshActions() {
   enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
   enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());
   enableActions(this, {"contours"}, mesh || models_->results.phi());
-  enableActions(this, {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews"}, any);
+  enableActions(
+      this,
+      {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "savePicture", "copyPicture"},
+      any);
   enableActions(this, {"clearSeeds"}, !models_->document.seeds().empty());
   enableActions(this, {"clearRoi"}, models_->document.parameters().preprocess.roi.has_value());
   tools_->refresh();
@@ -323,6 +336,9 @@ void MainWindow::showProgress() {
     fraction = models_->runs.runFraction();
     if (const std::optional<double> left = models_->runs.secondsLeft())
       text += tr(", %1 left").arg(durationText(*left));
+  } else if (pictures_->turning()) {
+    text = tr("Turntable: picture %1 of %2").arg(pictures_->done()).arg(pictures_->count());
+    fraction = static_cast<double>(pictures_->done()) / pictures_->count();
   }
   work_->setText(text);
   progress_->setVisible(fraction >= 0.0);

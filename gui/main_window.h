@@ -19,6 +19,7 @@ namespace angiomesh {
 struct CaseModels;
 class CaseDialogs;
 class CasePorts;
+class Pictures;
 class PortMenu;
 class PortPanel;
 class ViewGrid;
@@ -88,6 +89,7 @@ class MainWindow : public QMainWindow {
   ViewGrid* views_;
   CaseDialogs* cases_;
   ViewTools* tools_;
+  Pictures* pictures_;
   PortMenu* portMenu_ = nullptr;
   PortPanel* portPanel_ = nullptr;
   QMenu* recent_ = nullptr;

@@ -440,6 +440,7 @@ void SliceScene::pan(double displayDx, double displayDy) {
 }
 
 void SliceScene::setPixelRatio(double ratio) {
+  parts_->mmPerPixel *= parts_->pixelRatio / ratio;
   parts_->pixelRatio = ratio;
   parts_->crosshair.actor->GetProperty()->SetLineWidth(static_cast<float>(ratio));
   parts_->showSlice();

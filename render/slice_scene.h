@@ -81,7 +81,8 @@ class SliceScene {
   void fit();
   void zoom(double factor, double displayX, double displayY);  ///< about a display position
   void pan(double displayDx, double displayDy);
-  /// Pixels of the screen per pixel that text and lines are designed for.
+  /// Pixels of the screen per pixel that text and lines are designed for; the view keeps its part
+  /// of the slice.
   void setPixelRatio(double ratio);
 
   /// Patient position on the slice under a display position; also outside the image.

@@ -3,6 +3,9 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QPainter>
+#include <QScopeGuard>
+#include <initializer_list>
 #include <type_traits>
 
 #include "gui/model/case_ports.h"
@@ -162,6 +165,49 @@ void ViewGrid::toggleMaximised(QWidget* pane) {
 void ViewGrid::resetViews() {
   for (SliceView* view : slices_) view->resetView();
   surface_->resetView();
+}
+
+std::vector<VtkView*> ViewGrid::shown() const {
+  std::vector<VtkView*> views;
+  for (VtkView* view :
+       std::initializer_list<VtkView*>{slices_[2], slices_[0], slices_[1], surface_, comparison_})
+    if (view->isVisible()) views.push_back(view);
+  return views;
+}
+
+VtkView* ViewGrid::shown3d() const { return surface_->isVisible() ? surface_ : nullptr; }
+
+QString ViewGrid::titleOf(const VtkView* pane) const {
+  if (pane == surface_) return tr("3D");
+  if (pane == comparison_) return tr("3D, marching cubes");
+  return pane == slices_[2] ? tr("axial") : pane == slices_[1] ? tr("coronal") : tr("sagittal");
+}
+
+bool ViewGrid::hasCrosshair(const VtkView* pane) const {
+  return pane != surface_ && pane != comparison_;
+}
+
+QSize ViewGrid::pictureSize(const VtkView* pane, int scale) const {
+  const QWidget* widget = pane ? static_cast<const QWidget*>(pane) : this;
+  return (QSizeF(widget->size()) * widget->devicePixelRatioF() * scale).toSize();
+}
+
+QImage ViewGrid::picture(VtkView* pane, int scale, bool crosshair) const {
+  if (pane) {
+    auto* slice = qobject_cast<SliceView*>(pane);
+    if (!slice || crosshair) return pane->picture(scale);
+    slice->setCrosshairVisible(false);
+    const auto restore = qScopeGuard([slice] { slice->setCrosshairVisible(true); });
+    return slice->picture(scale);
+  }
+  QImage all(pictureSize(nullptr, scale), QImage::Format_RGB888);
+  all.fill(palette().color(QPalette::Window));
+  QPainter painter(&all);
+  for (VtkView* view : shown()) {
+    const QPointF corner = view->mapTo(this, QPoint(0, 0)) * devicePixelRatioF() * scale;
+    painter.drawImage(corner.toPoint(), picture(view, scale, crosshair));
+  }
+  return all;
 }
 
 Eigen::Vector3d ViewGrid::crosshair() const { return slices_[2]->cursor(); }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QImage>
 #include <QWidget>
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "gui/model/result_text.h"
 #include "gui/model/view_state.h"
@@ -39,6 +41,19 @@ class ViewGrid : public QWidget {
   void toggleMaximised(QWidget* pane);
   [[nodiscard]] bool maximised() const { return maximised_ != nullptr; }
   void resetViews();
+
+  /// The panes that can be seen, from the upper left on.
+  [[nodiscard]] std::vector<VtkView*> shown() const;
+  /// The 3D pane; null while another one is alone.
+  [[nodiscard]] VtkView* shown3d() const;
+  /// What the user calls a pane.
+  [[nodiscard]] QString titleOf(const VtkView* pane) const;
+  /// Of a pane; null: of any of them.
+  [[nodiscard]] bool hasCrosshair(const VtkView* pane) const;
+  /// What a pane shows (null: what all of them show, as they lie) on `scale` times its device
+  /// pixels. @throws IoError
+  [[nodiscard]] QImage picture(VtkView* pane, int scale, bool crosshair) const;
+  [[nodiscard]] QSize pictureSize(const VtkView* pane, int scale) const;
 
   /// Of all slice panes, mm LPS.
   [[nodiscard]] Eigen::Vector3d crosshair() const;

@@ -9,6 +9,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QScopeGuard>
 #include <QTimer>
 #include <QWheelEvent>
 #include <utility>
@@ -197,6 +198,14 @@ void SurfaceView::takeCameraOf(const SurfaceView& other) {
   state_->scene.takeCameraOf(other.state_->scene);
   changed();
 }
+
+QImage SurfaceView::pictureTurned(double degrees, int scale, const QSize& size) {
+  const auto back = qScopeGuard([this, degrees] { state_->scene.turn(-degrees); });
+  state_->scene.turn(degrees);
+  return picture(scale, size);
+}
+
+void SurfaceView::pictureBegins() { state_->scene.setInteractive(false); }
 
 void SurfaceView::pixelRatioChanged(double ratio) { state_->scene.setPixelRatio(ratio); }
 

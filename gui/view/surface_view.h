@@ -74,6 +74,8 @@ class SurfaceView : public VtkView {
   /// Takes over the camera of another view. Two views that do so on each other's cameraMoved()
   /// show their surfaces side by side.
   void takeCameraOf(const SurfaceView& other);
+  /// picture(), once all is turned about the vertical through the middle of the view.
+  [[nodiscard]] QImage pictureTurned(double degrees, int scale, const QSize& size);
 
  Q_SIGNALS:
   void portPressed(const QString& name);
@@ -93,6 +95,7 @@ class SurfaceView : public VtkView {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void pixelRatioChanged(double ratio) override;
+  void pictureBegins() override;
 
  private:
   void changed();

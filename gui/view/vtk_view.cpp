@@ -14,10 +14,14 @@
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QScopeGuard>
 #include <QTimer>
 #include <QWheelEvent>
 #include <cmath>
 #include <map>
+
+#include "core/base/error.h"
+#include "render/offscreen_window.h"
 
 namespace angiomesh {
 
@@ -86,6 +90,8 @@ struct VtkView::Bridge {
   vtkNew<vtkCallbackCommand> contextEvents;
   QMetaObject::Connection contextDies;
   double pixelRatio = 0.0;
+  int scale = 1;      ///< of picture()
+  QSize pictureSize;  ///< empty: the widget's
   int wheelRemainder = 0;
 };
 
@@ -162,9 +168,10 @@ void VtkView::initializeGL() {
 }
 
 void VtkView::syncSize() {
-  const double ratio = devicePixelRatioF();
-  const int w = std::max(1, static_cast<int>(std::lround(width() * ratio)));
-  const int h = std::max(1, static_cast<int>(std::lround(height() * ratio)));
+  const double ratio = devicePixelRatioF() * bridge_->scale;
+  const QSize size = bridge_->pictureSize.isEmpty() ? this->size() : bridge_->pictureSize;
+  const int w = std::max(1, static_cast<int>(std::lround(size.width() * ratio)));
+  const int h = std::max(1, static_cast<int>(std::lround(size.height() * ratio)));
   const int* current = bridge_->window->GetSize();
   if (current[0] != w || current[1] != h) {
     bridge_->window->SetSize(w, h);
@@ -195,6 +202,31 @@ void VtkView::paintGL() {
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   Q_EMIT rendered();
+}
+
+QImage VtkView::picture(int scale, const QSize& size) {
+  if (context() == nullptr || !bridge_->window->GetReadyForRendering())
+    throw IoError("this pane was never drawn", "OpenGL", "show it first");
+  makeCurrent();
+  const auto restore = qScopeGuard([this] {
+    bridge_->window->SetFrameBlitModeToBlitToCurrent();
+    bridge_->scale = 1;
+    bridge_->pictureSize = {};
+    syncSize();
+    doneCurrent();
+  });
+  // The widget's own framebuffer has another size.
+  bridge_->window->SetFrameBlitModeToNoBlit();
+  bridge_->scale = scale;
+  bridge_->pictureSize = size;
+  pictureBegins();
+  syncSize();
+  vtkOpenGLState* state = bridge_->window->GetState();
+  state->Reset();
+  state->vtkglDepthFunc(GL_LEQUAL);
+  const Picture drawn = takePicture(bridge_->window);
+  return QImage(drawn.rgb.data(), drawn.width, drawn.height, 3 * drawn.width, QImage::Format_RGB888)
+      .copy();
 }
 
 void VtkView::setEventPosition(const QPointF& position, Qt::KeyboardModifiers modifiers,

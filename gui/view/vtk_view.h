@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <QImage>
 #include <QOpenGLWidget>
+#include <QSize>
 #include <memory>
 
 class vtkRenderWindow;
@@ -23,6 +25,9 @@ class VtkView : public QOpenGLWidget {
   [[nodiscard]] vtkRenderWindow* renderWindow() const;
   [[nodiscard]] vtkRenderWindowInteractor* interactor() const;
   void requestRender();
+  /// What the view shows, drawn anew on `scale` times its device pixels.
+  /// @param size Qt's pixels in place of the view's own   @throws IoError
+  [[nodiscard]] QImage picture(int scale, const QSize& size = {});
 
  Q_SIGNALS:
   void rendered();  ///< after each frame
@@ -44,6 +49,8 @@ class VtkView : public QOpenGLWidget {
 
   /// Called before the first frame, and whenever the ratio of device pixels to Qt's pixels changes.
   virtual void pixelRatioChanged(double ratio);
+  /// The next frame is for picture().
+  virtual void pictureBegins() {}
   /// Frees VTK's OpenGL resources. Subclasses that own scenes call it first in their destructor.
   void releaseGl();
   /// Whole notches of the wheel since the last call, away from the user positive.
