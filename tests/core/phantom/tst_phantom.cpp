@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/phantom/phantom.h"
 #include "core/phantom/truth_json.h"
+#include "core/phantom/vessel_growth.h"
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 #include "tests/core/threads.h"
@@ -373,6 +374,27 @@ class TestPhantom : public QObject {
       high = high.cwiseMax(s.to);
     }
     for (int a = 0; a < 3; ++a) QVERIFY(low[a] < 20.0 && high[a] > 107.0);
+  }
+
+  void rootsLieOnTheFacesInTurn() {
+    GrowthParams params;
+    params.extent = {60.0, 50.0, 40.0};
+    params.roots = 9;
+    params.terminals = 9;
+    std::vector<int> faces;
+    for (const VesselNode& node : growVessels(params, {})) {
+      if (node.parent >= 0) continue;
+      for (int a = 0; a < 3; ++a) {
+        if (node.position[a] == 0.0) faces.push_back(2 * a);
+        if (node.position[a] == params.extent[a]) faces.push_back(2 * a + 1);
+      }
+    }
+    QCOMPARE(faces.size(), std::size_t{9});
+    QCOMPARE(faces.front(), 4);
+    for (std::size_t n = 6; n < faces.size(); ++n) QCOMPARE(faces[n], faces[n - 6]);
+    faces.resize(6);
+    std::sort(faces.begin(), faces.end());
+    QCOMPARE(faces, (std::vector{0, 1, 2, 3, 4, 5}));
   }
 
   void treesDependOnTheSeedAndNotOnTheThreads() {

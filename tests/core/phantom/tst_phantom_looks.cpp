@@ -213,6 +213,26 @@ class TestPhantomLooks : public QObject {
     QVERIFY(*std::max_element(phantom.image.voxels.begin(), phantom.image.voxels.end()) > 390.0F);
   }
 
+  /// It runs beside a vessel where nothing else is in its way.
+  void aVeinIsDrawnAlongAllOfItsLength() {
+    for (const PhantomKind kind :
+         {PhantomKind::Tree, PhantomKind::Bifurcation, PhantomKind::CapsuleTree}) {
+      const PhantomParams params = paramsOf(kind, 96);
+      const Phantom phantom = cluttered(params);
+      const auto vein = std::find_if(phantom.pieces.begin(), phantom.pieces.end(),
+                                     [](const ClutterPiece& p) { return p.kind == "vein"; });
+      QVERIFY(vein != phantom.pieces.end());
+      const CentreLineSegment& beside =
+          phantom.centreLines[static_cast<std::size_t>(vein->segment)];
+      const double radius = 0.5 * (beside.radiusFromMm + beside.radiusToMm);
+      const double length = (vein->to - vein->from).norm();
+      const double volume = M_PI * radius * radius * (length + 4.0 / 3.0 * radius);
+      const auto drawn = static_cast<double>(
+          std::count(phantom.clutter.voxels.begin(), phantom.clutter.voxels.end(), vein->label));
+      QVERIFY(isNear(drawn / volume, 1.0, 0.15));
+    }
+  }
+
   void clutterDependsOnTheSeedAndNotOnTheThreads() {
     PhantomParams params = paramsOf(PhantomKind::Tree, 64);
     params.noiseSigma = 20.0;
