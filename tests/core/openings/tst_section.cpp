@@ -84,6 +84,53 @@ class TestSection : public QObject {
     QVERIFY(!section.covers(centre));
   }
 
+  /// Chords alone would miss a two hundredth of the area.
+  void areaAndCentreAreOfFourthOrder() {
+    const Vector3d centre{15.3, 15.6, 15.4};
+    const SplineField field = fieldOf(shapes::sampled(analytic::cube(32), [&](const Vector3d& p) {
+      return analytic::tube(p, centre, Vector3d::UnitZ(), 5.0);
+    }));
+    for (const int finer : {1, 2}) {
+      const Section section = sectionOf(field, {centre, Vector3d::UnitZ()}, {}, finer);
+      QVERIFY(isNear(section.areaMm2 / (25.0 * shapes::pi), 1.0, 2e-4));
+      QVERIFY((section.centreLps - centre).norm() < 1e-3);
+    }
+  }
+
+  // Of a vessel thinner than the lattice's steps, across it, no two nodes in a row are inside.
+  void aVesselBetweenTheNodesIsOnePiece() {
+    const Vector3d centre{15.3, 15.6, 15.4}, n = Vector3d::UnitZ();
+    const Vector3d u = n.unitOrthogonal(), v = n.cross(u);
+    for (const double sign : {-1.0, 1.0}) {
+      const Vector3d along = (u + sign * v).normalized(), across = n.cross(along);
+      const SplineField field = fieldOf(shapes::sampled(analytic::cube(32), [&](const Vector3d& p) {
+        const Vector3d d = p - centre;
+        return std::pow(d.dot(along) / 8.0, 2) + std::pow(d.dot(across) / 0.5, 2) - 1.0;
+      }));
+      const Section section = sectionOf(field, {centre, n}, {}, 1);
+      QCOMPARE(section.loops.size(), std::size_t{1});
+      QVERIFY(isNear(section.areaMm2 / (shapes::pi * 8.0 * 0.5), 1.0, 0.1));
+      QVERIFY((section.centreLps - centre).norm() < 0.1);
+    }
+  }
+
+  // Nor do nodes across a square join vessels when there is a wall between them.
+  void vesselsAcrossASquareStayApart() {
+    const Vector3d centre{15.3, 15.6, 15.4}, n = Vector3d::UnitZ();
+    const Vector3d u = n.unitOrthogonal(), v = n.cross(u);
+    for (const double sign : {-1.0, 1.0}) {
+      const Vector3d along = (u + sign * v).normalized(), across = n.cross(along);
+      const SplineField field = fieldOf(shapes::sampled(analytic::cube(32), [&](const Vector3d& p) {
+        const double s = (p - centre).dot(along), t = (p - centre).dot(across);
+        return 0.36 - s * s + t * t + s * s * s * s / 16.0;
+      }));
+      const Section section = sectionOf(field, {centre + 0.72 * along, n}, {}, 1);
+      QCOMPARE(section.loops.size(), std::size_t{1});
+      for (const Vector3d& p : section.loops.front()) QVERIFY((p - centre).dot(along) > 0.4);
+      QVERIFY(section.covers(centre + 2.0 * along) && !section.covers(centre - 2.0 * along));
+    }
+  }
+
   void whatIsNoSectionIsRefused() {
     const Vector3d centre{15.5, 15.5, 15.5};
     const SplineField field = fieldOf(shapes::sampled(analytic::cube(32), [&](const Vector3d& p) {
