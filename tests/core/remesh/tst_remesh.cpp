@@ -11,6 +11,7 @@
 #include "core/remesh/remesh.h"
 #include "core/remesh/remesh_mesh.h"
 #include "core/sizing/guidance_field.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_bars.h"
 #include "tests/core/mesh_shapes.h"
 
@@ -300,6 +301,33 @@ class TestRemesh : public QObject {
         if (mesh.livesVertex(v)) QCOMPARE(mesh.valence(v), mesh.ring(v).count);
     }
     QVERIFY(done > 1000);
+  }
+
+  void neighboursComeToLieTogether() {
+    PatchMesh start;
+    start.mesh = shapes::icosphere(4);
+    const auto count = static_cast<std::uint32_t>(start.mesh.points.size());
+    // Shuffled.
+    const auto moved = [&](std::uint32_t v) { return (v * 1013U + 77U) % count; };
+    const std::vector<Vector3d> points = start.mesh.points;
+    for (std::uint32_t v = 0; v < count; ++v) start.mesh.points[moved(v)] = points[v];
+    for (auto& t : start.mesh.triangles)
+      for (auto& v : t) v = moved(v);
+    start.place.assign(count, Place::onWall());
+    start.patch.assign(start.mesh.triangles.size(), 0);
+    start.origin.assign(start.mesh.triangles.size(), FaceOrigin::Front);
+    EditMesh mesh(start);
+    const auto apart = [&] {
+      double vertices = 0.0, triangles = 0.0;
+      for (std::uint32_t h = 0; h < mesh.halfEdgeSlots(); ++h) {
+        vertices += std::abs(1.0 * mesh.origin(h) - mesh.target(h));
+        triangles += std::abs(1.0 * (h / 3) - mesh.twin(h) / 3);
+      }
+      return std::max(vertices / count, 0.5 * triangles / count) / mesh.halfEdgeSlots();
+    };
+    QVERIFY(isAbove(apart(), 0.2));
+    mesh.reorder();
+    QVERIFY(isBelow(apart(), 0.03));
   }
 
   void takesWhatThereIs() {
