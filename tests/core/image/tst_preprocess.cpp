@@ -48,6 +48,41 @@ class TestPreprocess : public QObject {
     QVERIFY_THROWS_EXCEPTION(InputError, cropToBox(image, {900, 900, 900, 901, 901, 901}));
   }
 
+  /// Whatever the box cuts off the rows of an oblique grid, every centre in it is kept, and no
+  /// layer that holds none.
+  void cropHoldsAllVoxelsOfTheBoxAndNoMore() {
+    const Geometry g = oblique(20, 18, 16);
+    const Volume<float> image(g, 1.0F);
+    for (std::uint64_t n = 0; n < 60; ++n) {
+      std::array<double, 6> box{};
+      Eigen::Vector3d least, most;
+      for (int a = 0; a < 3; ++a) {
+        const auto at = static_cast<std::uint64_t>(a);
+        const double half = 0.5 + 2.5 * randomUniform(3, 6 * n + at);
+        const double middle = centreOf(g)[a] + 5.0 * (randomUniform(3, 6 * n + 3 + at) - 0.5);
+        box[at] = least[a] = middle - half;
+        box[at + 3] = most[a] = middle + half;
+      }
+      Index3 low = g.size, high{-1, -1, -1};
+      for (std::size_t i = 0; i < image.voxels.size(); ++i) {
+        const Eigen::Vector3d x = voxelCentre(g, i);
+        if ((x.array() < least.array()).any() || (x.array() > most.array()).any()) continue;
+        const Index3 p = g.indexOf(i);
+        for (std::size_t a = 0; a < 3; ++a) {
+          low[a] = std::min(low[a], p[a]);
+          high[a] = std::max(high[a], p[a]);
+        }
+      }
+      if (high[0] - low[0] < 1 || high[1] - low[1] < 1 || high[2] - low[2] < 1) {
+        QVERIFY_THROWS_EXCEPTION(InputError, cropToBox(image, box));
+        continue;
+      }
+      const Geometry cropped = cropToBox(image, box).geometry;
+      for (std::size_t a = 0; a < 3; ++a) QCOMPARE(cropped.size[a], high[a] - low[a] + 1);
+      QVERIFY((cropped.origin - voxelCentre(g, low)).norm() < 1e-9);
+    }
+  }
+
   void resamplingMakesCubicVoxelsAndKeepsTheField() {
     const Geometry g = oblique(24, 20, 12);
     QVERIFY(!wantsIsotropic(cube(5)));
