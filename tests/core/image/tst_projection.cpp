@@ -165,6 +165,36 @@ class TestProjection : public QObject {
     QCOMPARE(red(0.5, 0.2), 0);
   }
 
+  /// Round ones darken towards their outline; where the volume's border cuts one, it is even.
+  void roundVesselsAreShadedAndCutsAreFlat() {
+    const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {1.0, 1.0, 1.0});
+    const auto shadeOf = [&](const Volume<float>& phi) {
+      const Picture p = previewPicture(imageOf(g, {Vector3d::Zero(), 8.0}), phi);
+      const Region coronal = tilesOf(p)[3];
+      return [p, coronal](double fromMiddleMm) {
+        const auto x = static_cast<std::size_t>(coronal.left + 240 + 10.0 * fromMiddleMm);
+        const auto y = static_cast<std::size_t>(coronal.top + 240);
+        return static_cast<int>(p.rgb[3 * (y * static_cast<std::size_t>(p.width) + x)]);
+      };
+    };
+    const auto ball = shadeOf(fieldOf(g, {Vector3d::Zero(), 8.0}));
+    QVERIFY(ball(5.0) < ball(0.0) - 15 && ball(7.0) < ball(5.0) - 15 && ball(7.0) > 0);
+    const auto cut = shadeOf(analytic::sampled(g, [](const Vector3d& x) {
+      return analytic::tube(x, Vector3d::Zero(), Vector3d::UnitY(), 8.0);
+    }));
+    QVERIFY(cut(0.0) > 100 && cut(9.0) == 0);
+    for (const double aside : {-7.0, -5.0, 5.0, 7.0}) QCOMPARE(cut(aside), cut(0.0));
+  }
+
+  void whatLiesInTheMiddleIsShownThere() {
+    const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {1.0, 1.0, 1.0});
+    const Ball ball{Vector3d::Zero(), 7.3};
+    const Picture p = previewPicture(imageOf(g, ball), fieldOf(g, ball));
+    for (const Region& tile : tilesOf(p))
+      for (int a = 0; a < 2; ++a)
+        QVERIFY(std::fabs(centreOfLight(p, tile)[a] - 0.5) * tile.width < 0.1);
+  }
+
   void pixelsAreSquareAndTilesLimited() {
     Geometry g;
     g.size = {40, 30, 10};
@@ -173,6 +203,12 @@ class TestProjection : public QObject {
     const Picture p = previewPicture(imageOf(g, ball), fieldOf(g, ball));
     QCOMPARE(p.width - (320 + 480 + 320), 4 * 8);
     QCOMPARE(p.height - 2 * 480, 3 * 8);
+    // Of any size.
+    g.spacing *= 0.01;
+    const Ball small{g.toPhysical({20.0, 15.0, 5.0}), 0.04};
+    const Picture same = previewPicture(imageOf(g, small), fieldOf(g, small));
+    QCOMPARE(same.width, p.width);
+    QCOMPARE(same.height, p.height);
   }
 
   void aFieldElsewhereOrEmptyGivesDarkTiles() {
