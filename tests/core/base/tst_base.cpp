@@ -85,6 +85,15 @@ class TestBase : public QObject {
     QCOMPARE(whole.fraction(), 0.75);
     whole.report(0.1);
     QCOMPARE(whole.fraction(), 0.75);
+    // Parts of parts.
+    const Progress other;
+    const Progress middle = other.sub(0.2, 0.6);
+    middle.sub(0.25, 0.75).report(0.0);
+    QVERIFY(std::fabs(other.fraction() - 0.3) < 1e-12);
+    middle.sub(0.25, 0.75).report(1.0);
+    QVERIFY(std::fabs(other.fraction() - 0.5) < 1e-12);
+    middle.sub(0.5, 1.0).report(1.0);
+    QVERIFY(std::fabs(other.fraction() - 0.6) < 1e-12);
     whole.cancel();
     QVERIFY(second.cancelled());
     QVERIFY_THROWS_EXCEPTION(Cancelled, second.report(0.9));

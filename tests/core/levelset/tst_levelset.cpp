@@ -57,6 +57,21 @@ class TestLevelSet : public QObject {
     }
   }
 
+  /// Where balls overlap as well each voxel is named once.
+  void voxelsAroundSeedsAreNamedOnceInOrder() {
+    const Geometry g = oblique(23, 21, 15);
+    const std::vector<Eigen::Vector3d> seeds{centreOf(g) + Eigen::Vector3d(0.5, 0.4, 0.9),
+                                             centreOf(g), centreOf(g) - Eigen::Vector3d::Ones()};
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < g.voxelCount(); ++i)
+      if (std::any_of(seeds.begin(), seeds.end(), [&](const Eigen::Vector3d& seed) {
+            return (voxelCentre(g, i) - seed).norm() < 3.1 * g.voxelMm();
+          }))
+        expected.push_back(i);
+    QVERIFY(expected.size() > 100);
+    QVERIFY(voxelsAroundSeeds(g, seeds, 3.1) == expected);
+  }
+
   void seedsAreTheBrightestVoxelsAndThoseGiven() {
     const Geometry g = oblique(10, 10, 10);
     Volume<float> v(g, -0.5F);

@@ -204,6 +204,12 @@ class TestOverlap : public QObject {
     for (double threshold = -60.0; threshold <= 120.0; threshold += 10.0)
       QVERIFY(overlapAbove(threshold) < noisy.overlap - 5.0);
     QVERIFY(noisy.overlap < 100.0);
+    // In other units of brightness it is the same one, and half-way between dark and bright.
+    QVERIFY(std::fabs(noisy.threshold - 30.0) < 10.0);
+    for (float& value : image.voxels) value = 2.0F * value + 1000.0F;
+    const BestThreshold other = bestThreshold(image, truth);
+    QCOMPARE(other.sigmaVoxels, noisy.sigmaVoxels);
+    QVERIFY(std::fabs(other.threshold - (2.0 * noisy.threshold + 1000.0)) < 0.5);
   }
 
   void aBallIsFoundOnAnotherGrid() {

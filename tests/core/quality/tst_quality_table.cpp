@@ -102,6 +102,18 @@ class TestQualityTable : public QObject {
     q.nonManifoldEdges = 3;
     for (const QualityGate& gate : qualityGates())
       QCOMPARE(gateFailures(gate, q), Texts{"3 non-manifold edges"});
+    // One is one too many.
+    for (const auto count : {&MeshQuality::nonManifoldEdges, &MeshQuality::nonManifoldVertices,
+                             &MeshQuality::degenerateTriangles, &MeshQuality::selfIntersections}) {
+      q = faultless();
+      q.*count = 1;
+      for (const QualityGate& gate : qualityGates())
+        QCOMPARE(gateFailures(gate, q).size(), std::size_t{1});
+    }
+    q = faultless();
+    q.boundaryEdges = 1;
+    for (const char* gate : {"closed", "cfd", "solver"})
+      QCOMPARE(gateFailures(gateOf(gate), q).size(), std::size_t{1});
     q = faultless();
     q.oriented = false;
     QCOMPARE(gateFailures(gateOf("manifold"), q), Texts{"not oriented"});
