@@ -193,6 +193,11 @@ QPointF SliceView::positionOf(const Eigen::Vector3d& lps) const {
   return fromDisplay(state_->scene.displayAt(lps));
 }
 
+void SliceView::pictureBegins() {
+  state_->pointer.reset();
+  hover();
+}
+
 void SliceView::pixelRatioChanged(double ratio) { state_->scene.setPixelRatio(ratio); }
 
 void SliceView::moveCrosshair(const QPointF& position) {

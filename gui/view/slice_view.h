@@ -97,6 +97,8 @@ class SliceView : public VtkView {
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void pixelRatioChanged(double ratio) override;
+  /// Without what is under the pointer, which comes back as the mouse moves on.
+  void pictureBegins() override;
 
  private:
   [[nodiscard]] std::optional<RoiBox> roiTo(const QPointF& position) const;

@@ -253,6 +253,18 @@ class TestPanes : public QObject {
     QVERIFY(corner(axial) == away);
   }
 
+  void picturesDoNotTellWhereTheMouseIs() {
+    WindowCase c;
+    c.models().files.take(twoTubes());
+    SliceView* axial = c.window->views().slice(2);
+    const QImage away = axial->picture(1);
+    hover(*axial, axial->rect().center());
+    QVERIFY(!c.find<QLabel>("hover")->text().isEmpty());
+    QVERIFY(axial->picture(1) == away);
+    hover(*axial, axial->rect().center() + QPoint(1, 0));
+    QVERIFY(!c.find<QLabel>("hover")->text().isEmpty());
+  }
+
   void otherFilesHaveNoUnit() {
     WindowCase c;
     c.models().files.take(twoTubes());
