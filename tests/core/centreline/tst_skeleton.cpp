@@ -161,6 +161,51 @@ class TestSkeleton : public QObject {
     }
   }
 
+  /// Where the border slices a vessel lengthwise, one line leads into the opening, whichever face
+  /// it is.
+  void slicedVesselsAreAlikeAtEachFace() {
+    for (int face = 0; face < 6; ++face) {
+      const Geometry g = cube(48);
+      Vector3d inwards = Vector3d::Zero(), one = Vector3d::Zero(), other = Vector3d::Zero();
+      inwards[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
+      one[(face / 2 + 1) % 3] = other[(face / 2 + 2) % 3] = 1.0;
+      // A vessel that turns about an axis across the face, which slices it over most of the turn,
+      // and ends inside.
+      const Vector3d middle = centreOf(g) - 24.3 * inwards - 1.5 * one - 3.5 * other;
+      const Skeleton s = skeletonOf(clamped(g, [&](const Vector3d& x) {
+        const Vector3d d = x - middle, p(d.dot(one), d.dot(other), d.dot(inwards));
+        const double around = std::clamp(std::atan2(p.y(), p.x()), -0.9, 2.2);
+        const Vector3d turn(9.0 * std::cos(around), 9.0 * std::sin(around), 0.0);
+        const Vector3d end(9.0 * std::cos(2.2), 9.0 * std::sin(2.2), 0.0);
+        const Vector3d tip = end + 32.0 * Vector3d(-0.3, -0.2, 0.93).normalized();
+        return std::min((p - turn).norm() - 4.0, capsule(p, end, tip, 4.0));
+      }));
+      QCOMPARE(s.branches.size(), std::size_t{1});
+      QCOMPARE(kindsOf(s), (std::vector{NodeKind::Tip, NodeKind::Border}));
+    }
+  }
+
+  /// However close to each other branches leave, all hang together.
+  void aVesselOfOnePieceHasLinesOfOnePiece() {
+    for (const double apart : {0.0, 3.0, 4.0, 5.0, 6.0, 8.0, 12.0}) {
+      const Geometry g = cube(56);
+      const Vector3d one = centreOf(g) + Vector3d(0.2, 0.1, 0.5 * apart);
+      const Vector3d other = centreOf(g) + Vector3d(0.2, 0.1, -0.5 * apart);
+      const Skeleton s = skeletonOf(clamped(g, [&](const Vector3d& x) {
+        return std::min({tube(x, one, Vector3d::UnitZ(), 4.0),
+                         capsule(x, one, one + Vector3d(22, 0, 3), 2.0),
+                         capsule(x, other, other - Vector3d(22, 3, 0), 2.0)});
+      }));
+      QCOMPARE(s.nodes.size(), s.branches.size() + 1);
+      const std::vector<NodeKind> kinds = kindsOf(s);
+      QCOMPARE(std::count(kinds.begin(), kinds.end(), NodeKind::Tip), 2);
+      QCOMPARE(std::count(kinds.begin(), kinds.end(), NodeKind::Border), 2);
+      double length = 0.0;
+      for (const SkeletonBranch& branch : s.branches) length += branch.lengthMm;
+      QVERIFY(isNear(length, 55.0 + 22.2 + 22.2, 4.0));
+    }
+  }
+
   void ringsAreClosed() {
     for (const double radius : {1.5, 4.0}) {
       const Geometry g = cube(60);

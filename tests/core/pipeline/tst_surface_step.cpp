@@ -245,6 +245,35 @@ class TestSurfaceStep : public QObject {
     QVERIFY2(ratio > 0.85 && ratio < 1.15, qPrintable(QString::number(ratio)));
   }
 
+  /// Cells of marching cubes count in voxels, whatever these measure, with cuts and without.
+  void cellsAreInVoxels() {
+    for (const bool cut : {false, true}) {
+      std::vector<std::size_t> triangles;
+      for (const double voxelMm : {1.0, 0.4, 2.0}) {
+        Geometry g = analytic::cube(24);
+        g.size = {30, 24, 24};
+        g.spacing.setConstant(voxelMm);
+        const Volume<float> phi = analytic::clamped(g, [&](const Eigen::Vector3d& x) {
+          return voxelMm *
+                 analytic::tube(x / voxelMm, {0.0, 11.6, 11.3}, Eigen::Vector3d::UnitX(), 5.0);
+        });
+        SurfaceParams params;
+        params.method = SurfaceMethod::MarchingCubes;
+        params.cellVoxels = 1.7;
+        const SplineField field(phi, params.spline);
+        CutAway away;
+        if (cut)
+          away = cutAway(field, phi,
+                         {{Eigen::Vector3d(20.2, 11.6, 11.3) * voxelMm, Eigen::Vector3d::UnitX()}});
+        const MadeSurface made = makeSurface(phi, field, params, {}, away);
+        triangles.push_back(made.mesh.triangles.size());
+      }
+      QVERIFY(triangles[0] > 400 && triangles[0] < 4000);
+      QVERIFY(isNear(1.0 * triangles[1] / triangles[0], 1.0, 0.05));
+      QVERIFY(isNear(1.0 * triangles[2] / triangles[0], 1.0, 0.05));
+    }
+  }
+
   void theComponentsAreThoseOfTheMesh() {
     const Volume<float> phi = analytic::sampled(analytic::cube(24), [](const Eigen::Vector3d& x) {
       return std::min(analytic::tube(x, {7.0, 11.5, 11.5}, {0, 0, 1}, 3.0),

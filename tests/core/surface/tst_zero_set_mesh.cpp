@@ -9,6 +9,7 @@
 #include "core/quality/mesh_quality.h"
 #include "core/surface/zero_set_mesh.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_bars.h"
 #include "tests/core/threads.h"
 
@@ -208,6 +209,41 @@ class TestZeroSetMesh : public QObject {
     QCOMPARE(q.selfIntersections, 0U);
     QVERIFY(q.minAngleMin >= 30.0 && q.maxAngleMax <= 110.0);
     QCOMPARE(q.euler, 2);
+  }
+
+  // Three caps meet in each corner of a volume whose sides differ.
+  void closesAroundEachCornerOfTheVolume() {
+    Geometry g = analytic::cube(16);
+    g.size = {17, 15, 13};
+    g.spacing = {0.9, 1.0, 1.2};
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3d at =
+          g.toPhysical({16.0 * (corner & 1), 14.0 * (corner >> 1 & 1), 12.0 * (corner >> 2)});
+      const Vector3d centre = at + 0.03 * (analytic::centreOf(g) - at);
+      const double radius = 6.0;
+      const ZeroSetMesh surface = meshed(analytic::sampled(
+          g, [&](const Vector3d& p) { return analytic::ball(p, centre, radius); }));
+      const MeshQuality q = measureQuality(surface.mesh);
+      QVERIFY(q.closed && q.oriented);
+      QCOMPARE(q.euler, 2);
+      QCOMPARE(q.selfIntersections, 0U);
+      QVERIFY(surface.fromFrontPercent >= 95.0);
+      QVERIFY(std::any_of(surface.mesh.points.begin(), surface.mesh.points.end(),
+                          [&](const Vector3d& p) { return (p - at).norm() < 1e-9; }));
+      // What the three planes cut off of the ball.
+      double expected = 0.0;
+      constexpr int fine = 60;
+      const Vector3d inwards = (analytic::centreOf(g) - at).cwiseSign();
+      for (int n = 0; n < fine * fine; ++n) {
+        const Vector3d p = at + inwards.cwiseProduct(Vector3d((n % fine + 0.5) * 7.0 / fine,
+                                                              (n / fine + 0.5) * 7.0 / fine, 0.0));
+        const double rest = radius * radius - (p - centre).head<2>().squaredNorm();
+        if (rest > 0.0)
+          expected +=
+              std::max(0.0, std::sqrt(rest) + std::fabs(centre[2] - at[2])) * 49.0 / (fine * fine);
+      }
+      QVERIFY(isNear(q.volumeMm3 / expected, 0.97, 0.03));
+    }
   }
 
   // The whole volume inside but for a hole: caps that meet along the volume's edges.
