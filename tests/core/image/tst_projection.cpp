@@ -186,6 +186,14 @@ class TestProjection : public QObject {
     for (const double aside : {-7.0, -5.0, 5.0, 7.0}) QCOMPARE(cut(aside), cut(0.0));
   }
 
+  /// Also where no brick of voxels is without vessel.
+  void aVolumeFullOfVesselIsLight() {
+    const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {2.0, 2.0, 2.0});
+    const Picture p = previewPicture(imageOf(g, {Vector3d::Zero(), 8.0}), Volume<float>(g, -1.0F));
+    for (std::size_t i = 3; i < 6; ++i)
+      QVERIFY(centreOfLight(p, tilesOf(p)[i])[2] > 0.95 * 480.0 * 480.0);
+  }
+
   void whatLiesInTheMiddleIsShownThere() {
     const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {1.0, 1.0, 1.0});
     const Ball ball{Vector3d::Zero(), 7.3};

@@ -5,6 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/phantom/curve_tube.h"
+#include "core/phantom/rasterise.h"
 #include "core/phantom/shape.h"
 #include "core/phantom/wall_truth.h"
 #include "tests/core/bars.h"
@@ -111,6 +112,31 @@ class TestWallTruth : public QObject {
     // Where walls meet in an edge, as the tree's do, nothing is straight below.
     QVERIFY2(static_cast<double>(good) >= 0.97 * static_cast<double>(points.size()),
              QByteArray::number(static_cast<double>(good)));
+  }
+
+  /// What is left out of a brick of voxels is farther off from all of it, wherever the grid lies.
+  void theIndexOfAShapeHasItsDistances() {
+    for (const PhantomKind kind : {PhantomKind::Tree, PhantomKind::CapsuleTree}) {
+      PhantomParams params = paramsOf(kind, 64, 3.0);
+      params.size = {64, 56, 72};
+      params.spacingMm = {0.7, 0.9, 0.6};
+      const Shape shape = makeShape(params);
+      Geometry g = phantomGeometry(params);
+      for (const double shift : {0.0, -8.0}) {
+        g.origin = shift * g.spacing;
+        const ShapeIndex index(shape, g);
+        for (std::uint64_t n = 0; n < 20000; ++n) {
+          Vector3d at;
+          for (int a = 0; a < 3; ++a)
+            at[a] = 84.0 * randomUniform(9, 3 * n + static_cast<std::uint64_t>(a)) - 10.0;
+          // Near the corners of bricks.
+          if (n % 2 == 0)
+            for (double& x : at) x = 8.0 * std::round(x / 8.0) - 0.5 + 0.05 * (x - std::round(x));
+          const Vector3d point = g.toPhysical(at);
+          QCOMPARE(index.signedDistance(point), shape.signedDistance(point));
+        }
+      }
+    }
   }
 
   void branchingsAreWhereVesselsMeet() {
