@@ -33,6 +33,7 @@
 #include "gui/port_menu.h"
 #include "gui/view_tools.h"
 #include "gui/window_actions.h"
+#include "gui/workspaces.h"
 
 namespace angiomesh {
 
@@ -56,7 +57,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
                              options_.recovery)),
       tools_(new ViewTools(this, *models_, *state_, *views_)),
-      pictures_(new Pictures(this, *models_, *views_, options_.chooser, options_.makeRunner)) {
+      pictures_(new Pictures(this, *models_, *views_, options_.chooser, options_.makeRunner)),
+      workspaces_(new Workspaces(this)) {
   setObjectName("mainWindow");
   keepSettingsPrivate();
   setAcceptDrops(true);
@@ -65,7 +67,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   setCentralWidget(views_);
   buildDocks();
   buildMenus();
-  tools_->buildToolBar();
+  workspaces_->addTo(tools_->buildToolBars());
   buildStatusBar();
   connect(&models_->files, &CaseFiles::caseChanged, this, &MainWindow::refreshTitle);
   connect(&models_->runs, &RunModel::statesChanged, this, &MainWindow::refreshActions);
@@ -92,6 +94,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   portMenu_->refresh();
   tools_->refreshActions();
   refreshRecent();
+  workspaces_->start();
 }
 
 MainWindow::~MainWindow() {
@@ -165,7 +168,10 @@ void MainWindow::buildMenus() {
   buildRunMenu();
   tools_->buildToolMenu();
   portMenu_ = new PortMenu(this, *models_, *ports_, *portPanel_, *views_, options_.chooser);
-  tools_->buildViewMenu();
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  workspaces_->addTo(view);
+  view->addSeparator();
+  tools_->addTo(view);
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   addMenuAction(this, help, "shortcuts", tr("Shortcuts"), QKeySequence(Qt::Key_F1),
                 [this] { showShortcuts(this); });
@@ -278,6 +284,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  workspaces_->remember();
   models_->cancel();
   pictures_->cancel();
   models_->files.leaveCase();

@@ -26,6 +26,7 @@ class ViewGrid;
 class WhyPanel;
 class ViewState;
 class ViewTools;
+class Workspaces;
 
 /// What the window takes from outside, so that tests can answer for the user and run in line.
 struct MainWindowOptions {
@@ -37,8 +38,8 @@ struct MainWindowOptions {
   std::filesystem::path recovery = {};
 };
 
-/// The one window: four panes, the pipeline on the left, the mesh inspector on the right, log and
-/// convergence plot at the bottom.
+/// The one window: four panes and, as the workspace chosen wants them, the pipeline on the left,
+/// the mesh inspector and the ports on the right, log and convergence plot at the bottom.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ViewState& viewState() { return *state_; }
   [[nodiscard]] CasePorts& ports() { return *ports_; }
   [[nodiscard]] ViewGrid& views() { return *views_; }
+  [[nodiscard]] Workspaces& workspaces() { return *workspaces_; }
 
   /// Opens a file, a folder or a case and, with `thenRun`, runs the pipeline once it is loaded.
   void open(const QString& path, bool thenRun = false);
@@ -90,6 +92,7 @@ class MainWindow : public QMainWindow {
   CaseDialogs* cases_;
   ViewTools* tools_;
   Pictures* pictures_;
+  Workspaces* workspaces_;
   PortMenu* portMenu_ = nullptr;
   PortPanel* portPanel_ = nullptr;
   QMenu* recent_ = nullptr;

@@ -53,8 +53,7 @@ void ViewTools::buildToolMenu() {
                 });
 }
 
-void ViewTools::buildViewMenu() {
-  QMenu* view = window_->menuBar()->addMenu(tr("&View"));
+void ViewTools::addTo(QMenu* view) {
   addMenuToggle(window_, view, "contours", tr("Contours"), QKeySequence(tr("Ctrl+L")),
                 [this](bool on) { state_.setContours(on); });
   addMenuToggle(window_, view, "mip", tr("3D MIP"), QKeySequence(tr("Ctrl+I")),
@@ -85,18 +84,32 @@ void ViewTools::buildViewMenu() {
     view->addAction(dock->toggleViewAction());
 }
 
-void ViewTools::buildToolBar() {
-  QToolBar* bar = window_->addToolBar(tr("Tools"));
-  bar->setObjectName("toolBar");
+QToolBar* ViewTools::addBar(const char* name, const QString& title) {
+  auto* bar = named(new QToolBar(title, window_), name);
   bar->setMovable(false);
-  const auto add = [&](std::initializer_list<const char*> names) {
+  window_->addToolBar(bar);
+  return bar;
+}
+
+QToolBar* ViewTools::buildToolBars() {
+  QToolBar* work = addBar("toolBar", tr("Work"));
+  window_->addToolBarBreak();
+  QToolBar* panes = addBar("paneBar", tr("Panes"));
+  const auto add = [this](QToolBar* bar, std::initializer_list<const char*> names) {
+    if (!bar->actions().isEmpty()) bar->addSeparator();
     for (const char* name : names) bar->addAction(actionOf(window_, name));
-    bar->addSeparator();
   };
-  add({"open", "saveCase", "export"});
-  add({"undo", "redo"});
-  add({"runAll", "cancelRun"});
-  add({"toolNavigate", "toolSeed", "toolRoi", "toolCut"});
+  add(work, {"open", "saveCase", "export"});
+  add(work, {"undo", "redo"});
+  add(work, {"runAll", "cancelRun"});
+  add(panes, {"toolNavigate", "toolSeed", "toolRoi", "toolCut"});
+  panes->addSeparator();
+  buildChoosers(panes);
+  add(panes, {"contours", "mip", "surface", "edges"});
+  return work;
+}
+
+void ViewTools::buildChoosers(QToolBar* bar) {
   bar->addWidget(new QLabel(tr(" Layer "), bar));
   layer_ = named(new QComboBox(bar), "layer");
   for (int i = 0; i < kLayerCount; ++i) layer_->addItem(layerTitle(static_cast<Layer>(i)));
@@ -111,9 +124,6 @@ void ViewTools::buildToolBar() {
   thickness_->setSuffix(tr(" mm"));
   thickness_->setKeyboardTracking(false);
   bar->addWidget(thickness_);
-  bar->addSeparator();
-  for (const char* name : {"contours", "mip", "surface", "edges"})
-    bar->addAction(actionOf(window_, name));
   connect(layer_, &QComboBox::activated, this,
           [this](int layer) { state_.setLayer(static_cast<Layer>(layer)); });
   connect(slab_, &QComboBox::activated, this, [this](int mode) {

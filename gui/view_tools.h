@@ -10,6 +10,8 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QMainWindow;
+class QMenu;
+class QToolBar;
 
 namespace angiomesh {
 
@@ -22,9 +24,9 @@ class ViewTools : public QObject {
 
   // Each is built once, in the order that the window has them in.
   void buildToolMenu();
-  void buildViewMenu();
-  /// Takes actions of the other menus too.
-  void buildToolBar();
+  void addTo(QMenu* viewMenu);
+  /// Two rows, which take actions of the other menus too. @returns the upper one
+  QToolBar* buildToolBars();
 
   /// What can be chosen, by what there is to see.
   void refresh();
@@ -32,6 +34,9 @@ class ViewTools : public QObject {
   void refreshActions();
 
  private:
+  QToolBar* addBar(const char* name, const QString& title);
+  void buildChoosers(QToolBar* bar);
+
   QMainWindow* window_;
   CaseModels& models_;
   ViewState& state_;

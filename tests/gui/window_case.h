@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
@@ -84,6 +85,8 @@ struct WindowCase {
       return labelChosen;
     };
     window = std::make_unique<MainWindow>(std::move(options));
+    // Tests work in all panels, whatever workspace has them.
+    for (auto* dock : window->findChildren<QDockWidget*>()) dock->show();
     window->resize(1240, 860);
     window->show();
     QApplication::setActiveWindow(window.get());
@@ -107,8 +110,10 @@ struct WindowCase {
   }
   /// Clicks the tool bar's button of an action.
   void clickTool(const char* action) {
-    auto* bar = window->findChild<QToolBar*>("toolBar");
-    click(bar->widgetForAction(window->findChild<QAction*>(QLatin1String(action))));
+    for (const auto* bar : window->findChildren<QToolBar*>())
+      if (QWidget* button =
+              bar->widgetForAction(window->findChild<QAction*>(QLatin1String(action))))
+        click(button);
   }
   /// Chooses an entry as the arrow keys do.
   void choose(QComboBox* combo, int index) {
