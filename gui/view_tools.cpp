@@ -10,6 +10,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QToolBar>
@@ -27,6 +28,22 @@ namespace angiomesh {
 namespace {
 
 constexpr double kThickestSlabMm = 200.0;
+
+struct LayoutEntry {
+  PaneLayout layout;
+  const char* action;
+  const char* title;
+};
+
+/// In the order of PaneLayout.
+constexpr std::array<LayoutEntry, 3> kLayouts{
+    {{PaneLayout::Four, "layoutFour", QT_TRANSLATE_NOOP("ViewTools", "Two by two")},
+     {PaneLayout::OneAndThree, "layoutOneAndThree",
+      QT_TRANSLATE_NOOP("ViewTools", "One large, three small")},
+     {PaneLayout::Single, "layoutSingle", QT_TRANSLATE_NOOP("ViewTools", "One alone")}}};
+
+/// The large pane, the layout of all panes, the present layout.
+const QString kPanesKey = QStringLiteral("panes");
 
 }  // namespace
 
@@ -69,6 +86,13 @@ void ViewTools::addTo(QMenu* view) {
   addMenuAction(window_, view, "resetViews", tr("Reset all panes"), QKeySequence(tr("Ctrl+R")),
                 [this] { views_.resetViews(); });
   view->addSeparator();
+  addPanes(view);
+  view->addSeparator();
+  for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
+    view->addAction(dock->toggleViewAction());
+}
+
+void ViewTools::addPanes(QMenu* view) {
   const std::array<std::pair<const char*, QString>, 4> panes{{{"axial", tr("Only axial")},
                                                               {"sagittal", tr("Only sagittal")},
                                                               {"coronal", tr("Only coronal")},
@@ -79,9 +103,35 @@ void ViewTools::addTo(QMenu* view) {
                   QKeySequence(QStringLiteral("Ctrl+%1").arg(i + 1)),
                   [this, name] { views_.toggleMaximised(views_.findChild<QWidget*>(name)); });
   }
-  view->addSeparator();
-  for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
-    view->addAction(dock->toggleViewAction());
+  QMenu* layouts = view->addMenu(tr("Layout"));
+  auto* group = new QActionGroup(this);
+  for (std::size_t i = 0; i < kLayouts.size(); ++i) {
+    group->addAction(
+        addMenuToggle(window_, layouts, kLayouts[i].action, tr(kLayouts[i].title),
+                      QKeySequence(QStringLiteral("Ctrl+%1").arg(i + panes.size() + 1)),
+                      [this, i](bool) { views_.setPaneLayout(kLayouts[i].layout); }));
+  }
+  recallPanes();
+  connect(&views_, &ViewGrid::arranged, this, [this] {
+    refreshActions();
+    rememberPanes();
+  });
+}
+
+void ViewTools::recallPanes() {
+  const QStringList kept = QSettings().value(kPanesKey).toStringList();
+  for (const QString& id : kept.mid(1))
+    for (const LayoutEntry& entry : kLayouts)
+      if (id == QLatin1String(entry.action)) views_.setPaneLayout(entry.layout);
+  auto* large = kept.isEmpty() ? nullptr : views_.findChild<VtkView*>(kept.first());
+  if (large) views_.setLargePane(large);
+}
+
+void ViewTools::rememberPanes() const {
+  QStringList kept{views_.largePane()->objectName()};
+  for (const PaneLayout layout : {views_.layoutOfAll(), views_.paneLayout()})
+    kept << QLatin1String(kLayouts[static_cast<std::size_t>(layout)].action);
+  QSettings().setValue(kPanesKey, kept);
 }
 
 QToolBar* ViewTools::addBar(const char* name, const QString& title) {
@@ -164,6 +214,8 @@ void ViewTools::refreshActions() {
   check("toolSeed", state_.tool() == Tool::PickSeed);
   check("toolRoi", state_.tool() == Tool::DrawRoi);
   check("toolCut", state_.tool() == Tool::CutVessel);
+  for (const LayoutEntry& entry : kLayouts)
+    check(entry.action, views_.paneLayout() == entry.layout);
   check("engineering", state_.scheme() == MouseScheme::Engineering);
 }
 

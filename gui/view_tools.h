@@ -35,7 +35,10 @@ class ViewTools : public QObject {
 
  private:
   QToolBar* addBar(const char* name, const QString& title);
+  void addPanes(QMenu* viewMenu);
   void buildChoosers(QToolBar* bar);
+  void recallPanes();
+  void rememberPanes() const;
 
   QMainWindow* window_;
   CaseModels& models_;

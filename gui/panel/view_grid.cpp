@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QScopeGuard>
+#include <algorithm>
 #include <initializer_list>
 #include <type_traits>
 
@@ -23,6 +24,8 @@ namespace {
 
 /// Of a port's vessel, to be seen around it.
 constexpr double kRadiiAround = 8.0;
+/// Width of a large pane in widths of the small ones beside it.
+constexpr int kLargeShare = 3;
 
 }  // namespace
 
@@ -66,14 +69,7 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   });
   connect(comparison_, &SurfaceView::cameraMoved, this,
           [this] { surface_->takeCameraOf(*comparison_); });
-  grid->addWidget(slices_[2], 0, 0);
-  grid->addWidget(slices_[0], 0, 1);
-  grid->addWidget(slices_[1], 1, 0);
-  grid->addWidget(pane3d_, 1, 1);
-  for (int i = 0; i < 2; ++i) {
-    grid->setRowStretch(i, 1);
-    grid->setColumnStretch(i, 1);
-  }
+  setLargePane(slices_[2]);
   setMinimumSize(320, 320);
   new PaneFocus({slices_[0], slices_[1], slices_[2], surface_, comparison_}, this);
   connect(&models_.files, &CaseFiles::caseChanged, this, &ViewGrid::resetViews);
@@ -143,23 +139,51 @@ void ViewGrid::connectSlice(SliceView* view) {
   connect(view, &SliceView::hovered, this, &ViewGrid::hovered);
 }
 
+QWidget* ViewGrid::largePane() const { return large_ == pane3d_ ? surface_ : large_; }
+
+void ViewGrid::setLargePane(QWidget* pane) {
+  large_ = pane == surface_ || pane == comparison_ ? pane3d_ : pane;
+  arrange();
+}
+
+void ViewGrid::setPaneLayout(PaneLayout layout) {
+  layout_ = layout;
+  if (layout != PaneLayout::Single) layoutOfAll_ = layout;
+  arrange();
+}
+
 void ViewGrid::toggleMaximised(QWidget* pane) {
   if (pane == surface_ || pane == comparison_) pane = pane3d_;
-  maximised_ = maximised_ == pane ? nullptr : pane;
-  for (QWidget* each : std::initializer_list<QWidget*>{slices_[0], slices_[1], slices_[2], pane3d_})
-    each->setVisible(!maximised_ || each == maximised_);
+  layout_ = maximised() && pane == large_ ? layoutOfAll_ : PaneLayout::Single;
+  setLargePane(pane);
+}
+
+void ViewGrid::arrange() {
   auto* grid = static_cast<QGridLayout*>(layout());
-  for (int i = 0; i < 2; ++i) {
-    // A row or column without a visible pane must not keep half of the room.
-    bool rowUsed = false, columnUsed = false;
-    for (int j = 0; j < 2; ++j) {
-      rowUsed = rowUsed || !grid->itemAtPosition(i, j)->widget()->isHidden();
-      columnUsed = columnUsed || !grid->itemAtPosition(j, i)->widget()->isHidden();
+  while (const QLayoutItem* item = grid->takeAt(0)) delete item;
+  for (int i = 0; i < grid->rowCount(); ++i) grid->setRowStretch(i, 0);
+  for (int i = 0; i < grid->columnCount(); ++i) grid->setColumnStretch(i, 0);
+  std::vector<QWidget*> panes{slices_[2], slices_[0], slices_[1], pane3d_};
+  for (QWidget* pane : panes) pane->setVisible(!maximised() || pane == large_);
+  if (layout_ == PaneLayout::Four) {
+    for (int i = 0; i < 4; ++i) {
+      grid->addWidget(panes[static_cast<std::size_t>(i)], i / 2, i % 2);
+      grid->setRowStretch(i / 2, 1);
+      grid->setColumnStretch(i % 2, 1);
     }
-    grid->setRowStretch(i, rowUsed ? 1 : 0);
-    grid->setColumnStretch(i, columnUsed ? 1 : 0);
+  } else {
+    grid->addWidget(large_, 0, 0, -1, 1);
+    grid->setColumnStretch(0, kLargeShare);
   }
-  grid->setSpacing(maximised_ ? 0 : 2);
+  if (layout_ == PaneLayout::OneAndThree) {
+    panes.erase(std::find(panes.begin(), panes.end(), large_));
+    grid->setColumnStretch(1, 1);
+    for (int i = 0; i < 3; ++i) {
+      grid->addWidget(panes[static_cast<std::size_t>(i)], i, 1);
+      grid->setRowStretch(i, 1);
+    }
+  }
+  Q_EMIT arranged();
 }
 
 void ViewGrid::resetViews() {

@@ -12,8 +12,6 @@
 #include "gui/model/view_state.h"
 #include "render/port_mark.h"
 
-class QGridLayout;
-
 namespace angiomesh {
 
 class CasePorts;
@@ -21,6 +19,10 @@ class SliceView;
 class SurfaceFeed;
 class SurfaceView;
 class VtkView;
+
+/// Four: two by two. OneAndThree: a large one and the others in a column at its right. Single: the
+/// large one alone.
+enum class PaneLayout { Four, OneAndThree, Single };
 
 /// The four panes: axial, sagittal, coronal and 3D, linked in crosshair, window, level and slab.
 class ViewGrid : public QWidget {
@@ -37,9 +39,16 @@ class ViewGrid : public QWidget {
   /// Marching cubes beside the mesh shown; hidden unless ViewState::comparison().
   [[nodiscard]] SurfaceView* comparison() const { return comparison_; }
 
+  [[nodiscard]] PaneLayout paneLayout() const { return layout_; }
+  /// The layout that follows when a single pane is toggled.
+  [[nodiscard]] PaneLayout layoutOfAll() const { return layoutOfAll_; }
+  /// The pane that is large or alone: the last one that was. The 3D pane goes by its surface view.
+  [[nodiscard]] QWidget* largePane() const;
+  void setLargePane(QWidget* pane);
+  void setPaneLayout(PaneLayout layout);
   /// Shows one pane alone, or all four again when it is alone already.
   void toggleMaximised(QWidget* pane);
-  [[nodiscard]] bool maximised() const { return maximised_ != nullptr; }
+  [[nodiscard]] bool maximised() const { return layout_ == PaneLayout::Single; }
   void resetViews();
 
   /// The panes that can be seen, from the upper left on.
@@ -60,6 +69,7 @@ class ViewGrid : public QWidget {
   void setCrosshair(const Eigen::Vector3d& lps);
 
  Q_SIGNALS:
+  void arranged();  ///< the layout or the large pane has changed
   void hovered(const QString& text);
   void crosshairMoved();
   /// A right click: `place` is empty where there is nothing, `port` off the ports.
@@ -67,6 +77,7 @@ class ViewGrid : public QWidget {
                      const QString& port, bool onSlice);
 
  private:
+  void arrange();
   void connectSlice(SliceView* view);
   void refreshAll();
   void refreshImage();
@@ -91,7 +102,9 @@ class ViewGrid : public QWidget {
   QWidget* pane3d_ = nullptr;           ///< holds the two 3D views
   SurfaceView* surface_ = nullptr;
   SurfaceView* comparison_ = nullptr;
-  QWidget* maximised_ = nullptr;
+  QWidget* large_ = nullptr;
+  PaneLayout layout_ = PaneLayout::Four;
+  PaneLayout layoutOfAll_ = PaneLayout::Four;
   std::shared_ptr<const Volume<float>> shownImage_, shownPhi_;
   bool layerShown_ = false;  ///< shownImage_ is the layer chosen, not the source in its place
   bool phiDimmed_ = false;
