@@ -228,6 +228,7 @@ void MainWindow::buildStatusBar() {
   progress_->setRange(0, 1000);
   progress_->setMaximumWidth(180);
   progress_->setTextVisible(false);
+  keepRoom(progress_);
   statusBar()->addWidget(hover_, 1);
   statusBar()->addPermanentWidget(work_);
   statusBar()->addPermanentWidget(progress_);

@@ -64,14 +64,17 @@ void SeedList::refresh() {
   remove_->setVisible(any);
   remove_->setEnabled(list_->currentRow() >= 0);
   const auto result = models_.results.seedsResult();
-  summary_->setVisible(result != nullptr);
-  if (result) summary_->setText(tr("%1 seeds in use").arg(result->pointsLps.size()));
+  summary_->setText(result ? tr("%1 seeds in use").arg(result->pointsLps.size())
+                           : tr("No seeds yet"));
 }
 
 ComponentTable::ComponentTable(CaseModels& models, QWidget* parent)
-    : QWidget(parent), models_(models) {
-  auto* column = tightColumn(this);
+    : QFrame(parent), models_(models) {
+  setFrameShape(QFrame::StyledPanel);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 5, 8, 6);
   summary_ = named(new QLabel(this), "componentSummary");
+  summary_->setWordWrap(true);
   column->addWidget(summary_);
   table_ = named(new QTableWidget(0, 5, this), "components");
   table_->setHorizontalHeaderLabels(
@@ -129,8 +132,7 @@ void ComponentTable::refresh() {
   const int rowHeight = table_->verticalHeader()->defaultSectionSize();
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                          std::min(count, kRowsInView) * rowHeight + 2 * table_->frameWidth());
-  table_->setVisible(count > 0);
-  summary_->setVisible(count > 0);
+  setVisible(count > 0);
   const ShownText whose = meshText(models_.results);
   const QString parts =
       static_cast<int>(rows.size()) > count
@@ -178,9 +180,10 @@ void EvolutionControls::showProgress() {
     return;
   }
   const int iterations = models_.runs.iterations();
-  text_->setVisible(iterations > 0 || models_.runs.evolving());
+  const bool any = iterations > 0 || models_.runs.evolving();
   text_->setText(
-      models_.runs.change() < 0.0
+      !any ? tr("No iterations yet")
+      : models_.runs.change() < 0.0
           ? tr("Iteration %1").arg(iterations)
           : tr("Iteration %1, change %2").arg(iterations).arg(models_.runs.change(), 0, 'g', 3));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QFrame>
 #include <QWidget>
 
 class QLabel;
@@ -29,7 +30,7 @@ class SeedList : public QWidget {
 };
 
 /// The connected parts of the segmentation, largest first; those ticked off are not meshed.
-class ComponentTable : public QWidget {
+class ComponentTable : public QFrame {
   Q_OBJECT
 
  public:

@@ -21,8 +21,8 @@ namespace angiomesh {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr int kLabelWidth = 112;
-constexpr int kNumberWidth = 92;
+/// Of a spin box beside its number, pixels.
+constexpr int kSpinFrame = 32;
 /// Decades that a logarithmic slider spans when its field begins at 0.
 constexpr double kDecades = 1e4;
 
@@ -34,6 +34,15 @@ int decimalsFor(const Field& field, double factor) {
   if (field.kind == FieldKind::Integer) return 0;
   const double range = (field.maximum - field.minimum) * factor;
   return std::clamp(4 - static_cast<int>(std::floor(std::log10(range))), 2, 3);
+}
+
+/// All rows have one column of labels, as wide as those in sight at first need; longer ones wrap.
+int labelWidth(const QFontMetrics& metrics) {
+  int width = 0;
+  for (const Field& field : parameterFields())
+    if (field.main && field.kind != FieldKind::Boolean)
+      width = std::max(width, metrics.horizontalAdvance(labelOf(field)));
+  return width + 2;
 }
 
 double asNumber(const FieldValue& value) {
@@ -58,7 +67,8 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent) : QWidget(parent),
     return;
   }
   auto* label = new QLabel(labelOf(field), this);
-  label->setFixedWidth(kLabelWidth);
+  label->setWordWrap(true);
+  label->setFixedWidth(labelWidth(label->fontMetrics()));
   row->addWidget(label);
   switch (field.kind) {
     case FieldKind::Integer:
@@ -104,7 +114,7 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
   else
     spin_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   spin_->setKeyboardTracking(false);
-  spin_->setFixedWidth(kNumberWidth);
+  spin_->setFixedWidth(spin_->fontMetrics().horizontalAdvance("00.00 mm") + kSpinFrame);
   spin_->setAlignment(Qt::AlignRight);
   const QString unit = QString::fromStdString(field_.unit);
   if (!unit.isEmpty() && unit.size() <= 4) spin_->setSuffix(' ' + unit);

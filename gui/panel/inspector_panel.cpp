@@ -8,6 +8,8 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTableWidget>
@@ -27,6 +29,10 @@
 namespace angiomesh {
 
 namespace {
+
+constexpr int kLeastWidth = 360;
+/// Room kept for the hints, so that the table below stays where it is.
+constexpr int kHintLines = 3;
 
 const QString kNothing = QStringLiteral("–");
 
@@ -79,7 +85,13 @@ QString valueOf(const QualityMeasure* measure, const MeshQuality* quality) {
 
 InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* parent)
     : QWidget(parent), models_(models), state_(state) {
-  auto* column = new QVBoxLayout(this);
+  // A low window scrolls what does not fit.
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget(scroll);
+  auto* column = new QVBoxLayout(content);
   column->setContentsMargins(4, 4, 4, 4);
   auto* form = new QFormLayout;
   mesh_ = named(new QComboBox(this), "meshShown");
@@ -94,6 +106,8 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* pa
   column->addLayout(form);
   hints_ = named(new QLabel(this), "hints");
   hints_->setWordWrap(true);
+  hints_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  hints_->setMinimumHeight(kHintLines * hints_->fontMetrics().lineSpacing());
   column->addWidget(hints_);
   auto* splitter = new QSplitter(Qt::Vertical, this);
   table_ =
@@ -113,7 +127,12 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* pa
   splitter->setStretchFactor(1, 2);
   splitter->setChildrenCollapsible(false);
   column->addWidget(splitter, 1);
-  setMinimumWidth(360);
+  scroll->setWidget(content);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
+  setMinimumWidth(std::max(kLeastWidth, content->minimumSizeHint().width() +
+                                            scroll->verticalScrollBar()->sizeHint().width()));
 
   connect(mesh_, &QComboBox::activated, this,
           [this](int kind) { state_.setMeshKind(static_cast<MeshKind>(kind)); });

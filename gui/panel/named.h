@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QWidget>
 
 namespace angiomesh {
 
@@ -10,6 +11,13 @@ template <class Object>
 Object* named(Object* object, const QString& name) {
   object->setObjectName(name);
   return object;
+}
+
+/// Keeps the room of a widget that comes and goes, so that nothing beside it moves.
+inline void keepRoom(QWidget* widget) {
+  QSizePolicy policy = widget->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  widget->setSizePolicy(policy);
 }
 
 }  // namespace angiomesh

@@ -6,16 +6,29 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/model/case_models.h"
+#include "gui/model/step_text.h"
 #include "gui/panel/case_tables.h"
+#include "gui/panel/field_editor.h"
 #include "gui/panel/named.h"
 #include "gui/panel/step_panel.h"
 #include "gui/panel/surface_note.h"
 
 namespace angiomesh {
+
+namespace {
+
+/// Of the notes, which keep this room whether there are any or not.
+constexpr int kNoteLines = 3;
+/// Left and right of the fields: of the panel, the steps and their frames, pixels.
+constexpr int kStepMargins = 30;
+
+}  // namespace
 
 PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
     : QWidget(parent), models_(models) {
@@ -38,6 +51,8 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // Always there, so that a longer list does not make the sliders shorter.
+  scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   auto* list = new QWidget(scroll);
   auto* steps = new QVBoxLayout(list);
   steps->setContentsMargins(0, 0, 0, 0);
@@ -49,24 +64,59 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
       panel->addExtra(new SeedList(models_, panel));
     } else if (step == Step::Evolve) {
       panel->addExtra(new EvolutionControls(models_, panel));
-    } else if (step == Step::Surface) {
-      panel->addExtra(new SurfaceNote(models_, panel));
-      panel->addExtra(new ComponentTable(models_, panel));
     }
     steps->addWidget(panel);
   }
+  // Below all sliders, since it comes and grows.
+  steps->addWidget(new ComponentTable(models_, list));
   steps->addStretch(1);
   scroll->setWidget(list);
   column->addWidget(scroll, 1);
-  setMinimumWidth(360);
+  column->addWidget(buildNotes());
+  int widest = 0;
+  for (const auto* editor : list->findChildren<FieldEditor*>())
+    widest = std::max(widest, editor->minimumSizeHint().width());
+  setMinimumWidth(widest + scroll->verticalScrollBar()->sizeHint().width() + kStepMargins);
 
   connect(preset_, &QComboBox::textActivated, &models_.document, &CaseDocument::applyPreset);
   connect(run_, &QPushButton::clicked, this, [this] { models_.runs.run(); });
   connect(cancel_, &QPushButton::clicked, this, [this] { models_.cancel(); });
   connect(&models_.document, &CaseDocument::parametersChanged, this, &PipelinePanel::refreshPreset);
   connect(&models_.runs, &RunModel::statesChanged, this, &PipelinePanel::refreshButtons);
+  connect(&models_.runs, &RunModel::statesChanged, this, &PipelinePanel::refreshFailure);
   refreshPreset();
+  refreshFailure();
   refreshButtons();
+}
+
+QWidget* PipelinePanel::buildNotes() {
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedHeight(kNoteLines * fontMetrics().lineSpacing() + 4);
+  auto* notes = new QWidget(scroll);
+  auto* column = new QVBoxLayout(notes);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(3);
+  failure_ = named(new QLabel(notes), "failure");
+  failure_->setWordWrap(true);
+  column->addWidget(failure_);
+  column->addWidget(new SurfaceNote(models_, notes));
+  column->addStretch(1);
+  scroll->setWidget(notes);
+  return scroll;
+}
+
+void PipelinePanel::refreshFailure() {
+  QStringList lines;
+  for (int i = 0; i < kStepCount; ++i) {
+    const Step step = static_cast<Step>(i);
+    const QString reason = models_.runs.failure(step);
+    if (!reason.isEmpty()) lines << tr("✕ %1 failed: %2").arg(stepTitle(step), reason);
+  }
+  failure_->setText(lines.join('\n'));
+  failure_->setVisible(!lines.isEmpty());
 }
 
 void PipelinePanel::refreshPreset() {

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QLabel;
 class QPushButton;
 
 namespace angiomesh {
@@ -18,10 +19,13 @@ class PipelinePanel : public QWidget {
   explicit PipelinePanel(CaseModels& models, QWidget* parent = nullptr);
 
  private:
+  QWidget* buildNotes();
+  void refreshFailure();
   void refreshPreset();
   void refreshButtons();
 
   CaseModels& models_;
+  QLabel* failure_ = nullptr;
   QComboBox* preset_;
   QPushButton* run_;
   QPushButton* cancel_;

@@ -6,6 +6,8 @@
 #include <QProgressBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 
 #include "core/parameters/field.h"
 #include "gui/model/step_text.h"
@@ -15,6 +17,9 @@
 namespace angiomesh {
 
 namespace {
+
+constexpr std::array kStates{StepState::Empty,   StepState::NotNeeded, StepState::Fresh,
+                             StepState::Running, StepState::Stale,     StepState::Failed};
 
 /// A sign beside the word, so that the state does not rest on colour.
 QString signOf(StepState state) {
@@ -57,7 +62,9 @@ void StepPanel::buildHeader(QVBoxLayout& column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(6);
   dot_ = new QLabel(this);
-  dot_->setFixedWidth(14);
+  for (const StepState state : kStates)
+    dot_->setMinimumWidth(
+        std::max(dot_->minimumWidth(), dot_->fontMetrics().horizontalAdvance(signOf(state)) + 2));
   row->addWidget(dot_);
   auto* title = new QLabel(stepTitle(step_), this);
   QFont bold = title->font();
@@ -74,13 +81,11 @@ void StepPanel::buildHeader(QVBoxLayout& column) {
   connect(run_, &QToolButton::clicked, this, [this] { models_.runs.run(step_); });
   column.addLayout(row);
   progress_ = named(new QProgressBar(this), "progress");
-  progress_->setMaximumHeight(8);
+  progress_->setMaximumHeight(5);
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
   column.addWidget(progress_);
-  reason_ = named(new QLabel(this), "reason");
-  reason_->setWordWrap(true);
-  column.addWidget(reason_);
+  keepRoom(progress_);
 }
 
 void StepPanel::buildFields(QVBoxLayout& column) {
@@ -163,8 +168,7 @@ void StepPanel::showState() {
       break;
   }
   state_->setText(text);
-  reason_->setText(models_.runs.failure(step_));
-  reason_->setVisible(state == StepState::Failed);
+  state_->setToolTip(models_.runs.failure(step_));
   progress_->setVisible(state == StepState::Running);
   run_->setEnabled(models_.document.hasCase() && !models_.runs.running() &&
                    state != StepState::NotNeeded);

@@ -36,7 +36,6 @@ class StepPanel : public QFrame {
   Step step_;
   QLabel* dot_ = nullptr;
   QLabel* state_ = nullptr;
-  QLabel* reason_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QToolButton* run_ = nullptr;
   QToolButton* more_ = nullptr;

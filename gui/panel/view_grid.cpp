@@ -25,7 +25,7 @@ namespace {
 /// Of a port's vessel, to be seen around it.
 constexpr double kRadiiAround = 8.0;
 /// Width of a large pane in widths of the small ones beside it.
-constexpr int kLargeShare = 3;
+constexpr int kLargeShare = 2;
 
 }  // namespace
 

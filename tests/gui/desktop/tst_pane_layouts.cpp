@@ -27,7 +27,7 @@ class TestPaneLayouts : public QObject {
   static bool isLarge(const WindowCase& c, VtkView* large) {
     const QRect room = c.window->views().rect();
     const QRect place = placeOf(c, large);
-    if (place.width() < 0.7 * room.width() || place.height() < room.height()) return false;
+    if (place.width() < 0.6 * room.width() || place.height() < room.height()) return false;
     int bottom = -1;
     for (const VtkView* pane : panesOf(c)) {
       if (pane == large) continue;
@@ -67,7 +67,7 @@ class TestPaneLayouts : public QObject {
       QTRY_VERIFY(isLarge(c, pane));
     }
     press(c, Qt::Key_5);
-    QTRY_VERIFY(panes[1]->width() < 0.6 * c.window->views().width());
+    QTRY_VERIFY(panes[1]->width() < 0.55 * c.window->views().width());
     press(c, Qt::Key_4);
     press(c, Qt::Key_6);
     QTRY_VERIFY(isLarge(c, panes[3]));

@@ -4,49 +4,16 @@
 #include <QProgressBar>
 #include <QStatusBar>
 
+#include "fresh_window.h"
 #include "gui/workspaces.h"
-#include "tests/gui/window_case.h"
 
 using namespace angiomesh;
 using angiomesh::test::evolveFor;
+using angiomesh::test::FreshWindow;
 using angiomesh::test::kPatienceMs;
 using angiomesh::test::slowTree;
 
 namespace {
-
-/// A window as a user has it who starts the program.
-struct FreshWindow {
-  explicit FreshWindow(const QSize& size = {1560, 960},
-                       const JobRunnerFactory& makeRunner = makeInlineJobRunner) {
-    MainWindowOptions options;
-    options.makeRunner = makeRunner;
-    options.questions.saveChanges = [](QWidget*, const QString&) { return SaveAnswer::Discard; };
-    window = std::make_unique<MainWindow>(std::move(options));
-    window->resize(size);
-    window->show();
-    QApplication::setActiveWindow(window.get());
-    [[maybe_unused]] const bool shown = QTest::qWaitForWindowExposed(window.get());
-  }
-
-  [[nodiscard]] QStringList docks() const {
-    QStringList open;
-    for (const auto* dock : window->findChildren<QDockWidget*>())
-      if (dock->isVisible()) open << dock->objectName();
-    open.sort();
-    return open;
-  }
-  [[nodiscard]] QWidget* buttonOf(const char* action) const {
-    for (const auto* bar : window->findChildren<QToolBar*>())
-      if (QWidget* button =
-              bar->widgetForAction(window->findChild<QAction*>(QLatin1String(action))))
-        return button;
-    return nullptr;
-  }
-  void clickTool(const char* action) const { QTest::mouseClick(buttonOf(action), Qt::LeftButton); }
-  void press(Qt::Key key) const { QTest::keyClick(window.get(), key, Qt::ControlModifier); }
-
-  std::unique_ptr<MainWindow> window;
-};
 
 const QStringList kTune{"convergenceDock", "pipelineDock"};
 const QStringList kMesh{"inspectorDock", "logDock", "portsDock"};
@@ -152,7 +119,7 @@ class TestWorkspaces : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(w.window->models().document.hasCase(), kPatienceMs);
     evolveFor(w.window->models());
     w.clickTool("runAll");
-    auto* work = w.window->statusBar()->findChild<QLabel*>("work");
+    const QLabel* work = w.work();
     const auto* progress = w.window->statusBar()->findChild<QProgressBar*>();
     QTRY_VERIFY_WITH_TIMEOUT(work->text().contains("iteration"), kPatienceMs);
     QVERIFY(work->isVisible() && progress->isVisible() && progress->value() > 0);
