@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "gui/case_dialogs.h"
+#include "gui/central_area.h"
 #include "gui/dialog/help_dialogs.h"
 #include "gui/model/case_ports.h"
 #include "gui/model/step_text.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       state_(new ViewState(*models_, this)),
       ports_(new CasePorts(*models_, options_.makeRunner, this)),
       views_(new ViewGrid(*models_, *state_, *ports_, options_.makeRunner, this)),
+      centre_(new CentralArea(*models_, views_, this)),
       cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
                              options_.recovery)),
       tools_(new ViewTools(this, *models_, *state_, *views_)),
@@ -64,9 +66,10 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   setAcceptDrops(true);
   const QSize room = screen()->availableSize();
   resize(std::min(kWidth, room.width()), std::min(kHeight, room.height()));
-  setCentralWidget(views_);
+  setCentralWidget(centre_);
   buildDocks();
   buildMenus();
+  centre_->addActionsOf(this);
   workspaces_->addTo(tools_->buildToolBars());
   buildStatusBar();
   connect(&models_->files, &CaseFiles::caseChanged, this, &MainWindow::refreshTitle);
@@ -88,6 +91,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
     refreshTitle();
     remember(folder);
   });
+  connect(centre_, &CentralArea::openRequested, this, [this](const QString& path) { open(path); });
   connect(views_, &ViewGrid::hovered, hover_, &QLabel::setText);
   refreshTitle();
   refreshActions();
@@ -391,6 +395,7 @@ void MainWindow::refreshRecent() {
   for (const QString& path : paths)
     recent_->addAction(QFileInfo(path).fileName(), this, [this, path] { open(path); });
   recent_->menuAction()->setVisible(!paths.isEmpty());
+  centre_->setRecent(paths);
 }
 
 }  // namespace angiomesh

@@ -19,6 +19,7 @@ namespace angiomesh {
 struct CaseModels;
 class CaseDialogs;
 class CasePorts;
+class CentralArea;
 class Pictures;
 class PortMenu;
 class PortPanel;
@@ -89,6 +90,7 @@ class MainWindow : public QMainWindow {
   CasePorts* ports_;
   WhyPanel* why_ = nullptr;
   ViewGrid* views_;
+  CentralArea* centre_;
   CaseDialogs* cases_;
   ViewTools* tools_;
   Pictures* pictures_;

@@ -90,6 +90,8 @@ void ViewTools::addTo(QMenu* view) {
   view->addSeparator();
   for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
     view->addAction(dock->toggleViewAction());
+  addMenuAction(window_, view, "showLog", tr("Show the log"), QKeySequence(tr("Ctrl+Shift+L")),
+                [this] { window_->findChild<QDockWidget*>("logDock")->show(); });
 }
 
 void ViewTools::addPanes(QMenu* view) {

@@ -341,6 +341,7 @@ class TestMainWindow : public QObject {
 
   void aDoubleClickMaximisesAPane() {
     WindowCase c;
+    c.models().files.take(twoTubes());
     ViewGrid& views = c.window->views();
     QTest::mouseDClick(views.slice(1), Qt::LeftButton);
     QVERIFY(views.maximised());

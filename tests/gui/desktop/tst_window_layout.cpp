@@ -43,8 +43,10 @@ QStringList clipped(const QWidget& window) {
       list << nameOf(widget, text);
   };
   for (const auto* label : window.findChildren<QLabel*>()) {
-    const bool fits = label->wordWrap() ? label->heightForWidth(label->width()) <= label->height()
-                                        : label->sizeHint().width() <= label->width();
+    const bool fits = label->wordWrap()
+                          ? label->heightForWidth(label->width()) <= label->height() &&
+                                label->minimumSizeHint().width() <= label->width()
+                          : label->sizeHint().width() <= label->width();
     check(*label, label->text(), fits);
   }
   for (const auto* button : window.findChildren<QAbstractButton*>())

@@ -12,6 +12,7 @@ using angiomesh::test::evolveFor;
 using angiomesh::test::FreshWindow;
 using angiomesh::test::kPatienceMs;
 using angiomesh::test::slowTree;
+using angiomesh::test::twoTubes;
 
 namespace {
 
@@ -34,6 +35,7 @@ class TestWorkspaces : public QObject {
   void reviewLeavesTheRoomToTheImages() {
     QFETCH(QSize, size);
     FreshWindow w(size);
+    w.window->models().files.take(twoTubes());
     QVERIFY(w.window->workspaces().current() == Workspace::Review);
     QCOMPARE(w.window->size(), size);
     const QWidget& views = w.window->views();
