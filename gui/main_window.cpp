@@ -71,6 +71,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   buildMenus();
   centre_->addActionsOf(this);
   workspaces_->addTo(tools_->buildToolBars());
+  tools_->addIcons();
   buildStatusBar();
   connect(&models_->files, &CaseFiles::caseChanged, this, &MainWindow::refreshTitle);
   connect(&models_->runs, &RunModel::statesChanged, this, &MainWindow::refreshActions);

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
@@ -17,8 +18,10 @@
 #include <array>
 #include <utility>
 
+#include "gui/action_icon.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/named.h"
+#include "gui/theme.h"
 #include "gui/view/slice_view.h"
 #include "gui/window_actions.h"
 #include "gui/window_menu.h"
@@ -28,6 +31,7 @@ namespace angiomesh {
 namespace {
 
 constexpr double kThickestSlabMm = 200.0;
+constexpr int kIconSize = 18;
 
 struct LayoutEntry {
   PaneLayout layout;
@@ -87,6 +91,7 @@ void ViewTools::addTo(QMenu* view) {
                 [this] { views_.resetViews(); });
   view->addSeparator();
   addPanes(view);
+  addThemes(view);
   view->addSeparator();
   for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
     view->addAction(dock->toggleViewAction());
@@ -120,6 +125,46 @@ void ViewTools::addPanes(QMenu* view) {
   });
 }
 
+void ViewTools::addThemes(QMenu* view) {
+  QMenu* themes = view->addMenu(tr("Theme"));
+  auto* group = new QActionGroup(this);
+  const auto theme = [&](const char* name, const QString& text, Theme which) {
+    QAction* action = addMenuToggle(window_, themes, name, text, {}, [which](bool) {
+      applyTheme(which);
+      rememberTheme(which);
+    });
+    action->setChecked(which == rememberedTheme());
+    group->addAction(action);
+  };
+  theme("themeSystem", tr("As the system"), Theme::System);
+  theme("themeLight", tr("Light"), Theme::Light);
+  theme("themeDark", tr("Dark"), Theme::Dark);
+}
+
+void ViewTools::addIcons() {
+  for (auto& [bar, width] : bars_) {
+    for (QAction* action : bar->actions()) {
+      action->setIcon(actionIcon(action->objectName()));
+      action->setIconVisibleInMenu(false);
+    }
+  }
+  window_->installEventFilter(this);
+}
+
+bool ViewTools::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::Show) fitToolBars();
+  return QObject::eventFilter(watched, event);
+}
+
+void ViewTools::fitToolBars() {
+  for (auto& [bar, width] : bars_) {
+    if (bar->toolButtonStyle() == Qt::ToolButtonTextBesideIcon) width = bar->sizeHint().width();
+    // Rather no text, which the tooltips have too, than tools behind an arrow.
+    bar->setToolButtonStyle(width > window_->width() ? Qt::ToolButtonIconOnly
+                                                     : Qt::ToolButtonTextBesideIcon);
+  }
+}
+
 void ViewTools::recallPanes() {
   const QStringList kept = QSettings().value(kPanesKey).toStringList();
   for (const QString& id : kept.mid(1))
@@ -139,7 +184,10 @@ void ViewTools::rememberPanes() const {
 QToolBar* ViewTools::addBar(const char* name, const QString& title) {
   auto* bar = named(new QToolBar(title, window_), name);
   bar->setMovable(false);
+  bar->setIconSize({kIconSize, kIconSize});
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   window_->addToolBar(bar);
+  bars_.emplace_back(bar, 0);
   return bar;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QObject>
+#include <utility>
+#include <vector>
 
 #include "gui/model/case_models.h"
 #include "gui/model/view_state.h"
@@ -28,12 +30,20 @@ class ViewTools : public QObject {
   /// Two rows, which take actions of the other menus too. @returns the upper one
   QToolBar* buildToolBars();
 
+  /// Gives the actions of the tool bars their icons. Called once all are on them.
+  void addIcons();
+
   /// What can be chosen, by what there is to see.
   void refresh();
   /// What is chosen.
   void refreshActions();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void addThemes(QMenu* viewMenu);
+  void fitToolBars();
   QToolBar* addBar(const char* name, const QString& title);
   void addPanes(QMenu* viewMenu);
   void buildChoosers(QToolBar* bar);
@@ -41,6 +51,7 @@ class ViewTools : public QObject {
   void rememberPanes() const;
 
   QMainWindow* window_;
+  std::vector<std::pair<QToolBar*, int>> bars_;  ///< with their widths in pixels, with all text
   CaseModels& models_;
   ViewState& state_;
   ViewGrid& views_;

@@ -48,6 +48,7 @@ WelcomePage::WelcomePage(QWidget* parent)
               content));
   auto* row = new QHBoxLayout;
   row->setSpacing(24);
+  buttons_->setSpacing(8);
   auto* left = new QVBoxLayout;
   left->addLayout(buttons_);
   left->addSpacing(6);

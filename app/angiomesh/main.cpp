@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/pipeline/report.h"
 #include "gui/main_window.h"
+#include "gui/theme.h"
 #include "gui/view/open_gl.h"
 #include "io/volume/image_format.h"
 
@@ -42,6 +43,8 @@ int start(int argc, char** argv) {
   QApplication::setApplicationName("Angiomesh");
   QApplication::setApplicationVersion(versionText());
   QApplication::setDesktopFileName("angiomesh");
+
+  applyTheme(rememberedTheme());
 
   setThreads(threadCount);
 

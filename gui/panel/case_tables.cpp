@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/panel/case_tables.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -101,6 +102,12 @@ ComponentTable::ComponentTable(CaseModels& models, QWidget* parent)
   connect(&models_.results, &ResultModel::resultsChanged, this, &ComponentTable::refresh);
   connect(&models_.document, &CaseDocument::parametersChanged, this, &ComponentTable::refresh);
   refresh();
+}
+
+void ComponentTable::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && table_)
+    setDimmed(table_, meshText(models_.results).stale);  // in the faint colour of now
 }
 
 void ComponentTable::refresh() {

@@ -36,12 +36,15 @@ class ComponentTable : public QFrame {
  public:
   explicit ComponentTable(CaseModels& models, QWidget* parent = nullptr);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void refresh();
 
   CaseModels& models_;
   QLabel* summary_;
-  QTableWidget* table_;
+  QTableWidget* table_ = nullptr;
 };
 
 /// Iteration and change of the evolution, with pause, single step and finish.

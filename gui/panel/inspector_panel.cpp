@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -192,6 +193,11 @@ void InspectorPanel::refreshResults() {
   }
   refreshVerified();
   refreshHints();
+}
+
+void InspectorPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && hints_) refreshHints();  // the faint colour
 }
 
 void InspectorPanel::refreshVerified() {

@@ -22,6 +22,9 @@ class InspectorPanel : public QWidget {
  public:
   InspectorPanel(CaseModels& models, ViewState& state, QWidget* parent = nullptr);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void buildTable();
   void refreshResults();
@@ -34,8 +37,8 @@ class InspectorPanel : public QWidget {
   QComboBox* mesh_;
   QComboBox* colour_;
   QCheckBox* comparison_;
-  QLabel* hints_;
-  QTableWidget* table_;
+  QLabel* hints_ = nullptr;
+  QTableWidget* table_ = nullptr;
   QWidget* plots_;
   HistogramWidget* angles_;
   HistogramWidget* ratios_;
