@@ -432,8 +432,6 @@ void SurfaceScene::takeCameraOf(const SurfaceScene& other) {
   parts_->fittedOnce = parts_->fittedOnce || other.parts_->fittedOnce;
 }
 
-void SurfaceScene::turn(double degrees) { parts_->renderer->GetActiveCamera()->Azimuth(degrees); }
-
 void SurfaceScene::setPixelRatio(double ratio) {
   parts_->pixelRatio = ratio;
   parts_->seedActor->GetProperty()->SetPointSize(static_cast<float>(9.0 * ratio));

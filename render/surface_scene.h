@@ -95,9 +95,6 @@ class SurfaceScene {
   /// Turns the camera towards a point, at a distance that shows `radiusMm` around it.
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
   void takeCameraOf(const SurfaceScene& other);
-  /// The camera about the vertical of the view, round what it looks at; what is shown turns the
-  /// other way.
-  void turn(double degrees);
   void setPixelRatio(double ratio);
 
  private:

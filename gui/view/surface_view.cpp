@@ -200,8 +200,8 @@ void SurfaceView::takeCameraOf(const SurfaceView& other) {
 }
 
 QImage SurfaceView::pictureTurned(double degrees, int scale, const QSize& size) {
-  const auto back = qScopeGuard([this, degrees] { state_->scene.turn(-degrees); });
-  state_->scene.turn(degrees);
+  const auto back = qScopeGuard([this, degrees] { state_->scene.turn(-degrees, 0.0); });
+  state_->scene.turn(degrees, 0.0);
   return picture(scale, size);
 }
 
