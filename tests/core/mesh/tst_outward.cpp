@@ -98,6 +98,34 @@ class TestOutward : public QObject {
     QCOMPARE(turnOutward(nothing).turnedParts, std::size_t{0});
   }
 
+  void partsAreMadeAlikeByTheFewestTurns() {
+    const TriMesh wanted = together({icosphere(1), moved(torus(12, 8, 5.0, 1.0), {30, 0, 0})});
+    for (const std::size_t every : {4, 7}) {
+      TriMesh mesh = wanted;
+      for (std::size_t t = 0; t < mesh.triangles.size(); t += every)
+        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+      const AlikeTurn turn = turnAlike(mesh);
+      QCOMPARE(turn.oneSided, std::size_t{0});
+      QCOMPARE(turn.turned, (wanted.triangles.size() + every - 1) / every);
+      QVERIFY(mesh.triangles == wanted.triangles);
+      QCOMPARE(turnAlike(mesh).turned, std::size_t{0});
+    }
+    // A single one of many.
+    TriMesh one = wanted;
+    std::swap(one.triangles[7][1], one.triangles[7][2]);
+    QCOMPARE(turnAlike(one).turned, std::size_t{1});
+    QVERIFY(one.triangles == wanted.triangles);
+    // A Moebius strip of five triangles.
+    TriMesh strip;
+    for (std::uint32_t i = 0; i < 5; ++i) {
+      strip.points.emplace_back(i, i * i, i * i * i);
+      strip.triangles.push_back({i, (i + 1) % 5, (i + 2) % 5});
+    }
+    const TriMesh before = strip;
+    QCOMPARE(turnAlike(strip).oneSided, std::size_t{1});
+    QVERIFY(strip.triangles == before.triangles);
+  }
+
   void closednessIsTwoTrianglesAtEachEdge() {
     QVERIFY(isClosed(cube()));
     QVERIFY(!isClosed(openTube(8, 5, 1.0)));

@@ -41,6 +41,18 @@ class TestPort : public QObject {
     QCOMPARE(ports[2].areaMm2, 0.0);
   }
 
+  void aPortOpensInItsPlaneAlone() {
+    Port port;
+    port.centreLps = {120.0, -80.0, 700.0};
+    port.normalLps = Eigen::Vector3d(1.0, -2.0, 2.0) / 3.0;
+    port.areaMm2 = shapes::pi;
+    const Eigen::Vector3d aside = port.normalLps.unitOrthogonal();
+    QVERIFY(port.opensAt(port.centreLps + aside));
+    QVERIFY(!port.opensAt(port.centreLps + 7.0 * aside));
+    for (const double off : {-3.0, -0.5, -0.01, 0.01, 0.5, 3.0})
+      QVERIFY(!port.opensAt(port.centreLps + aside + off * port.normalLps));
+  }
+
   void aPortThatIsAnotherIsFound() {
     const TriMesh mesh = boxWithPorts();
     const std::vector<Port> ports = named(measurePatches(mesh, 2));

@@ -83,6 +83,38 @@ class TestMaskContacts : public QObject {
     QCOMPARE(out.genus, 0);
   }
 
+  /// Each contact is counted once, and the surface passes between its voxels as asked, whichever
+  /// way the edge runs.
+  void eachContactIsSettledInItsMiddle() {
+    for (const MaskConnectivity connectivity : {MaskConnectivity::Faces, MaskConnectivity::Corners})
+      for (int axis = 0; axis < 3; ++axis)
+        for (const bool raised : {false, true}) {
+          if (raised && axis > 0) continue;
+          const Volume<std::uint8_t> straight = twoBoxes(raised);
+          Volume<std::uint8_t> mask = emptyMask();
+          for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+            const Index3 p = mask.geometry.indexOf(i);
+            const auto at = [&](int a) { return p[static_cast<std::size_t>((a + axis) % 3)]; };
+            mask.voxels[i] = straight.at(at(0), at(1), at(2));
+          }
+          Volume<float> phi = smoothMask(distanceOfMask(mask).phi, {});
+          const MaskContacts contacts = settleContacts(phi, mask, connectivity);
+          QCOMPARE(contacts.left, std::size_t{0});
+          QVERIFY(contacts.joined + contacts.parted <= (raised ? 1U : 7U));
+          if (raised && connectivity == MaskConnectivity::Corners)
+            QCOMPARE(contacts.joined, std::size_t{1});
+          QCOMPARE(connectivity == MaskConnectivity::Faces ? contacts.joined : contacts.parted,
+                   std::size_t{0});
+          const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+          for (int n = 4; n < (raised ? 5 : 11); ++n) {
+            Eigen::Vector3d middle;
+            for (int a = 0; a < 3; ++a) middle[(a + axis) % 3] = a < 2 ? 10.5 : raised ? 10.5 : n;
+            const double value = field.atIndex(middle).value;
+            QVERIFY(connectivity == MaskConnectivity::Faces ? value > 0.029 : value < -0.029);
+          }
+        }
+  }
+
   /// A square ring whose bars touch by edges alone is a ring, or four bars.
   void aRingOfBars() {
     Volume<std::uint8_t> mask = emptyMask();
