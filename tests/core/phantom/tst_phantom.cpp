@@ -434,6 +434,7 @@ class TestPhantom : public QObject {
     QVERIFY(refused([](PhantomParams& p) { p.size = {0, 32, 32}; }));
     QVERIFY(refused([](PhantomParams& p) { p.size = {32, -1, 32}; }));
     QVERIFY(refused([](PhantomParams& p) { p.size = {4096, 4096, 4096}; }));
+    QVERIFY(refused([](PhantomParams& p) { p.size = {1024, 1024, 1025}; }));
     QVERIFY(refused([](PhantomParams& p) { p.spacingMm[1] = 0.0; }));
     QVERIFY(refused([](PhantomParams& p) { p.spacingMm[1] = std::nan(""); }));
     QVERIFY(refused([](PhantomParams& p) { p.radius = 16.0; }));

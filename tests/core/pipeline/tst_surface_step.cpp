@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/base/random.h"
 #include "core/pipeline/expected_surface.h"
 #include "core/quality/mesh_quality.h"
@@ -314,6 +315,28 @@ class TestSurfaceStep : public QObject {
       params.minComponentMm3 = 1e6;
       QVERIFY(makeSurface(phi, field, params).mesh.triangles.empty());
     }
+  }
+
+  /// Where a hole is and where vessels touch, each in its own words; of a loop, nothing.
+  void smallHandlesAreSaidInTheirWords() {
+    Handle hole, thin, loop;
+    hole.kind = HandleKind::Hole;
+    hole.lengthMm = 2.5;
+    hole.centreLps = {1.0, 2.0, 3.0};
+    hole.placeLps = {-7.0, -7.0, -7.0};
+    thin.kind = HandleKind::Thin;
+    thin.lengthMm = 40.0;
+    thin.placeLps = {4.0, 5.0, 6.0};
+    thin.centreLps = {-9.0, -9.0, -9.0};
+    SurfaceOrigin origin;
+    origin.handles = {hole, thin, loop};
+    const std::vector<std::string> warnings = origin.warnings();
+    QCOMPARE(warnings.size(), std::size_t{2});
+    const auto has = [](const std::string& text, const std::string& words) {
+      return text.find(words) != std::string::npos;
+    };
+    QVERIFY(has(warnings[0], "a hole of 2.5 mm") && has(warnings[0], placeText(hole.centreLps)));
+    QVERIFY(has(warnings[1], "a loop of 40 mm") && has(warnings[1], placeText(thin.placeLps)));
   }
 
   void whatIsNotVerifiedIsSaidButNotWithoutEnd() {

@@ -130,6 +130,12 @@ class TestMeshQuality : public QObject {
     QVERIFY(near(right.skewnessMax, (60.0 - smallest) / 60.0, 1e-11));
     QVERIFY(near(t.edgeMinMm, 1.0, 1e-15) && near(t.edgeMaxMm, std::sqrt(2.0), 1e-15));
     QVERIFY(near(t.edgeMeanMm, (3.0 + 3.0 * std::sqrt(2.0)) / 6.0, 1e-14));
+    // Least angles of 45, 26.6, 26.6 and 14 degrees.
+    const MeshQuality fan =
+        measureQuality({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 2, 0}, {0, 0, 2}, {1, 0, 0.25}},
+                        {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}}});
+    QCOMPARE(fan.below20Percent, 25.0);
+    QCOMPARE(fan.below30Percent, 75.0);
     const MeshQuality c = measureQuality(shapes::cube());
     QVERIFY(near(c.volumeMm3, 1.0, 1e-14) && near(c.areaMm2, 6.0, 1e-14));
     QCOMPARE(c.selfIntersections, std::size_t{0});
