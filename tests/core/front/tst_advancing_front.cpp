@@ -14,6 +14,7 @@
 #include "core/mesh/tri_mesh.h"
 #include "core/mesh/triangle_shape.h"
 #include "core/quality/mesh_quality.h"
+#include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
 using namespace angiomesh;
@@ -246,6 +247,32 @@ class TestAdvancingFront : public QObject {
       }
     QVERIFY2(std::fabs(sum - 1.0) < 0.1, qPrintable(QString::number(sum)));
     QVERIFY2(worthFlipping(mesh) < 0.005, qPrintable(QString::number(worthFlipping(mesh))));
+  }
+
+  // From a rim that is finer than the wall edges grow no faster than they may, wherever that is.
+  void edgesGrowSlowlyFromAFineRim() {
+    std::size_t usual = 0;
+    for (const Vector3d& centre : {Vector3d(0, 0, 0), Vector3d(40, -30, 60)}) {
+      const AnalyticSurface ball([&](const Vector3d& p) { return (p - centre).norm() - 1.0; }, 0.3);
+      AdvancingFront front(ball);
+      const Vector3d pole = centre - Vector3d::UnitZ();
+      Triangle first{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double turn = -2.0 * shapes::pi * static_cast<double>(k) / 3;
+        FrontPoint point = ball.at(
+            centre +
+            (pole - centre + 0.02 * Vector3d(std::cos(turn), std::sin(turn), 0)).normalized());
+        point.length = 0.035;
+        first[k] = front.addVertex(point);
+      }
+      front.startAt(first);
+      front.run({});
+      // Of edges of the wall's length alone there would be fewer.
+      const std::size_t count = front.triangles().size();
+      if (usual == 0) usual = count;
+      QVERIFY(count > 100);
+      QVERIFY(isNear(static_cast<double>(count) / static_cast<double>(usual), 1.0, 0.1));
+    }
   }
 
   // Where no new corner can be had edges connect to what is there: nothing is left to be filled.

@@ -112,6 +112,37 @@ class TestSmoothing : public QObject {
     QVERIFY(isNear(factor, expected, 6e-3));
   }
 
+  /// A part that is inscribed is smoothed as if it were alone, beside one that is not, and
+  /// whichever comes first.
+  void partsAreSmoothedEachInItsWay() {
+    const Vector3d c{9.5, 9.3, 9.6}, far{26.2, 9.5, 9.4};
+    const double radius = 5.0;
+    Geometry g = analytic::cube(20);
+    g.size = {36, 20, 20};
+    const Volume<float> phi = shapes::sampled(g, [&](const Vector3d& p) {
+      return std::min(analytic::ball(p, c, radius), analytic::ball(p, far, radius));
+    });
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
+    TriMesh inscribed = shapes::icosphere(3);
+    for (Vector3d& p : inscribed.points) {
+      p = c + radius * p;
+      QVERIFY(field.projectToZero(p));
+    }
+    TriMesh rough = shapes::icosphere(3);
+    for (std::size_t v = 0; v < rough.points.size(); ++v)
+      rough.points[v] = far + (radius + (v % 2 == 0 ? 0.2 : -0.2)) * rough.points[v];
+    const TriMesh alone = keepWallSmooth(inscribed, {}, &field);
+    QVERIFY((alone.points[0] - c).norm() > (inscribed.points[0] - c).norm() + 1e-3);
+    for (const bool last : {false, true}) {
+      TriMesh both = last ? rough : inscribed;
+      shapes::append(both, last ? inscribed : rough);
+      const TriMesh smooth = keepWallSmooth(both, {}, &field);
+      const std::size_t from = last ? rough.points.size() : 0;
+      for (std::size_t v = 0; v < alone.points.size(); ++v)
+        QVERIFY((smooth.points[from + v] - alone.points[v]).norm() < 1e-9);
+    }
+  }
+
   void keepWallKeepsTubes_data() { taubinScalesTubes_data(); }
 
   void keepWallKeepsTubes() {
