@@ -50,6 +50,14 @@ void CaseDocument::begin(std::shared_ptr<Pipeline> pipeline, const FieldContext&
   name_ = name;
   undo_.clear();
   params_ = params;
+  keys_.fill({});
+}
+
+const std::string& CaseDocument::key(Step step) const {
+  // Everything that is shown asks for keys, many times with each change.
+  std::string& known = keys_[static_cast<std::size_t>(step)];
+  if (known.empty()) known = pipeline_->key(step, params_);
+  return known;
 }
 
 std::shared_ptr<const Volume<float>> CaseDocument::image() const {
@@ -71,6 +79,7 @@ void CaseDocument::change(const Parameters& after, const QString& text, const QS
 
 void CaseDocument::replace(const Parameters& params) {
   params_ = params;
+  keys_.fill({});
   Q_EMIT parametersChanged();
   Q_EMIT edited();
 }

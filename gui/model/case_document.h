@@ -32,7 +32,7 @@ class CaseDocument : public QObject {
   [[nodiscard]] bool hasCase() const { return pipeline_ != nullptr; }
   /// Knows the keys, and remembers results. Null without a case.
   [[nodiscard]] const std::shared_ptr<Pipeline>& pipeline() const { return pipeline_; }
-  [[nodiscard]] std::string key(Step step) const { return pipeline_->key(step, params_); }
+  [[nodiscard]] const std::string& key(Step step) const;
   [[nodiscard]] std::shared_ptr<const Volume<float>> image() const;
   /// Of the image alone, not of results.
   [[nodiscard]] const FieldContext& facts() const { return facts_; }
@@ -75,6 +75,7 @@ class CaseDocument : public QObject {
   MessageLog& log_;
   QUndoStack undo_;
   Parameters params_;
+  mutable std::array<std::string, kStepCount> keys_;  ///< of params_, as far as they were asked for
   std::shared_ptr<Pipeline> pipeline_;
   FieldContext facts_;
   DisplayFacts display_;

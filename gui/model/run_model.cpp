@@ -135,12 +135,15 @@ bool RunModel::paused() const { return slot_ && slot_.job()->control().paused; }
 StepState RunModel::state(Step step) const {
   if (!document_.hasCase()) return StepState::Empty;
   if (factsOf(step).ofScans && isSegmented(document_.parameters())) return StepState::NotNeeded;
-  const Pipeline& pipeline = *document_.pipeline();
-  const std::string now = document_.key(step);
+  const std::string& now = document_.key(step);
   const std::string& shown = results_.key(step);
-  // What follows from an evolution that was ended by hand has a key, but is computed again.
-  const bool wanted = shown != now || !pipeline.has(step, document_.parameters());
-  if (slot_ && !quiet_ && wanted && pipeline.key(step, slot_.job()->params()) == now) {
+  const Pipeline& pipeline = *document_.pipeline();
+  const auto ofRun = [&](const Parameters& params) {
+    if (params != document_.parameters() && pipeline.key(step, params) != now) return false;
+    // What follows from an evolution that was ended by hand has a key, but is computed again.
+    return shown != now || !pipeline.has(step, params);
+  };
+  if (slot_ && !quiet_ && ofRun(slot_.job()->params())) {
     const Step atWork = slot_.job()->step();
     if (step == atWork) return StepState::Running;
     if (step < atWork) return StepState::Fresh;  // computed, and on its way here
