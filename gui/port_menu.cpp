@@ -2,6 +2,7 @@
 #include "gui/port_menu.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
@@ -97,6 +98,13 @@ void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& 
       menu->addAction(actionOf(window_, name));
   }
   if (onSlice) {
+    QAction* why = menu->addAction(tr("Why here?"), this, [this, place] {
+      views_.setCrosshair(*place);
+      auto* dock = window_->findChild<QDockWidget*>("whyDock");
+      dock->show();
+      dock->raise();
+    });
+    why->setEnabled(place.has_value());
     menu->addSeparator();
     menu->addAction(actionOf(window_, "windowMenu"));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
 
 #include "window_case.h"
 
@@ -49,6 +50,23 @@ class TestWhy : public QObject {
     c.models().runs.run(Step::Vesselness);
     QVERIFY2(sentence(c).startsWith("Run to Evolve"), qPrintable(sentence(c)));
     QVERIFY(c.find<QLabel>("why3")->text().isEmpty());
+  }
+
+  void theMenuOfASliceAsks() {
+    WindowCase c;
+    c.models().files.take(twoTubes());
+    c.models().runs.run(Step::Evolve);
+    c.find<QDockWidget>("whyDock")->hide();
+    SliceView* axial = c.window->views().slice(2);
+    const Geometry& grid = c.models().document.image()->geometry;
+    const QPoint corner = axial->positionOf(grid.toPhysical({3.0, 3.0, 20.0})).toPoint();
+    QTest::mouseClick(axial, Qt::RightButton, Qt::NoModifier, corner);
+    auto* menu = c.find<QMenu>("portMenu");
+    QVERIFY(menu);
+    for (QAction* action : menu->actions())
+      if (action->text() == "Why here?") action->trigger();
+    QVERIFY(c.find<QDockWidget>("whyDock")->isVisible());
+    QVERIFY2(sentence(c).startsWith("Outside: "), qPrintable(sentence(c)));
   }
 
   void itAnswersWhileTheCrosshairMoves() {
