@@ -77,6 +77,8 @@ class TestPictures : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void init() { QSettings().clear(); }
+
   void aPaneIsSavedAsItIsSeen_data() {
     QTest::addColumn<QString>("pane");
     QTest::addColumn<QString>("title");
@@ -120,6 +122,8 @@ class TestPictures : public QObject {
     SliceView* view = c.window->views().slice(2);
     for (int i = 0; i < 3; ++i)
       test::wheel(*view, view->rect().center(), QPoint(0, 120), Qt::ControlModifier);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(view, &leave);
     const QImage seen = view->grabFramebuffer();
     const QImage twice = c.window->views().picture(view, 2, true);
     const double off = difference(
