@@ -33,10 +33,10 @@ ViewButtons::ViewButtons(SurfaceView* view) : QWidget(view) {
     row->addWidget(button);
   }
   // On the dark picture, whatever the theme.
-  setStyleSheet(
-      "QToolButton { color: #ece6b8; background: rgba(40, 46, 58, 180); border: none; padding: "
-      "2px; }"
-      "QToolButton:hover { background: rgba(90, 100, 120, 220); }");
+  QPalette dark(QColor(58, 66, 82), QColor(40, 46, 58));
+  dark.setColor(QPalette::ButtonText, QColor(236, 230, 184));
+  setPalette(dark);
+  setAutoFillBackground(true);
   view->installEventFilter(this);
   place();
 }
