@@ -52,7 +52,8 @@ const std::shared_ptr<const TriMesh>& meshOf(const DrawnMesh& drawn) { return dr
 
 struct SurfaceActor::Parts {
   vtkNew<vtkActor> actor;
-  vtkNew<vtkPolyDataMapper> mapper;
+  // Each keeps what it has sent to OpenGL: nothing is sent anew as a turn begins and ends.
+  vtkNew<vtkPolyDataMapper> fullMapper, coarseMapper;
   std::shared_ptr<const DrawnMesh> drawn;
   std::vector<std::array<double, 3>> patchColours;
   std::array<double, 3> colour;
@@ -64,6 +65,8 @@ struct SurfaceActor::Parts {
     return drawn && drawn->mesh ? drawn->mesh->triangles.size() : 0;
   }
   void update();
+  void feed(vtkPolyDataMapper* mapper, const Polygons& polygons) const;
+  void choose();
   [[nodiscard]] vtkSmartPointer<vtkDataArray> coloursOf(const Polygons& polygons) const;
 };
 
@@ -93,12 +96,8 @@ vtkSmartPointer<vtkDataArray> SurfaceActor::Parts::coloursOf(const Polygons& pol
   return array;
 }
 
-void SurfaceActor::Parts::update() {
-  actor->SetVisibility(visible && triangles() > 0);
-  if (triangles() == 0) return;
-  if (values.size() != triangles()) values.clear();
-  const bool few = coarse && drawn->coarse.data;
-  const Polygons& polygons = few ? drawn->coarse : drawn->full;
+void SurfaceActor::Parts::feed(vtkPolyDataMapper* mapper, const Polygons& polygons) const {
+  if (!polygons.data) return;
   const vtkSmartPointer<vtkDataArray> colours = coloursOf(polygons);
   polygons.data->GetCellData()->SetScalars(colours);
   mapper->SetScalarVisibility(colours != nullptr);
@@ -108,14 +107,28 @@ void SurfaceActor::Parts::update() {
     mapper->UseLookupTableScalarRangeOn();
   }
   mapper->SetInputData(polygons.data);
+}
+
+/// After a change of the mesh or its colours.
+void SurfaceActor::Parts::update() {
+  choose();
+  if (triangles() == 0) return;
+  if (values.size() != triangles()) values.clear();
+  feed(fullMapper, drawn->full);
+  feed(coarseMapper, drawn->coarse);
+}
+
+void SurfaceActor::Parts::choose() {
+  actor->SetVisibility(visible && triangles() > 0);
+  const bool few = coarse && triangles() > 0 && drawn->coarse.data;
+  actor->SetMapper(few ? coarseMapper : fullMapper);
   actor->GetProperty()->SetEdgeVisibility(edges && !few);
 }
 
 SurfaceActor::SurfaceActor(const std::array<double, 3>& colour)
     : parts_(std::make_unique<Parts>()) {
   parts_->colour = colour;
-  parts_->actor->SetMapper(parts_->mapper);
-  parts_->actor->VisibilityOff();
+  parts_->choose();
   vtkProperty* property = parts_->actor->GetProperty();
   property->SetColor(colour[0], colour[1], colour[2]);
   property->SetInterpolationToPhong();
@@ -142,7 +155,7 @@ void SurfaceActor::setMesh(std::shared_ptr<const DrawnMesh> mesh) {
 void SurfaceActor::setCoarse(bool coarse) {
   if (coarse == parts_->coarse) return;
   parts_->coarse = coarse;
-  parts_->update();
+  parts_->choose();
 }
 
 void SurfaceActor::setPatchColours(std::vector<std::array<double, 3>> colours) {
@@ -155,12 +168,12 @@ bool SurfaceActor::empty() const { return parts_->triangles() == 0; }
 
 void SurfaceActor::setVisible(bool visible) {
   parts_->visible = visible;
-  parts_->update();
+  parts_->choose();
 }
 
 void SurfaceActor::setEdgesVisible(bool visible) {
   parts_->edges = visible;
-  parts_->update();
+  parts_->choose();
 }
 
 void SurfaceActor::setDimmed(bool dimmed) {
@@ -173,6 +186,7 @@ void SurfaceActor::setDimmed(bool dimmed) {
 }
 
 void SurfaceActor::setTriangleValues(std::vector<float> values, vtkLookupTable* table) {
+  if (values.empty() && parts_->values.empty()) return;
   parts_->values = std::move(values);
   parts_->table = table;
   parts_->update();
