@@ -358,8 +358,7 @@ void ViewGrid::paintComparison() {
 void ViewGrid::refreshCaptions() {
   const ResultModel& results = models_.results;
   const bool any = models_.document.hasCase();
-  const QString layer =
-      layerText(results, state_.layer(), shownImage_ != nullptr && layerShown_).text;
+  const QString layer = layerText(results, state_.layer(), layerShown_).text;
   const auto lines = [any](const QString& first, const QString& second) {
     QStringList list{first, second};
     list.removeAll(QString());

@@ -35,6 +35,7 @@ struct SliceView::State {
   QPointF pressed, last;
   WindowLimits limits;
   bool interpolated = true;
+  QString caption;
   Eigen::Vector3d roiCorner{0.0, 0.0, 0.0};
   std::optional<RoiBox> roiBefore;
   std::optional<PortDrag> portDrag;  // of the port grabbed
@@ -122,6 +123,8 @@ void SliceView::setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed
 }
 
 void SliceView::setCaption(const QString& lines) {
+  if (lines == state_->caption) return;
+  state_->caption = lines;
   state_->scene.setCaption(lines.toStdString());
   requestRender();
 }
