@@ -12,8 +12,6 @@
 #include <vtkPolyData.h>
 #include <vtkTypeInt32Array.h>
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -95,17 +93,11 @@ vtkSmartPointer<vtkPolyData> toPolyData(const TriMesh& mesh) {
   corners->SetNumberOfValues(3 * faceCount);
   vtkNew<vtkTypeInt32Array> offsets;
   offsets->SetNumberOfValues(faceCount + 1);
-  std::vector<Eigen::Vector3d> normals(mesh.points.size(), Eigen::Vector3d::Zero());
   vtkTypeInt32* corner = corners->GetPointer(0);
   vtkTypeInt32* offset = offsets->GetPointer(0);
   for (vtkIdType face = 0; face < faceCount; ++face) {
-    const auto& triangle = mesh.triangles[static_cast<std::size_t>(face)];
-    const Eigen::Vector3d& a = mesh.points[triangle[0]];
-    const Eigen::Vector3d area = (mesh.points[triangle[1]] - a).cross(mesh.points[triangle[2]] - a);
-    for (const std::uint32_t vertex : triangle) {
-      normals[vertex] += area;
+    for (const std::uint32_t vertex : mesh.triangles[static_cast<std::size_t>(face)])
       *corner++ = static_cast<vtkTypeInt32>(vertex);
-    }
     *offset++ = static_cast<vtkTypeInt32>(3 * face);
   }
   *offset = static_cast<vtkTypeInt32>(3 * faceCount);
@@ -114,10 +106,8 @@ vtkSmartPointer<vtkPolyData> toPolyData(const TriMesh& mesh) {
   normalArray->SetNumberOfComponents(3);
   normalArray->SetNumberOfTuples(pointCount);
   float* n = normalArray->GetPointer(0);
-  for (const Eigen::Vector3d& normal : normals) {
-    const double length = std::max(normal.norm(), 1e-300);
-    for (int axis = 0; axis < 3; ++axis) *n++ = static_cast<float>(normal[axis] / length);
-  }
+  for (const Eigen::Vector3d& normal : vertexNormals(mesh))
+    for (int axis = 0; axis < 3; ++axis) *n++ = static_cast<float>(normal[axis]);
 
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/mesh/coarse_mesh.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,12 +16,7 @@ constexpr int kMostAgain = 3;
 
 /// Vertices by the cell that they lie in and the octant of their normal.
 std::vector<std::pair<std::uint64_t, std::uint32_t>> keysOf(const TriMesh& mesh, double cellMm) {
-  std::vector<Eigen::Vector3d> normals(mesh.points.size(), Eigen::Vector3d::Zero());
-  for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.points[t[0]];
-    const Eigen::Vector3d normal = (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a);
-    for (const std::uint32_t vertex : t) normals[vertex] += normal;
-  }
+  const std::vector<Eigen::Vector3d> normals = vertexNormals(mesh);
   Eigen::Vector3d low = mesh.points.front();
   for (const Eigen::Vector3d& point : mesh.points) low = low.cwiseMin(point);
   constexpr double most = (1 << 20) - 1;

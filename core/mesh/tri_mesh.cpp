@@ -89,6 +89,20 @@ double enclosedVolumeMm3(const TriMesh& mesh) {
   return sixfold / 6.0;
 }
 
+std::vector<Eigen::Vector3d> vertexNormals(const TriMesh& mesh) {
+  std::vector<Eigen::Vector3d> normals(mesh.points.size(), Eigen::Vector3d::Zero());
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.points[t[0]];
+    const Eigen::Vector3d n = (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a);
+    for (const std::uint32_t v : t) normals[v] += n;
+  }
+  for (auto& n : normals) {
+    const double length = n.norm();
+    if (length > 0.0) n /= length;
+  }
+  return normals;
+}
+
 int dropSmallComponents(TriMesh& mesh, double minimumMm3) {
   const MeshComponents components = meshComponents(mesh);
   std::vector<double> sixfold(components.count, 0.0);

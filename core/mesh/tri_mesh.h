@@ -30,6 +30,9 @@ double surfaceAreaMm2(const TriMesh& mesh);
 /// meshes.
 double enclosedVolumeMm3(const TriMesh& mesh);
 
+/// Unit normals of the vertices, triangles weighted by their area; 0 where there is none.
+std::vector<Eigen::Vector3d> vertexNormals(const TriMesh& mesh);
+
 /// Drops the edge-connected components whose enclosed volume is below `minimumMm3` (and points no
 /// triangle uses). Returns the number of components dropped.
 int dropSmallComponents(TriMesh& mesh, double minimumMm3);

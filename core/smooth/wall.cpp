@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/smooth/wall.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -55,20 +54,6 @@ Wall::Sample MeshWall::at(const Eigen::Vector3d& pointLps) const {
   const double side = away.dot(normal);
   const double distance = side < 0.0 ? -closest.distance : closest.distance;
   return {normal, distance - std::clamp(bulge, -bulgeMm_, bulgeMm_)};
-}
-
-std::vector<Eigen::Vector3d> vertexNormals(const TriMesh& mesh) {
-  std::vector<Eigen::Vector3d> normals(mesh.points.size(), Eigen::Vector3d::Zero());
-  for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.points[t[0]];
-    const Eigen::Vector3d n = (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a);
-    for (const std::uint32_t v : t) normals[v] += n;
-  }
-  for (auto& n : normals) {
-    const double length = n.norm();
-    if (length > 0.0) n /= length;
-  }
-  return normals;
 }
 
 }  // namespace angiomesh

@@ -75,7 +75,4 @@ class MeshWall : public Wall {
   double bulgeMm_ = 0.0;
 };
 
-/// Unit normals of the vertices, triangles weighted by their area; 0 where there is none.
-std::vector<Eigen::Vector3d> vertexNormals(const TriMesh& mesh);
-
 }  // namespace angiomesh

@@ -9,7 +9,6 @@
 #include "core/base/formatted.h"
 #include "core/mesh/outward.h"
 #include "core/mesh/triangle_shape.h"
-#include "core/smooth/wall.h"
 #include "io/file/files.h"
 #include "io/file/text_scanner.h"
 #include "io/mesh/mesh_format.h"
