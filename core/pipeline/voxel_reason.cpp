@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/formatted.h"
 #include "core/levelset/front_speed.h"
+#include "core/preprocess/preprocess.h"
 #include "core/vesselness/hessian_slices.h"
 #include "core/vesselness/vesselness.h"
 
@@ -16,34 +17,19 @@ namespace {
 constexpr int kNearVoxels = 6;  // where lumen and surroundings are looked for
 constexpr int kWidestKernel = 30;
 
-/// The part of an image up to `margin` voxels around a voxel, which moves to `centre`.
-Volume<float> partAround(const Volume<float>& image, const Index3& voxel, const Index3& margin,
-                         Index3& centre) {
-  Geometry part = image.geometry;
-  Index3 low{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    low[a] = std::max(voxel[a] - margin[a], 0);
-    part.size[a] = std::min(voxel[a] + margin[a], image.geometry.size[a] - 1) - low[a] + 1;
-    centre[a] = voxel[a] - low[a];
-  }
-  part.origin = image.geometry.toPhysical(Eigen::Vector3d(low[0], low[1], low[2]));
-  Volume<float> out(part);
-  for (int k = 0; k < part.size[2]; ++k)
-    for (int j = 0; j < part.size[1]; ++j)
-      std::copy_n(&image.at(low[0], low[1] + j, low[2] + k), part.size[0], &out.at(0, j, k));
-  return out;
-}
-
 /// The same vesselness as in the whole image: the part holds all that the kernels reach.
 VoxelAtScale atScale(const Volume<float>& image, const Index3& voxel, double sigmaMm,
                      const VesselnessParams& params, double c) {
-  Index3 margin{}, centre{};
+  Index3 low{}, high{}, centre{};
   for (std::size_t a = 0; a < 3; ++a) {
     const double sigma = sigmaMm / image.geometry.spacing[static_cast<Eigen::Index>(a)];
-    margin[a] =
+    const int margin =
         std::min(kWidestKernel, static_cast<int>(4.0 * sigma) + 1) + static_cast<int>(sigma) + 3;
+    low[a] = std::max(voxel[a] - margin, 0);
+    high[a] = std::min(voxel[a] + margin, image.geometry.size[a] - 1);
+    centre[a] = voxel[a] - low[a];
   }
-  const Volume<float> part = partAround(image, voxel, margin, centre);
+  const Volume<float> part = cropped(image, low, high);
   const auto [i, j, k] = centre;
   VoxelAtScale found;
   found.sigmaMm = sigmaMm;

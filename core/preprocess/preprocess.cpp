@@ -73,19 +73,22 @@ std::array<Index3, 2> voxelsInBox(const Geometry& g, const std::array<double, 6>
   return {low, high};
 }
 
-Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>& boxLps) {
-  const Geometry& g = image.geometry;
-  const auto [low, high] = voxelsInBox(g, boxLps);
-  Geometry cropped = g;
-  cropped.origin = voxelCentre(g, low);
-  for (std::size_t a = 0; a < 3; ++a) cropped.size[a] = high[a] - low[a] + 1;
-  Volume<float> out(cropped);
-  for (int k = 0; k < cropped.size[2]; ++k)
-    for (int j = 0; j < cropped.size[1]; ++j) {
+Volume<float> cropped(const Volume<float>& image, const Index3& low, const Index3& high) {
+  Geometry part = image.geometry;
+  part.origin = voxelCentre(image.geometry, low);
+  for (std::size_t a = 0; a < 3; ++a) part.size[a] = high[a] - low[a] + 1;
+  Volume<float> out(part);
+  for (int k = 0; k < part.size[2]; ++k)
+    for (int j = 0; j < part.size[1]; ++j) {
       const float* from = &image.at(low[0], low[1] + j, low[2] + k);
-      std::copy_n(from, cropped.size[0], &out.at(0, j, k));
+      std::copy_n(from, part.size[0], &out.at(0, j, k));
     }
   return out;
+}
+
+Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>& boxLps) {
+  const auto [low, high] = voxelsInBox(image.geometry, boxLps);
+  return cropped(image, low, high);
 }
 
 bool wantsIsotropic(const Geometry& geometry) {

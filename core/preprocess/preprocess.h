@@ -31,7 +31,10 @@ struct PreprocessParams {
 /// @throws InputError when no voxel centre, or fewer than 2 in some direction, lies in it
 std::array<Index3, 2> voxelsInBox(const Geometry& geometry, const std::array<double, 6>& boxLps);
 
-/// The image between those indices. @throws as voxelsInBox()
+/// The voxels from `low` to `high`, these included. @pre low <= high, both in the image
+Volume<float> cropped(const Volume<float>& image, const Index3& low, const Index3& high);
+
+/// The image between the indices of voxelsInBox(). @throws as that
 Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>& boxLps);
 
 /// To cubic voxels of the smallest spacing by cubic (Catmull-Rom) interpolation, clamped to the
