@@ -77,13 +77,6 @@ class TestEventLoop : public QObject {
 };
 
 int main(int argc, char** argv) {
-  prepareOpenGl();
-  WatchedApplication app(argc, argv);
-  QCoreApplication::setOrganizationName("AngiomeshTest");
-  QCoreApplication::setApplicationName("AngiomeshTest");
-  const QTemporaryDir settings;
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-  TestEventLoop test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTests<TestEventLoop, WatchedApplication>(argc, argv);
 }
 #include "tst_event_loop.moc"

@@ -65,10 +65,10 @@ inline double litShare(const QImage& picture) {
 }
 
 /// main() of a test program with windows: settings go to a folder that vanishes.
-template <class T>
+template <class T, class Application = QApplication>
 int runWindowTests(int argc, char** argv) {
   prepareOpenGl();
-  QApplication application(argc, argv);
+  Application application(argc, argv);
   QCoreApplication::setOrganizationName("AngiomeshTest");
   QCoreApplication::setApplicationName("AngiomeshTest");
   const QTemporaryDir settings;
