@@ -94,7 +94,7 @@ void WhyPanel::finish(const ReasonJob& job) {
     return;
   }
   if (job.reason)
-    show(*job.reason, job.params);
+    tell(*job.reason, job);
   else
     say(QString::fromStdString(job.error));
 }
@@ -104,16 +104,15 @@ void WhyPanel::say(const QString& sentence) {
   for (QLabel* value : values_) value->clear();
 }
 
-void WhyPanel::show(const VoxelReason& reason, const Parameters& params) {
-  say(QString::fromStdString(reason.text(params)));
+void WhyPanel::tell(const VoxelReason& reason, const ReasonJob& job) {
+  say(QString::fromStdString(reason.text(job.params)));
   const VoxelAtScale& best = reason.scales[reason.best];
-  const Eigen::Vector3d lps = views_.crosshair();
   QStringList texts;
   texts << tr("voxel %1,%2,%3, %4")
                .arg(reason.voxel[0])
                .arg(reason.voxel[1])
                .arg(reason.voxel[2])
-               .arg(QString::fromStdString(placeText(lps)));
+               .arg(QString::fromStdString(placeText(job.pointLps)));
   texts << tr("%1 mm").arg(number(reason.phiMm));
   QString brightness = number(reason.value);
   if (const std::optional<double> share = reason.brightness()) {

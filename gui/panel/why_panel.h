@@ -33,7 +33,7 @@ class WhyPanel : public QWidget {
   void ask();
   void finish(const ReasonJob& job);
   void say(const QString& sentence);
-  void show(const VoxelReason& reason, const Parameters& params);
+  void tell(const VoxelReason& reason, const ReasonJob& job);
 
   CaseModels& models_;
   const ViewGrid& views_;
