@@ -77,7 +77,9 @@ class TestWhy : public QObject {
     c.models().files.take(twoTubes());
     QTRY_VERIFY(c.models().document.hasCase());
     c.models().runs.run(Step::Evolve);
-    QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), test::kPatienceMs);
+    // Nothing else makes it look again.
+    QTRY_VERIFY_WITH_TIMEOUT(!c.models().busy(), test::kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.find<QLabel>("why0")->text().isEmpty(), test::kPatienceMs);
     const Geometry& g = c.models().document.image()->geometry;
     for (int i = 0; i < 20; ++i) c.window->views().setCrosshair(g.toPhysical({1.0 * i, 2.0, 3.0}));
     const QString last = QStringLiteral("voxel 19,2,3");

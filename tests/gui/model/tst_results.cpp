@@ -146,6 +146,12 @@ class TestResults : public QObject {
     QCOMPARE(contour(models), QString("Result 2"));
     models.document.undoStack()->undo();
     QCOMPARE(contour(models), QString("Result 2, out of date"));
+    // The parameters of the first one again, ended elsewhere.
+    models.runs.run(Step::Evolve);
+    QTRY_VERIFY_WITH_TIMEOUT(models.results.live(), kPatienceMs);
+    models.runs.finishEvolution();
+    QTRY_VERIFY_WITH_TIMEOUT(!models.runs.running(), kPatienceMs);
+    QCOMPARE(contour(models), QString("Result 3"));
   }
 
   void timeLeftIsSaidAsWellAsItIsKnown() {
