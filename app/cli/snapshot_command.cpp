@@ -10,8 +10,8 @@
 #include "io/file/files.h"
 #include "io/mesh/mesh_io.h"
 #include "io/scan/image_io.h"
-#include "render/mesh_panels.h"
-#include "render/offscreen.h"
+#include "render/picture/mesh_panels.h"
+#include "render/picture/offscreen.h"
 
 namespace angiomesh::cli {
 namespace {

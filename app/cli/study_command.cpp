@@ -19,7 +19,7 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/scan/image_io.h"
-#include "render/mesh_panels.h"
+#include "render/picture/mesh_panels.h"
 
 namespace angiomesh::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "render/slice_raster.h"
+#include "render/slice/slice_raster.h"
 
 namespace angiomesh {
 

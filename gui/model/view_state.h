@@ -9,7 +9,7 @@
 #include "gui/model/case_models.h"
 #include "gui/model/mouse_tool.h"
 #include "gui/model/window_presets.h"
-#include "render/slice_raster.h"
+#include "render/slice/slice_raster.h"
 
 namespace angiomesh {
 

@@ -10,7 +10,7 @@
 
 #include "gui/model/result_text.h"
 #include "gui/model/view_state.h"
-#include "render/port_mark.h"
+#include "render/marks/port_mark.h"
 
 namespace angiomesh {
 

@@ -12,7 +12,7 @@
 #include "gui/model/mouse_tool.h"
 #include "gui/model/window_presets.h"
 #include "gui/view/vtk_view.h"
-#include "render/slice_scene.h"
+#include "render/slice/slice_scene.h"
 
 namespace angiomesh {
 

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "gui/view/view_buttons.h"
-#include "render/surface_scene.h"
+#include "render/surface/surface_scene.h"
 
 namespace angiomesh {
 

@@ -13,9 +13,9 @@
 #include "core/mesh/tri_mesh.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/vtk_view.h"
-#include "render/port_mark.h"
-#include "render/slice_scene.h"
-#include "render/surface_actor.h"
+#include "render/marks/port_mark.h"
+#include "render/slice/slice_scene.h"
+#include "render/surface/surface_actor.h"
 
 namespace angiomesh {
 

@@ -21,7 +21,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "render/offscreen_window.h"
+#include "render/stage/offscreen_window.h"
 
 namespace angiomesh {
 

@@ -11,11 +11,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "render/conversion.h"
-#include "render/port_drag.h"
-#include "render/slice_scene.h"
-#include "render/surface_pick.h"
-#include "render/surface_scene.h"
+#include "render/marks/port_drag.h"
+#include "render/marks/surface_pick.h"
+#include "render/slice/slice_scene.h"
+#include "render/stage/conversion.h"
+#include "render/surface/surface_scene.h"
 
 using namespace angiomesh;
 using Eigen::Vector2d;

@@ -3,9 +3,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "render/pane_axes.h"
-#include "render/slice_overlay.h"
-#include "render/slice_raster.h"
+#include "render/slice/pane_axes.h"
+#include "render/slice/slice_overlay.h"
+#include "render/slice/slice_raster.h"
 
 using namespace angiomesh;
 

@@ -13,11 +13,11 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "render/offscreen.h"
-#include "render/projection_volume.h"
-#include "render/slice_scene.h"
-#include "render/stage.h"
-#include "render/surface_scene.h"
+#include "render/picture/offscreen.h"
+#include "render/slice/slice_scene.h"
+#include "render/stage/stage.h"
+#include "render/surface/projection_volume.h"
+#include "render/surface/surface_scene.h"
 
 using namespace angiomesh;
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/image/volume.h"
-#include "render/pane_axes.h"
-#include "render/port_drag.h"
-#include "render/port_mark.h"
-#include "render/slice_raster.h"
+#include "render/marks/port_drag.h"
+#include "render/marks/port_mark.h"
+#include "render/slice/pane_axes.h"
+#include "render/slice/slice_raster.h"
 
 class vtkRenderer;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/offscreen_window.h"
+#include "render/stage/offscreen_window.h"
 
 #include <dlfcn.h>
 #include <vtkNew.h>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/image/volume.h"
-#include "render/pane_axes.h"
+#include "render/slice/pane_axes.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/offscreen.h"
+#include "render/picture/offscreen.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -12,10 +12,10 @@
 #include <vtkRenderer.h>
 
 #include "core/base/error.h"
-#include "render/conversion.h"
-#include "render/offscreen_window.h"
-#include "render/stage.h"
-#include "render/surface_actor.h"
+#include "render/stage/conversion.h"
+#include "render/stage/offscreen_window.h"
+#include "render/stage/stage.h"
+#include "render/surface/surface_actor.h"
 
 namespace angiomesh {
 

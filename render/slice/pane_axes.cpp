@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/pane_axes.h"
+#include "render/slice/pane_axes.h"
 
 #include <algorithm>
 #include <cmath>

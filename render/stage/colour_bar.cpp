@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/colour_bar.h"
+#include "render/stage/colour_bar.h"
 
 #include <vtkCoordinate.h>
 #include <vtkLookupTable.h>

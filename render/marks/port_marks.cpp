@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/port_marks.h"
+#include "render/marks/port_marks.h"
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
@@ -22,7 +22,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "render/surface_pick.h"
+#include "render/marks/surface_pick.h"
 
 namespace angiomesh {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "render/port_mark.h"
+#include "render/marks/port_mark.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/conversion.h"
+#include "render/stage/conversion.h"
 
 #include <vtkCellArray.h>
 #include <vtkCommand.h>

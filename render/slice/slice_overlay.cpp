@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/slice_overlay.h"
+#include "render/slice/slice_overlay.h"
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
@@ -15,7 +15,7 @@
 #include <cmath>
 
 #include "core/base/formatted.h"
-#include "render/stage.h"
+#include "render/stage/stage.h"
 
 namespace angiomesh {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "render/port_drag.h"
-#include "render/port_mark.h"
+#include "render/marks/port_drag.h"
+#include "render/marks/port_mark.h"
 
 class vtkRenderer;
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/mesh/tri_mesh.h"
-#include "render/port_drag.h"
+#include "render/marks/port_drag.h"
 
 class vtkRenderer;
 

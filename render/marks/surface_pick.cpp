@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/surface_pick.h"
+#include "render/marks/surface_pick.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/slice_marks.h"
+#include "render/slice/slice_marks.h"
 
 #include <vtkActor.h>
 #include <vtkCellData.h>
@@ -15,8 +15,8 @@
 #include <limits>
 #include <numbers>
 
-#include "render/slice_layer.h"
-#include "render/surface_pick.h"
+#include "render/marks/surface_pick.h"
+#include "render/slice/slice_layer.h"
 
 namespace angiomesh {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "render/port_drag.h"
-#include "render/port_mark.h"
-#include "render/slice_raster.h"
+#include "render/marks/port_drag.h"
+#include "render/marks/port_mark.h"
+#include "render/slice/slice_raster.h"
 
 class vtkRenderer;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/surface_actor.h"
+#include "render/surface/surface_actor.h"
 
 #include <vtkActor.h>
 #include <vtkCellData.h>
@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "core/mesh/coarse_mesh.h"
-#include "render/conversion.h"
+#include "render/stage/conversion.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/mesh_panels.h"
+#include "render/picture/mesh_panels.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -14,9 +14,9 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "render/offscreen_window.h"
-#include "render/stage.h"
-#include "render/surface_actor.h"
+#include "render/stage/offscreen_window.h"
+#include "render/stage/stage.h"
+#include "render/surface/surface_actor.h"
 
 namespace angiomesh {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/port_drag.h"
+#include "render/marks/port_drag.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/surface_scene.h"
+#include "render/surface/surface_scene.h"
 
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
@@ -24,12 +24,12 @@
 #include <map>
 #include <numbers>
 
-#include "render/colour_bar.h"
-#include "render/direction_cube.h"
-#include "render/projection_volume.h"
-#include "render/stage.h"
-#include "render/surface_actor.h"
-#include "render/surface_pick.h"
+#include "render/marks/surface_pick.h"
+#include "render/stage/colour_bar.h"
+#include "render/stage/direction_cube.h"
+#include "render/stage/stage.h"
+#include "render/surface/projection_volume.h"
+#include "render/surface/surface_actor.h"
 
 namespace angiomesh {
 

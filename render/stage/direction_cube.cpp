@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/direction_cube.h"
+#include "render/stage/direction_cube.h"
 
 #include <vtkAnnotatedCubeActor.h>
 #include <vtkCamera.h>

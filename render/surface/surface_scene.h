@@ -10,9 +10,9 @@
 
 #include "core/image/volume.h"
 #include "core/mesh/tri_mesh.h"
-#include "render/port_marks.h"
-#include "render/slice_scene.h"
-#include "render/surface_actor.h"
+#include "render/marks/port_marks.h"
+#include "render/slice/slice_scene.h"
+#include "render/surface/surface_actor.h"
 
 class vtkRenderer;
 class vtkRenderWindow;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/stage.h"
+#include "render/stage/stage.h"
 
 #include <vtkCamera.h>
 #include <vtkCoordinate.h>

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "render/pane_axes.h"
-#include "render/slice_raster.h"
+#include "render/slice/pane_axes.h"
+#include "render/slice/slice_raster.h"
 
 class vtkRenderer;
 

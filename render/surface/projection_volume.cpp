@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/projection_volume.h"
+#include "render/surface/projection_volume.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
@@ -18,7 +18,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/conversion.h"
+#include "render/stage/conversion.h"
 
 namespace angiomesh {
 

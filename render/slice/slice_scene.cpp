@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/slice_scene.h"
+#include "render/slice/slice_scene.h"
 
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
@@ -23,9 +23,9 @@
 #include <cmath>
 #include <string>
 
-#include "render/slice_layer.h"
-#include "render/slice_marks.h"
-#include "render/slice_overlay.h"
+#include "render/slice/slice_layer.h"
+#include "render/slice/slice_marks.h"
+#include "render/slice/slice_overlay.h"
 
 namespace angiomesh {
 

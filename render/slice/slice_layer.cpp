@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/slice_layer.h"
+#include "render/slice/slice_layer.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>

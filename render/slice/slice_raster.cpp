@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/slice_raster.h"
+#include "render/slice/slice_raster.h"
 
 #include <algorithm>
 #include <cmath>
