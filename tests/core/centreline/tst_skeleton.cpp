@@ -11,6 +11,7 @@
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 #include "tests/core/threads.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -348,6 +349,24 @@ class TestSkeleton : public QObject {
         const SkeletonPoint& q = three.branches[b].points[n];
         QVERIFY(p.pointLps == q.pointLps && p.radiusMm == q.radiusMm);
       }
+    }
+  }
+
+  void axesAreAlike() {
+    for (const bool fewAlongLast : {true, false}) {
+      const Volume<float> phi = unlikeVessels(fewAlongLast);
+      const Skeleton one = skeletonOf(phi), other = skeletonOf(turned(phi));
+      QCOMPARE(one.branches.size(), std::size_t{3});
+      QCOMPARE(other.branches.size(), one.branches.size());
+      const auto lengths = [](const Skeleton& skeleton) {
+        std::vector<double> all;
+        for (const SkeletonBranch& branch : skeleton.branches) all.push_back(branch.lengthMm);
+        std::sort(all.begin(), all.end());
+        return all;
+      };
+      for (std::size_t i = 0; i < 3; ++i)
+        QVERIFY2(std::fabs(lengths(one)[i] - lengths(other)[i]) < 0.4,
+                 qPrintable(QString("%1 %2").arg(lengths(one)[i]).arg(lengths(other)[i])));
     }
   }
 };

@@ -10,6 +10,7 @@
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/core/threads.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using analytic::ball;
@@ -223,6 +224,22 @@ class TestMarchingCubes : public QObject {
     progress.cancel();
     QVERIFY_THROWS_EXCEPTION(angiomesh::Cancelled, marchingCubes(shapes::noise({8, 8, 8}, 1),
                                                                  SurfaceBorder::Cap, progress));
+  }
+
+  void axesAreAlike() {
+    const Volume<float> phi = analytic::unlikeVessels(true);
+    const TriMesh one = marchingCubes(phi), other = marchingCubes(analytic::turned(phi));
+    QCOMPARE(other.points.size(), one.points.size());
+    const auto sorted = [](std::vector<Eigen::Vector3d> points) {
+      std::sort(points.begin(), points.end(),
+                [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+                });
+      return points;
+    };
+    const auto a = sorted({one.points.begin(), one.points.end()}),
+               b = sorted({other.points.begin(), other.points.end()});
+    for (std::size_t i = 0; i < a.size(); ++i) QVERIFY((a[i] - b[i]).norm() < 1e-4);
   }
 };
 

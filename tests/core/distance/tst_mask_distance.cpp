@@ -12,6 +12,7 @@
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
 #include "tests/core/threads.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -178,6 +179,16 @@ class TestMaskDistance : public QObject {
     const Progress progress;
     progress.cancel();
     QVERIFY_THROWS_EXCEPTION(Cancelled, distanceOfMask(phantom.truth, progress).phi);
+  }
+
+  void axesAreAlike() {
+    for (const bool fewAlongLast : {true, false}) {
+      const Volume<std::uint8_t> mask = insideMask(unlikeVessels(fewAlongLast));
+      const MaskDistance one = distanceOfMask(mask), other = distanceOfMask(turned(mask));
+      const double most = mostApart(turned(one.phi), other.phi);
+      QVERIFY2(most < 0.01, qPrintable(QString::number(most)));
+      QVERIFY(std::fabs(one.maskVolumeMm3 - other.maskVolumeMm3) < 1e-9);
+    }
   }
 };
 

@@ -9,6 +9,7 @@
 #include "core/field/spline_field.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -134,6 +135,15 @@ class TestRedistance : public QObject {
     const auto one = redistance(phi);
     setThreads(2);
     QVERIFY(one.voxels == redistance(phi).voxels);
+  }
+
+  void axesAreAlike() {
+    for (const bool fewAlongLast : {true, false}) {
+      Volume<float> phi = unlikeVessels(fewAlongLast);
+      for (float& value : phi.voxels) value *= 1.0F + 0.3F * std::fabs(value);
+      const double most = mostApart(turned(redistance(phi)), redistance(turned(phi)));
+      QVERIFY2(most < 0.01, qPrintable(QString::number(most)));
+    }
   }
 };
 

@@ -5,9 +5,11 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/preprocess/curvature_flow.h"
 #include "core/preprocess/preprocess.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -184,6 +186,28 @@ class TestPreprocess : public QObject {
     image.voxels = {40.0F, 0.0F, 10.0F, 30.0F, 20.0F};
     const auto p = percentiles(image, {0.0, 0.5, 0.625, 1.0});
     QVERIFY(p[0] == 0.0 && p[1] == 20.0 && std::fabs(p[2] - 25.0) < 1e-9 && p[3] == 40.0);
+  }
+
+  void axesAreAlike_data() {
+    QTest::addColumn<bool>("fewAlongLast");
+    QTest::newRow("few slices") << true;
+    QTest::newRow("many slices") << false;
+  }
+  void axesAreAlike() {
+    QFETCH(bool, fewAlongLast);
+    const Volume<float> image = unlikeVessels(fewAlongLast), other = turned(image);
+    QVERIFY(mostApart(turned(curvatureFlow(image, 5, 0.0625)), curvatureFlow(other, 5, 0.0625)) <
+            1e-5);
+    QVERIFY(mostApart(turned(resampleIsotropic(image)), resampleIsotropic(other)) < 1e-5);
+    const auto clampedImage = clampIntensities(image, -1.0, 0.5, 1);
+    QVERIFY(mostApart(turned(clampedImage), clampIntensities(other, -1.0, 0.5, 1)) == 0.0);
+    const Index3 low{3, 5, 2}, high{20, 31, 15};
+    QVERIFY(mostApart(turned(cropped(image, low, high)),
+                      cropped(other, turned(low), turned(high))) < 1e-6);
+    const auto parts = connectedComponents(insideMask(image)),
+               partsOther = connectedComponents(insideMask(other));
+    QVERIFY(mostApart(turned(parts.labels), partsOther.labels) == 0.0);
+    QCOMPARE(shareOfBorder(insideMask(other)), shareOfBorder(insideMask(image)));
   }
 };
 

@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/image/projection.h"
 #include "tests/core/analytic.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -239,6 +240,22 @@ class TestProjection : public QObject {
     const Picture one = previewPicture(imageOf(g, ball), fieldOf(g, ball));
     setThreads(2);
     QVERIFY(one.rgb == previewPicture(imageOf(g, ball), fieldOf(g, ball)).rgb);
+  }
+
+  void axesAreAlike() {
+    const Volume<float> image = analytic::unlikeVessels(true), other = analytic::turned(image);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Projection one = maximumProjection(image, axis);
+      const Projection two = maximumProjection(other, (axis + 1) % 3);
+      // The two axes that are left, in order: along the second one they change places.
+      const bool swapped = axis != 2;
+      QCOMPARE(two.width, swapped ? one.height : one.width);
+      for (int v = 0; v < one.height; ++v)
+        for (int u = 0; u < one.width; ++u) {
+          const auto at = static_cast<std::size_t>(swapped ? u * two.width + v : v * two.width + u);
+          QCOMPARE(two.values[at], one.values[static_cast<std::size_t>(v * one.width + u)]);
+        }
+    }
   }
 };
 

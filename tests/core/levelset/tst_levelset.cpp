@@ -5,10 +5,12 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/levelset/evolution.h"
+#include "core/levelset/flood.h"
 #include "core/levelset/front_speed.h"
 #include "core/levelset/seeds.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -240,6 +242,48 @@ class TestLevelSet : public QObject {
     LevelSetEvolution undisturbed = startedTorus({});
     undisturbed.step(10);
     QVERIFY(evolution.phi().voxels == undisturbed.phi().voxels);
+  }
+
+  void axesAreAlike_data() {
+    QTest::addColumn<bool>("fewAlongLast");
+    QTest::newRow("few slices") << true;
+    QTest::newRow("many slices") << false;
+  }
+  void axesAreAlike() {
+    QFETCH(bool, fewAlongLast);
+    Volume<float> v = unlikeVessels(fewAlongLast);
+    for (float& value : v.voxels) value = std::clamp(0.1F - 0.2F * value, -0.3F, 0.5F);
+    const Volume<float> other = turned(v);
+    const std::vector<Eigen::Vector3d> seed{centreOf(v.geometry)};
+    const Volume<float> start = fastMarchingStart(v.geometry, seed, 1.5);
+    QVERIFY(mostApart(turned(start), fastMarchingStart(other.geometry, seed, 1.5)) < 1e-4);
+    const auto evolved = [](const Volume<float>& speed, const Volume<float>& from) {
+      LevelSetParams params;
+      LevelSetEvolution evolution(std::make_shared<const Volume<float>>(speed), simpleThresholds(),
+                                  from, params);
+      evolution.step(40);
+      return evolution.takePhi();
+    };
+    const Volume<float> phi = evolved(v, start);
+    QVERIFY(std::count_if(phi.voxels.begin(), phi.voxels.end(),
+                          [](float value) { return value < 0.0F; }) > 500);
+    // Which neighbour a voxel of the outermost layers first gets its value from depends on the
+    // order of memory.
+    const Volume<float> first = turned(phi), second = evolved(other, turned(start));
+    double apart = 0.0;
+    std::size_t near = 0, sides = 0;
+    for (std::size_t n = 0; n < first.voxels.size(); ++n) {
+      if (std::fabs(first.voxels[n]) > 0.5F) continue;
+      ++near;
+      apart += std::fabs(first.voxels[n] - second.voxels[n]);
+      sides += (first.voxels[n] < 0.0F) != (second.voxels[n] < 0.0F) ? 1 : 0;
+    }
+    QVERIFY(sides < near / 100);
+    QVERIFY(apart < 0.01 * static_cast<double>(near));
+    const Volume<std::uint8_t> found = floodVessels(v, 0.1, seed, 1.0, 30);
+    QVERIFY(mostApart(turned(found), floodVessels(other, 0.1, seed, 1.0, 30)) == 0.0);
+    QVERIFY(mostApart(turned(floodStart(v, 0.1, found)), floodStart(other, 0.1, turned(found))) <
+            1e-5);
   }
 };
 

@@ -13,6 +13,7 @@
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
 #include "tests/core/threads.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -278,6 +279,26 @@ class TestLumen : public QObject {
     progress.cancel();
     QVERIFY_THROWS_EXCEPTION(Cancelled, refineLumen(imageOf(distance, 8.0), roughly(distance, 0.5),
                                                     LumenParams{}, Polarity::Bright, progress));
+  }
+
+  void axesAreAlike() {
+    for (const bool fewAlongLast : {true, false}) {
+      const Volume<float> distance = analytic::unlikeVessels(fewAlongLast);
+      Volume<float> image = distance;
+      for (float& value : image.voxels) value = 40.0F + 160.0F / (1.0F + std::exp(4.0F * value));
+      for (std::size_t i = 0; i < image.voxels.size(); ++i)
+        image.voxels[i] += static_cast<float>(5.0 * randomNormal(7, i));
+      Volume<std::uint8_t> found(distance.geometry);
+      for (std::size_t i = 0; i < found.voxels.size(); ++i)
+        found.voxels[i] = distance.voxels[i] < -0.8F ? 2 : distance.voxels[i] < -0.2F ? 1 : 0;
+      const auto refined = [](const Volume<float>& of, const Volume<std::uint8_t>& where) {
+        return refineLumen(of, where, LumenParams{}, Polarity::Bright);
+      };
+      const Volume<float> phi = refined(image, found);
+      const Volume<float> other = refined(analytic::turned(image), analytic::turned(found));
+      const double most = analytic::mostApart(analytic::turned(phi), other);
+      QVERIFY2(most < 0.02, qPrintable(QString::number(most)));
+    }
   }
 };
 

@@ -16,6 +16,7 @@
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
 #include "tests/core/threads.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -306,6 +307,18 @@ class TestSmoothWall : public QObject {
     Progress progress;
     progress.cancel();
     QVERIFY_THROWS_EXCEPTION(Cancelled, (void)smoothWall(phi, nullptr, {}, progress));
+  }
+
+  void axesAreAlike() {
+    for (const bool fewAlongLast : {true, false}) {
+      const Volume<std::uint8_t> mask = insideMask(analytic::unlikeVessels(fewAlongLast));
+      const Volume<float> phi = distanceOfMask(mask).phi;
+      const SmoothWall one = smoothWall(phi, nullptr, {});
+      const SmoothWall other = smoothWall(analytic::turned(phi), nullptr, {});
+      const double most = analytic::mostApart(analytic::turned(one.phi), other.phi);
+      QVERIFY2(most < 0.02, qPrintable(QString::number(most)));
+      QCOMPARE(one.heldVoxels, other.heldVoxels);
+    }
   }
 };
 

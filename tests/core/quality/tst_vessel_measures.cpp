@@ -5,6 +5,7 @@
 #include "core/quality/vessel_measures.h"
 #include "tests/core/bars.h"
 #include "tests/core/threads.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -130,6 +131,34 @@ class TestVesselMeasures : public QObject {
     const Volume<std::uint8_t> nothing(phantom.truth.geometry);
     QCOMPARE(measureComponents(nothing, phantom.truth, phantom.centreLines).components,
              std::size_t{0});
+  }
+
+  void axesAreAlike() {
+    const Volume<float> phi = analytic::unlikeVessels(true);
+    const Geometry& g = phi.geometry;
+    CentreLineSegment line;
+    line.from = g.toPhysical({0.3 * (g.size[0] - 1), 0.3 * (g.size[1] - 1), 0.3 * (g.size[2] - 1)});
+    line.to = analytic::centreOf(g);
+    line.radiusFromMm = line.radiusToMm = 1.7;
+    CentreLineSegment second = line;
+    second.from = line.to;
+    second.to =
+        g.toPhysical({0.7 * (g.size[0] - 1), 0.61 * (g.size[1] - 1), 0.74 * (g.size[2] - 1)});
+    const std::vector<CentreLineSegment> lines{line, second};
+    const auto inside = insideMask(phi);
+    const auto one = measureComponents(inside, inside, lines);
+    const auto other = measureComponents(analytic::turned(inside), analytic::turned(inside), lines);
+    QCOMPARE(one.mergedVessels, std::size_t{1});
+    QCOMPARE(other.mergedVessels, one.mergedVessels);
+    QCOMPARE(centreLineRecall(phi, lines, 0.0), 1.0);
+    QCOMPARE(centreLineRecall(analytic::turned(phi), lines, 0.0), 1.0);
+    const SplineField field = analytic::fieldOf(phi),
+                      turnedField = analytic::fieldOf(analytic::turned(phi));
+    const auto distance = [](const Eigen::Vector3d& p) { return p[0] - 0.3 * p[1] + 0.1 * p[2]; };
+    QVERIFY(std::fabs(wallDistance(wallSamples(field, distance)).meanMm -
+                      wallDistance(wallSamples(turnedField, distance)).meanMm) < 1e-6);
+    QVERIFY(std::fabs(tubeRadius(field, line.from, line.to, 2.5) -
+                      tubeRadius(turnedField, line.from, line.to, 2.5)) < 1e-6);
   }
 };
 

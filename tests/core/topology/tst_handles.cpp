@@ -15,6 +15,7 @@
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
 #include "tests/core/threads.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -324,6 +325,27 @@ class TestHandles : public QObject {
     for (std::size_t i = 0; i < one.size(); ++i) {
       QVERIFY(one[i].placeLps == two[i].placeLps);
       QCOMPARE(one[i].lengthMm, two[i].lengthMm);
+    }
+  }
+
+  void axesAreAlike() {
+    for (const bool fewAlongLast : {true, false}) {
+      Volume<float> phi = unlikeVessels(fewAlongLast);
+      // A hole through the vessel, one voxel wide.
+      const Geometry& g = phi.geometry;
+      const Index3 c{g.size[0] / 2, g.size[1] / 2, g.size[2] / 2};
+      for (int k = -12; k <= 12; ++k)
+        if (g.contains(c[0], c[1] - 1, c[2] + k))
+          phi.at(c[0], c[1] - 1, c[2] + k) = std::max(phi.at(c[0], c[1] - 1, c[2] + k), 0.2F);
+      const std::vector<Handle> one = handlesOf(phi), other = handlesOf(turned(phi));
+      QCOMPARE(one.size(), std::size_t{1});
+      QCOMPARE(other.size(), one.size());
+      QVERIFY(std::fabs(one[0].lengthMm - other[0].lengthMm) < 0.3);
+      Volume<float> closed = phi, closedOther = turned(phi);
+      closeSmallHandles(closed, HandleLimits{});
+      closeSmallHandles(closedOther, HandleLimits{});
+      QVERIFY(mostApart(closed, phi) > 0.0);
+      QVERIFY(mostApart(turned(closed), closedOther) < 1e-6);
     }
   }
 };

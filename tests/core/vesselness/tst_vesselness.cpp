@@ -16,6 +16,7 @@
 #include "core/vesselness/thickest.h"
 #include "core/vesselness/vesselness.h"
 #include "tests/core/analytic.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using namespace angiomesh::analytic;
@@ -330,6 +331,39 @@ class TestVesselness : public QObject {
     std::vector<float> other(width, 2.0F);
     mergeMeasure(rows, measure, width, other.data());
     QVERIFY(other == std::vector<float>(width, 2.0F));
+  }
+
+  void axesAreAlike_data() {
+    QTest::addColumn<bool>("fewAlongLast");
+    QTest::newRow("few slices") << true;
+    QTest::newRow("many slices") << false;
+  }
+  void axesAreAlike() {
+    QFETCH(bool, fewAlongLast);
+    Volume<float> image = unlikeVessels(fewAlongLast);
+    for (float& value : image.voxels) value = 100.0F / (1.0F + std::exp(3.0F * value));
+    const Volume<float> other = turned(image);
+    const auto smooth = [](const Volume<float>& of) {
+      Volume<float> to(of.geometry);
+      const std::size_t slice = of.geometry.offset(0, 0, 1);
+      forEachSmoothSlice(of, 1.1,
+                         [&](int k, const float* values) {
+                           std::copy_n(values, slice,
+                                       to.voxels.data() + static_cast<std::size_t>(k) * slice);
+                         },
+                         {});
+      return to;
+    };
+    QVERIFY(mostApart(turned(smooth(image)), smooth(other)) < 1e-4);
+    VesselnessParams params;
+    const Volume<float> v = vesselness(image, params);
+    QVERIFY(*std::max_element(v.voxels.begin(), v.voxels.end()) > 0.3F);
+    // The kernels along the first axis sum in another order.
+    QVERIFY2(mostApart(turned(v), vesselness(other, params)) < 2e-3,
+             qPrintable(QString::number(mostApart(turned(v), vesselness(other, params)))));
+    QVERIFY(std::fabs(thickestRadiusMm(image, Polarity::Bright) -
+                      thickestRadiusMm(other, Polarity::Bright)) < 1e-6);
+    QCOMPARE(contrastC(params, image), contrastC(params, other));
   }
 };
 
