@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QTest>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/mesh/tri_mesh.h"
+#include "core/parameters/field.h"
+#include "core/phantom/phantom.h"
+#include "core/pipeline/pipeline.h"
+#include "core/quality/quality_table.h"
+
+using namespace angiomesh;
+
+namespace {
+
+/// The bytes of a result, one after the other.
+class Bytes {
+ public:
+  template <class T>
+  void add(const T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    text_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  void add(const Eigen::Vector3d& point) {
+    for (const double x : point) add(x);
+  }
+  template <class T>
+  void add(const Volume<T>& volume) {
+    text_.append(reinterpret_cast<const char*>(volume.voxels.data()),
+                 sizeof(T) * volume.voxels.size());
+  }
+  void add(const TriMesh& mesh) {
+    for (const Eigen::Vector3d& point : mesh.points) add(point);
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t corner : triangle) add(corner);
+  }
+  void add(const std::vector<Port>& ports) {
+    for (const Port& port : ports) {
+      text_ += port.name;
+      add(port.areaMm2);
+      add(port.centreLps);
+      add(port.normalLps);
+    }
+  }
+  void add(const MeshQuality& quality) {
+    for (const QualityMeasure& measure : qualityMeasures())
+      add(measure.value(quality).value_or(-1));
+  }
+  [[nodiscard]] std::string hash() const { return textHash(text_); }
+
+ private:
+  std::string text_;
+};
+
+std::string hashOf(Step step, const RunResult& run) {
+  Bytes bytes;
+  switch (step) {
+    case Step::Load:
+      bytes.add(*run.source.image);
+      break;
+    case Step::Preprocess:
+      bytes.add(*run.preprocessed);
+      break;
+    case Step::Vesselness:
+      if (run.vesselness) bytes.add(*run.vesselness->multiScale);
+      break;
+    case Step::Seeds:
+      if (run.seeds)
+        for (const Eigen::Vector3d& point : run.seeds->pointsLps) bytes.add(point);
+      break;
+    case Step::Evolve:
+      bytes.add(*run.evolve->phi);
+      bytes.add(run.evolve->iterations);
+      break;
+    case Step::Surface:
+      bytes.add(*run.surface->phi);
+      bytes.add(*run.surface->mesh);
+      bytes.add(*run.surface->marchingCubes);
+      bytes.add(run.surface->ports);
+      for (const SegmentComponent& part : run.surface->components) {
+        bytes.add(part.volumeMm3);
+        if (part.measure) bytes.add(part.measure->lengthMm);
+      }
+      break;
+    case Step::Smooth:
+      bytes.add(*run.smoothed);
+      bytes.add(run.ports);
+      break;
+    case Step::Quality:
+      bytes.add(run.quality->mesh);
+      bytes.add(run.quality->unsmoothed);
+      bytes.add(run.quality->marchingCubes);
+      break;
+  }
+  return bytes.hash();
+}
+
+struct Settings {
+  const char* key;
+  const char* value;
+};
+
+/// What a step of a version computes.
+struct Row {
+  int version;
+  const char* hash;
+};
+
+/// A run that takes a path of its own through the steps.
+struct Case {
+  const char* name;
+  PhantomKind kind;
+  Index3 size;
+  Eigen::Vector3d spacingMm;
+  double radius, noise;
+  const char* preset;
+  std::vector<Settings> settings;
+  bool mask;  ///< of the phantom, instead of its image
+  Step until;
+  std::vector<Row> steps;
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      {"thick slices, cut",
+       PhantomKind::Bifurcation,
+       {44, 40, 28},
+       {0.5, 0.6, 0.9},
+       3.0,
+       20.0,
+       "angiomesh",
+       {{"ports.cutEndsRadii", "1"}, {"ports.cutBorders", "true"}},
+       false,
+       Step::Quality,
+       {{1, "08eebe39ac32dc36"},
+        {2, "9a211ab574ca842a"},
+        {2, "f46edb180c08fa9f"},
+        {2, "d449928f3cf392fa"},
+        {9, "d6289f3a10a0b90a"},
+        {6, "120711098e46196e"},
+        {5, "5dd957ba8a025700"},
+        {3, "21f93403f05125c4"}}},
+      {"inside the volume, ends cut",
+       PhantomKind::CapsuleTree,
+       {72, 68, 76},
+       {0.8, 0.8, 0.8},
+       3.0,
+       8.0,
+       "angiomesh",
+       {{"ports.cutEndsRadii", "2"}, {"surface.edgesAround", "8"}, {"surface.rho", "0.3"}},
+       false,
+       Step::Quality,
+       {{1, "9c139527ae6a31e8"},
+        {2, "9c139527ae6a31e8"},
+        {2, "55e96805a650ee27"},
+        {2, "1edac1cdf1a72c79"},
+        {9, "c0a221c8cefec68d"},
+        {6, "a7af57dcf6a15e40"},
+        {5, "9d8a315762bb1d7d"},
+        {3, "89cac1116d865364"}}},
+      {"as printed",
+       PhantomKind::Helix,
+       {48, 44, 52},
+       {1.0, 1.0, 1.0},
+       2.5,
+       10.0,
+       "thesis",
+       {{"preprocess.sigmoid.enabled", "true"}, {"preprocess.curvatureFlow.enabled", "true"}},
+       false,
+       Step::Quality,
+       {{1, "19e202e197b908b4"},
+        {2, "22baa2a87c36c8cc"},
+        {2, "c07d29c755f59949"},
+        {2, "3fa908a31276b61f"},
+        {9, "7ff37f8cb88ab095"},
+        {6, "c31d35188a8b0277"},
+        {5, "25ba4db0ea299a05"},
+        {3, "3b20cbd6b6045d5e"}}},
+      {"bounds, remeshed",
+       PhantomKind::NeckAneurysm,
+       {52, 48, 44},
+       {1.0, 1.0, 1.2},
+       3.0,
+       5.0,
+       "ct",
+       {{"surface.method", "remesh"}, {"surface.border", "open"}, {"surface.rho", "0.2"}},
+       false,
+       Step::Quality,
+       {{1, "b7904c791de84c15"},
+        {2, "297b426587194c0e"},
+        {2, "d18a7c8625ec3be9"},
+        {2, "fba3d904bd3848bb"},
+        {9, "3bc4e534be102349"},
+        {6, "6cb6f3dfa6969bcf"},
+        {5, "6bea2b3de8a6038c"},
+        {3, "9e07c3f7173bdb01"}}},
+      {"mask, marching cubes",
+       PhantomKind::Kissing,
+       {40, 44, 48},
+       {0.7, 0.7, 1.0},
+       4.0,
+       0.0,
+       "angiomesh",
+       {{"segmentation.method", "label"},
+        {"segmentation.connectivity", "faces"},
+        {"surface.method", "marching-cubes"},
+        {"smooth.method", "taubin"}},
+       true,
+       Step::Quality,
+       {{1, "21d1842019f02d07"},
+        {2, "21d1842019f02d07"},
+        {2, "2d06800538d394c2"},
+        {2, "2d06800538d394c2"},
+        {9, "8ea12ee3b1406f5a"},
+        {6, "14c3bd940b07bbf5"},
+        {5, "d2ab9560f4da3310"},
+        {3, "e1fa15dcfa3a550c"}}},
+      {"dark, Frangi's measure",
+       PhantomKind::Torus,
+       {36, 44, 40},
+       {1.0, 1.0, 1.0},
+       3.0,
+       8.0,
+       "thesis",
+       {{"vesselness.polarity", "dark"},
+        {"vesselness.measure", "frangi"},
+        {"levelset.start", "flood"},
+        {"levelset.refine", "true"},
+        {"surface.method", "remesh"},
+        {"surface.cellVoxels", "1.5"},
+        {"surface.spline", "catmull-rom"},
+        {"smooth.method", "none"}},
+       false,
+       Step::Quality,
+       {{1, "dce04157429bdde3"},
+        {2, "dce04157429bdde3"},
+        {2, "374b76417848ae71"},
+        {2, "dd05b680f2e7edf4"},
+        {9, "faacd1f7e529e159"},
+        {6, "8358b1d68b419328"},
+        {5, "e1e64009ec0d20cd"},
+        {3, "d5c812776b760d92"}}},
+      {"geodesic active contour",
+       PhantomKind::Stenosis,
+       {30, 34, 40},
+       {1.0, 1.0, 1.0},
+       3.0,
+       10.0,
+       "angiomesh",
+       {{"segmentation.method", "geodesic-active-contour"},
+        {"comparison.gac.iterations", "60"},
+        {"preprocess.isotropic", "off"}},
+       false,
+       Step::Evolve,
+       {{1, "ff515eb2124d9edd"},
+        {2, "ff515eb2124d9edd"},
+        {2, "98c2c0a2b17bfa29"},
+        {2, "6668a74556a84072"},
+        {9, "79d5ee1ca5fd280c"}}},
+      {"confidence connected",
+       PhantomKind::Cone,
+       {30, 34, 40},
+       {0.8, 1.0, 1.0},
+       4.0,
+       10.0,
+       "angiomesh",
+       {{"segmentation.method", "confidence-connected"}},
+       false,
+       Step::Evolve,
+       {{1, "773623ea296d1d80"},
+        {2, "920dac00d283a1c5"},
+        {2, "9130a6f08c2fb2ef"},
+        {2, "bebec23857d89f27"},
+        {9, "dcf1b0b114027a8d"}}},
+      {"threshold",
+       PhantomKind::Aneurysm,
+       {40, 44, 38},
+       {1.0, 1.0, 1.0},
+       3.0,
+       12.0,
+       "angiomesh",
+       {{"segmentation.method", "threshold"}, {"wall.smooth", "false"}},
+       false,
+       Step::Evolve,
+       {{1, "cac7f171daad1794"},
+        {2, "cac7f171daad1794"},
+        {2, "aec881ff76257037"},
+        {2, "5527b1a96f0e4f80"},
+        {9, "e3edec96ae28a168"}}},
+  };
+  return all;
+}
+
+RunResult runOf(const Case& c) {
+  PhantomParams params;
+  params.kind = c.kind;
+  params.size = c.size;
+  params.spacingMm = c.spacingMm;
+  params.radius = c.radius;
+  params.noiseSigma = c.noise;
+  params.axis = Eigen::Vector3d(0.2, 0.3, 1.0);
+  const Phantom phantom = makePhantom(params);
+  Volume<float> image = phantom.image;
+  if (c.mask)
+    for (std::size_t i = 0; i < image.voxels.size(); ++i) image.voxels[i] = phantom.truth.voxels[i];
+  RunOptions options;
+  options.until = c.until;
+  Parameters run = preset(c.preset);
+  for (const Settings& s : c.settings) setFieldFromText(run, s.key, s.value);
+  if (run.vesselness.polarity == Polarity::Dark)
+    for (float& value : image.voxels) value = 255.0F - value;
+  return Pipeline(makeSource(std::move(image), c.name)).run(run, options);
+}
+
+}  // namespace
+
+/// A step's key stands for its result, on every machine and in the caches of cases that were saved
+/// long ago. So its version rises whenever it computes other bits from the same inputs; each
+/// version's bits stand here, for runs that take different ways through the code.
+class TestStepVersions : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void bitsChangeWithTheVersionOnly_data() {
+    QTest::addColumn<int>("number");
+    for (std::size_t n = 0; n < cases().size(); ++n)
+      QTest::newRow(cases()[n].name) << static_cast<int>(n);
+  }
+  void bitsChangeWithTheVersionOnly() {
+    QFETCH(int, number);
+    const auto n = static_cast<std::size_t>(number);
+    const RunResult run = runOf(cases()[n]);
+    const std::vector<Row>& known = cases()[n].steps;
+    QString differs, now;
+    for (std::size_t s = 0; s <= static_cast<std::size_t>(cases()[n].until); ++s) {
+      const auto step = static_cast<Step>(s);
+      const Row row{factsOf(step).version, nullptr};
+      const std::string hash = hashOf(step, run);
+      now += QString("{%1, \"%2\"}, ").arg(row.version).arg(hash.c_str());
+      const bool same =
+          s < known.size() && known[s].version == row.version && known[s].hash == hash;
+      if (!same && differs.isEmpty()) differs = stepId(step);
+    }
+    QVERIFY2(differs.isEmpty(),
+             qPrintable(differs +
+                        " computes something else: raise its version in "
+                        "core/parameters/step.h if it has not been raised, and write "
+                        "here: " +
+                        now));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestStepVersions)
+#include "tst_step_versions.moc"
