@@ -22,11 +22,11 @@
 #include "gui/model/case_ports.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
+#include "gui/panel/evolution_panel.h"
 #include "gui/panel/inspector_panel.h"
 #include "gui/panel/log_panel.h"
 #include "gui/panel/named.h"
 #include "gui/panel/pipeline_panel.h"
-#include "gui/panel/plot_widget.h"
 #include "gui/panel/port_panel.h"
 #include "gui/panel/view_grid.h"
 #include "gui/panel/why_panel.h"
@@ -139,7 +139,7 @@ void MainWindow::buildDocks() {
   QDockWidget* log =
       dock("logDock", tr("Log"), Qt::BottomDockWidgetArea, new LogPanel(*models_, this));
   QDockWidget* plot = dock("convergenceDock", tr("Convergence"), Qt::BottomDockWidgetArea,
-                           new ConvergencePlot(*models_, this));
+                           new EvolutionPanel(*models_, this));
   splitDockWidget(log, plot, Qt::Horizontal);
   why_ = new WhyPanel(*models_, *views_, options_.makeRunner, this);
   QDockWidget* why = dock("whyDock", tr("Why here?"), Qt::RightDockWidgetArea, why_);

@@ -35,6 +35,7 @@ struct LevelSetEvolution::State {
   std::vector<float> changes;                        ///< of the active voxels
   std::vector<std::uint8_t> held;
   int iterations = 0;
+  std::vector<float> motions;  ///< of each iteration
   double change = -1.0;
   int steadyChecks = 0;
   StopReason stop = StopReason::Running;
@@ -56,6 +57,7 @@ struct LevelSetEvolution::State {
   void remember();
   void buildLayer(int s);
   double computeChanges(const Progress& progress);
+  [[nodiscard]] float meanChange() const;
   void moveActive(double timeStep);
   void updateLayer(int s, std::array<std::vector<std::uint32_t>, 5>& entering);
   void enter(std::array<std::vector<std::uint32_t>, 5>& entering);
@@ -155,6 +157,12 @@ double LevelSetEvolution::State::computeChanges(const Progress& progress) {
   return static_cast<double>(most);
 }
 
+float LevelSetEvolution::State::meanChange() const {
+  double sum = 0.0;
+  for (const float value : changes) sum += static_cast<double>(std::fabs(value));
+  return changes.empty() ? 0.0F : static_cast<float>(sum / static_cast<double>(changes.size()));
+}
+
 /// Adds the changes; a voxel that leaves the active set while an active neighbour leaves it on the
 /// other side stays, so that the layers never tear.
 void LevelSetEvolution::State::moveActive(double timeStep) {
@@ -252,6 +260,7 @@ void LevelSetEvolution::State::iterate(const Progress& progress) {
   // all but settled from being thrown about.
   const double timeStep = most > 0.0 ? std::min(params.stepVoxels / most, 1.0) : 1.0;
   moveActive(timeStep);
+  motions.push_back(meanChange() * static_cast<float>(timeStep));
 
   std::array<std::vector<std::uint32_t>, 5> entering;
   std::vector<std::uint32_t>& active = layer(0);
@@ -319,6 +328,10 @@ int LevelSetEvolution::step(int wanted, const Progress& progress) {
   State& s = *state_;
   int done = 0;
   while (done < wanted && s.stop == StopReason::Running) {
+    if (s.params.stopAfter && s.iterations >= *s.params.stopAfter) {
+      s.stop = StopReason::Stopped;
+      break;
+    }
     s.iterate(progress);
     ++done;
     if (s.layer(0).empty())
@@ -334,6 +347,7 @@ int LevelSetEvolution::step(int wanted, const Progress& progress) {
 
 StopReason LevelSetEvolution::stopReason() const { return state_->stop; }
 int LevelSetEvolution::iterations() const { return state_->iterations; }
+const std::vector<float>& LevelSetEvolution::motions() const { return state_->motions; }
 double LevelSetEvolution::change() const { return state_->change; }
 const Volume<float>& LevelSetEvolution::phi() const { return state_->phi; }
 Volume<float> LevelSetEvolution::takePhi() { return std::move(state_->phi); }

@@ -22,6 +22,7 @@ struct LevelSetParams {
   bool acrossCrests = true;  ///< the front moves where upwind differences vanish, too
   double stepVoxels = 0.5;   ///< no value changes by more in an iteration; at most 0.5
   int maxIterations = 500;
+  std::optional<int> stopAfter;  ///< iterations after which it is ended, wherever the front is
   int checkEvery = 20;
   double tolerance = 0.05;
   double toleranceDelta = 0.005;
@@ -54,6 +55,9 @@ class LevelSetEvolution {
   /// Sum of |phi now - phi at the last check| over the number of inside voxels; negative before the
   /// first check.
   [[nodiscard]] double change() const;
+  /// How far the front moved in each iteration so far: the mean over the active voxels, in working
+  /// voxels.
+  [[nodiscard]] const std::vector<float>& motions() const;
   [[nodiscard]] std::size_t insideVoxels() const;
 
   /// phi as it stands, working voxels, clamped beyond the layers.

@@ -113,6 +113,14 @@ void addLevelSet(FieldTable& t) {
             1, 1000000, "most iterations of the evolution")
       .slider(1.0, 20000.0)
       .rises("a front that has not come to rest goes on");
+  t.integer(
+       "levelset.stopAfter", "Stop after", ANGIOMESH_MEMBER(levelset.stopAfter), 0, 1000000,
+       "end the evolution after this many iterations and take the front as it stands; none: it "
+       "ends by itself")
+      .emptyWord("none")
+      .slider(0.0, 500.0)
+      .suggest([](const Parameters&, const FieldContext&) { return 20.0; })
+      .rises("the front goes on for longer");
   t.integer("levelset.checkEvery", "Check every", ANGIOMESH_MEMBER(levelset.checkEvery), 1, 10000,
             "iterations between two checks of convergence")
       .slider(1.0, 500.0)

@@ -41,7 +41,9 @@ class HowFar {
       }
       change_ = change;
     }
-    const double total = std::min(std::max(total_, iterations + 1.0), 1.0 * params_.maxIterations);
+    const double most =
+        std::min(params_.maxIterations, params_.stopAfter.value_or(params_.maxIterations));
+    const double total = std::min(std::max(total_, iterations + 1.0), std::max(most, 1.0));
     return std::min(iterations / total, 1.0);
   }
 
@@ -62,6 +64,7 @@ StopReason evolveWatched(LevelSetEvolution& evolution, const RunOptions& options
   int posted = -1;
   int wanted = kIterationsAtOnce;
   while (!evolution.converged()) {
+    snapshots.keep(evolution);
     if (options.control) {
       EvolutionControl& control = *options.control;
       if (control.finishNow) return StopReason::Stopped;

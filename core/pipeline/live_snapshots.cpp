@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/live_snapshots.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -25,6 +26,8 @@ void LiveSnapshots::post(const LevelSetEvolution& evolution) {
   auto snapshot = std::make_shared<EvolutionSnapshot>();
   snapshot->iterations = evolution.iterations();
   snapshot->change = evolution.change();
+  snapshot->motions = evolution.motions();
+  snapshot->kept = kept_;
   snapshot->phi = std::make_shared<const Volume<float>>(evolution.phi());
   const std::lock_guard lock(mutex_);
   if (last_) snapshot->surface = last_->surface;
@@ -32,6 +35,25 @@ void LiveSnapshots::post(const LevelSetEvolution& evolution) {
   wanted_ = true;
   mailbox_->post(last_);
   changed_.notify_one();
+}
+
+void LiveSnapshots::keep(const LevelSetEvolution& evolution) {
+  if (!mailbox_) return;
+  const Clock::time_point start = Clock::now();
+  if (!kept_.empty() && (evolution.iterations() < kept_.back()->iterations + keptEvery_ ||
+                         keepingSeconds_ > kKeepingShare * secondsSince(began_)))
+    return;
+  kept_.push_back(std::make_shared<const KeptFront>(
+      KeptFront{evolution.iterations(), PackedFront(evolution.phi())}));
+  keepingSeconds_ += secondsSince(start);
+  if (kept_.size() > kMostKept) thinOut();
+}
+
+/// Every other one goes, and from now on fronts lie twice as far apart.
+void LiveSnapshots::thinOut() {
+  keptEvery_ = std::max(2 * keptEvery_, kept_[2]->iterations - kept_[0]->iterations);
+  std::size_t n = 0;
+  std::erase_if(kept_, [&n](const auto&) { return n++ % 2 == 1; });
 }
 
 void LiveSnapshots::makeSurfaces() {

@@ -27,9 +27,8 @@ std::string keyPart(const Field& field, const Parameters& params) {
   return ";" + field.key + "=" + fieldText(field.get(params), field);
 }
 
-/// What no key tells: where the evolution was stopped by hand.
 bool stoppedByHand(const RunResult& run) {
-  return run.evolve && run.evolve->stopReason == StopReason::Stopped;
+  return run.evolve && endedByHand(*run.evolve, run.params);
 }
 
 /// One remembered result of a step.

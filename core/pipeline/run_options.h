@@ -8,9 +8,16 @@
 #include <string>
 #include <utility>
 
+#include "core/levelset/packed_front.h"
 #include "core/pipeline/step_results.h"
 
 namespace angiomesh {
+
+/// Where the front of an evolution was.
+struct KeptFront {
+  int iterations = 0;
+  PackedFront phi;
+};
 
 /// The zero level set while it evolves.
 struct EvolutionSnapshot {
@@ -20,6 +27,9 @@ struct EvolutionSnapshot {
   /// Its zero set, or that of an earlier phi while the new one is being made; null before the
   /// first.
   std::shared_ptr<const TriMesh> surface;
+  std::vector<float> motions;  ///< of each iteration, see LevelSetEvolution::motions()
+  /// Fronts that it has been at, the first one first: a few, evenly over the iterations.
+  std::vector<std::shared_ptr<const KeptFront>> kept;
 };
 
 /// A one-place mailbox: a newer value replaces one that was not taken.

@@ -119,4 +119,9 @@ struct RunResult {
   std::optional<RunFailure> failure;  ///< with RunOptions::keepOnFailure alone
 };
 
+/// Whether the evolution was ended by hand, which no key tells, and not by levelset.stopAfter.
+inline bool endedByHand(const EvolveResult& evolve, const Parameters& params) {
+  return evolve.stopReason == StopReason::Stopped && params.levelset.stopAfter != evolve.iterations;
+}
+
 }  // namespace angiomesh

@@ -41,6 +41,16 @@ void OutlineJob::execute() noexcept {
   }
 }
 
+void FrontJob::execute() noexcept {
+  try {
+    phi = std::make_shared<const Volume<float>>(front->phi.unpacked());
+    surface = std::make_shared<const TriMesh>(marchingCubes(*phi, SurfaceBorder::Cap, progress));
+  } catch (const std::exception&) {
+    phi.reset();
+    surface.reset();
+  }
+}
+
 void ReasonJob::execute() noexcept {
   try {
     reason = reasonAt(pointLps, *image, *vessels, *evolve, keptPhi.get(), params);

@@ -7,6 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/parameters/parameters.h"
+#include "core/pipeline/run_options.h"
 #include "core/pipeline/step_results.h"
 #include "core/pipeline/voxel_reason.h"
 
@@ -48,6 +49,18 @@ struct OutlineJob {
 
   // After execute():
   std::shared_ptr<const TriMesh> surface;  ///< null where it failed
+};
+
+/// An earlier front of an evolution, to be shown.
+struct FrontJob {
+  std::shared_ptr<const KeptFront> front;
+  Progress progress;
+
+  void execute() noexcept;
+
+  // After execute(); null where it failed:
+  std::shared_ptr<const Volume<float>> phi;
+  std::shared_ptr<const TriMesh> surface;
 };
 
 /// Why a place is vessel or not.

@@ -295,7 +295,7 @@ void CaseFiles::saveCase(const QString& folder, const CaseView& view) {
 void CaseFiles::cacheEvolve() {
   const std::shared_ptr<const EvolveResult> evolve = results_.evolveResult();
   const bool fresh =
-      evolve && evolve->stopReason != StopReason::Stopped && results_.fresh(Step::Evolve);
+      evolve && !endedByHand(*evolve, document_.parameters()) && results_.fresh(Step::Evolve);
   if (!fresh || (store_.folder().empty() && !store_.saving())) return;
   store_.cache({*evolve, results_.report(Step::Evolve)});
   timer_.wake();

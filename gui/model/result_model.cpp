@@ -19,11 +19,14 @@ ResultModel::ResultModel(CaseDocument& document, MessageLog& log, JobTimer& time
       estimateSlot_(timer, makeRunner,
                     [this](const std::shared_ptr<EstimateJob>& job) { finishEstimate(*job); }),
       outlineSlot_(timer, makeRunner,
-                   [this](const std::shared_ptr<OutlineJob>& job) { finishOutline(*job); }) {}
+                   [this](const std::shared_ptr<OutlineJob>& job) { finishOutline(*job); }),
+      frontSlot_(timer, makeRunner,
+                 [this](const std::shared_ptr<FrontJob>& job) { finishFront(*job); }) {}
 
 ResultModel::~ResultModel() {
   cancelEstimate();
   if (outlineSlot_) outlineSlot_.job()->progress.cancel();
+  if (frontSlot_) frontSlot_.job()->progress.cancel();
 }
 
 void ResultModel::clear() {
@@ -40,6 +43,8 @@ void ResultModel::clear() {
   speedKey_.clear();
   outline_.reset();
   outlined_.reset();
+  wanted_.reset();
+  front_ = {};
 }
 
 void ResultModel::accept(const StepResult& result) {
@@ -60,13 +65,15 @@ void ResultModel::accept(const StepResult& result) {
       break;
     case Step::Evolve:
       if (run.evolve != shown_.evolve) {
-        const bool byHand = run.evolve->stopReason == StopReason::Stopped;
+        const bool byHand = endedByHand(*run.evolve, run.params);
         segmentation_ = names_.segmentation(byHand ? std::string() : result.key);
       }
       shown_.evolve = run.evolve;
       evolveParams_ = run.params;
       livePhi_.reset();
       liveSurface_.reset();
+      wanted_.reset();
+      front_ = {};
       break;
     case Step::Surface:
     case Step::Smooth:
@@ -159,7 +166,35 @@ void ResultModel::finishSpeed(const SpeedJob& job) {
   if (!quiet_) Q_EMIT resultsChanged();
 }
 
+void ResultModel::showFront(std::shared_ptr<const KeptFront> front) {
+  if (front == wanted_) return;
+  wanted_ = std::move(front);
+  if (wanted_) {
+    makeFront();
+    return;
+  }
+  front_ = {};
+  Q_EMIT resultsChanged();
+}
+
+void ResultModel::makeFront() {
+  if (frontSlot_ || !wanted_) return;
+  auto job = std::make_shared<FrontJob>();
+  job->front = wanted_;
+  frontSlot_.startAndPoll(std::move(job));
+}
+
+void ResultModel::finishFront(const FrontJob& job) {
+  if (job.front != wanted_) {
+    makeFront();
+    return;
+  }
+  front_ = {job.front->iterations, job.phi, job.surface};
+  Q_EMIT resultsChanged();
+}
+
 std::shared_ptr<const Volume<float>> ResultModel::phi() const {
+  if (front_.phi) return front_.phi;
   if (livePhi_) return livePhi_;
   if (meshFits() && meshRun_->surface) return meshRun_->surface->phi;
   return shown_.evolve ? shown_.evolve->phi : nullptr;

@@ -82,9 +82,19 @@ class ResultModel : public QObject {
   [[nodiscard]] bool segmentationFresh() const {
     return fresh(meshFits() ? Step::Surface : Step::Evolve);
   }
+  /// Shows an earlier front of the evolution in place of the evolving one or of the result, from
+  /// the moment it is made on; null: no longer.
+  void showFront(std::shared_ptr<const KeptFront> front);
+  /// The earlier front that is asked for; null: none.
+  [[nodiscard]] const std::shared_ptr<const KeptFront>& wantedFront() const { return wanted_; }
+  /// Iterations of the earlier front shown; empty: none is.
+  [[nodiscard]] std::optional<int> frontShown() const {
+    return front_.phi ? std::optional(front_.iterations) : std::nullopt;
+  }
   /// Whether an evolution is shown as it goes on.
   [[nodiscard]] bool live() const { return livePhi_ != nullptr; }
-  /// phi to outline: the evolving one, else that of the kept components, else the evolution's.
+  /// phi to outline: an earlier one, or the evolving one, else that of the kept components, else
+  /// the evolution's.
   [[nodiscard]] std::shared_ptr<const Volume<float>> phi() const;
   /// What cuts are made in: phi of the kept components, else the evolution's; null before.
   [[nodiscard]] std::shared_ptr<const Volume<float>> uncutPhi() const;
@@ -95,8 +105,10 @@ class ResultModel : public QObject {
   void setComponentTicked(int index, bool ticked);
 
   // The meshes.
-  /// The evolving surface; null when no evolution runs.
-  [[nodiscard]] std::shared_ptr<const TriMesh> liveSurface() const { return liveSurface_; }
+  /// The surface of an earlier front or of the evolving one; null where neither is shown.
+  [[nodiscard]] std::shared_ptr<const TriMesh> liveSurface() const {
+    return front_.phi ? front_.surface : liveSurface_;
+  }
   [[nodiscard]] std::shared_ptr<const TriMesh> mesh(MeshKind kind) const;
   /// The zero level set of the segmentation shown, by marching cubes, for as long as it has no
   /// mesh; made on demand, resultsChanged() tells when.
@@ -126,7 +138,9 @@ class ResultModel : public QObject {
   [[nodiscard]] QStringList expectationWarnings();
   void cancelEstimate();
   /// Whether a speed, an estimate or an outline is being made.
-  [[nodiscard]] bool asking() const { return speedSlot_ || estimateSlot_ || outlineSlot_; }
+  [[nodiscard]] bool asking() const {
+    return speedSlot_ || estimateSlot_ || outlineSlot_ || frontSlot_;
+  }
   /// While a run is on nothing is estimated: its surface step will tell.
   void setRunning(bool running) { running_ = running; }
   /// What a form needs beside a field and the parameters.
@@ -139,6 +153,8 @@ class ResultModel : public QObject {
   void finishSpeed(const SpeedJob& job);
   void finishEstimate(const EstimateJob& job);
   void finishOutline(const OutlineJob& job);
+  void finishFront(const FrontJob& job);
+  void makeFront();
   [[nodiscard]] std::optional<ExpectedSurface> expectedSurface();
   [[nodiscard]] static std::vector<std::size_t> dropsIn(const SegmentComponent& component,
                                                         const Parameters& params);
@@ -169,6 +185,14 @@ class ResultModel : public QObject {
   std::shared_ptr<const TriMesh> outline_;
   std::shared_ptr<const EvolveResult> outlined_;  ///< what outline_ is of
   JobSlot<OutlineJob> outlineSlot_;
+  struct ShownFront {
+    int iterations = 0;
+    std::shared_ptr<const Volume<float>> phi;
+    std::shared_ptr<const TriMesh> surface;
+  };
+  ShownFront front_;
+  std::shared_ptr<const KeptFront> wanted_;
+  JobSlot<FrontJob> frontSlot_;
 };
 
 }  // namespace angiomesh

@@ -13,7 +13,12 @@ ShownText shown(const QString& text, bool stale) {
   return {stale ? QObject::tr("%1, out of date").arg(text) : text, stale};
 }
 
-ShownText evolving(const RunModel& runs) {
+ShownText evolving(const ResultModel& results, const RunModel& runs) {
+  if (const auto iterations = results.frontShown())
+    return {results.live() ? QObject::tr("Evolving, back at iteration %1").arg(*iterations)
+                           : QObject::tr("Result %1, the front after iteration %2")
+                                 .arg(results.segmentationName())
+                                 .arg(*iterations)};
   return {QObject::tr("Evolving, iteration %1").arg(runs.iterations())};
 }
 
@@ -28,13 +33,13 @@ ShownText layerText(const ResultModel& results, Layer layer, bool isShown) {
 }
 
 ShownText contourText(const ResultModel& results, const RunModel& runs) {
-  if (results.live()) return evolving(runs);
+  if (results.live() || results.frontShown()) return evolving(results, runs);
   if (!results.evolveResult()) return {};
   return shown(resultText(results.segmentationName()), !results.fresh(Step::Evolve));
 }
 
 ShownText surfaceText(const ResultModel& results, const RunModel& runs, MeshKind kind) {
-  if (results.liveSurface()) return evolving(runs);
+  if (results.liveSurface()) return evolving(results, runs);
   if (!results.meshFits() && results.evolveResult()) {
     const ShownText segmentation = contourText(results, runs);
     return {QObject::tr("%1, no mesh yet").arg(segmentation.text), segmentation.stale};

@@ -15,8 +15,8 @@ namespace {
 constexpr double kLeastSeconds = 2.0;
 constexpr double kLeastShare = 0.05;
 
-QString stopText(StopReason reason) {
-  switch (reason) {
+QString stopText(const RunResult& run) {
+  switch (run.evolve->stopReason) {
     case StopReason::Converged:
       return RunModel::tr("converged");
     case StopReason::Settled:
@@ -24,7 +24,9 @@ QString stopText(StopReason reason) {
     case StopReason::Limit:
       return RunModel::tr("not converged at the limit");
     case StopReason::Stopped:
-      return RunModel::tr("finished by hand (a next run evolves again)");
+      return endedByHand(*run.evolve, run.params)
+                 ? RunModel::tr("finished by hand (a next run evolves again)")
+                 : RunModel::tr("ended as asked");
     case StopReason::Running:
       break;
   }
@@ -87,6 +89,7 @@ void RunModel::startRun(Step until) {
   interruptAfter_.reset();
   fractionThen_ = -1.0;
   results_.cancelEstimate();
+  if (!quiet_) results_.showFront(nullptr);
   results_.setRunning(true);
   slot_.start(std::make_shared<RunJob>(document_.pipeline(), document_.parameters(), until));
   Q_EMIT statesChanged();
@@ -176,9 +179,22 @@ QString RunModel::failure(Step step) const {
 
 void RunModel::clear() {
   failedKey_.clear();
+  forgetEvolution();
+}
+
+void RunModel::forgetEvolution() {
   iterations_ = 0;
   change_ = -1.0;
   history_.clear();
+  motions_.clear();
+  keptFronts_.clear();
+}
+
+/// What is known of an evolution goes when the result of another one is shown.
+void RunModel::noteEvolution() {
+  const QString shown = results_.segmentationName();
+  if (results_.report(Step::Evolve).reused && shown != evolutionOf_) forgetEvolution();
+  evolutionOf_ = shown;
 }
 
 void RunModel::interrupt() {
@@ -220,22 +236,29 @@ void RunModel::watch(RunJob& job) {
     fractionThen_ = shareOf(job.step())[0];
     since_.start();
   }
+  // The last one may have been posted after the evolution was last seen.
+  const std::shared_ptr<const EvolutionSnapshot> snapshot = job.takeSnapshot();
+  if (snapshot) {
+    motions_ = snapshot->motions;
+    keptFronts_ = snapshot->kept;
+  }
   bool arrived = false;
   for (const StepResult& result : job.takeResults()) {
     if (document_.key(result.step) == result.key) {
       results_.accept(result);
+      if (result.step == Step::Evolve) noteEvolution();
       tell(result);
       arrived = true;
     }
   }
-  if (evolving()) watchEvolution(job);
+  if (evolving()) watchEvolution(job, snapshot.get());
   const std::optional<Step> step = job.step();
   const bool moved = std::exchange(polledStep_, step) != step;
   if (arrived) Q_EMIT results_.resultsChanged();
   if (arrived || moved) Q_EMIT statesChanged();
 }
 
-void RunModel::watchEvolution(RunJob& job) {
+void RunModel::watchEvolution(const RunJob& job, const EvolutionSnapshot* snapshot) {
   const int iterations = job.progress().iterations();
   const double change = job.progress().change();
   if (iterations < iterations_) history_.clear();
@@ -246,7 +269,7 @@ void RunModel::watchEvolution(RunJob& job) {
   }
   iterations_ = iterations;
   change_ = change;
-  if (const auto snapshot = job.takeSnapshot()) {
+  if (snapshot != nullptr) {
     results_.setLive(snapshot->phi, snapshot->surface);
     Q_EMIT snapshotArrived();
   }
@@ -270,7 +293,7 @@ void RunModel::sayEvolved(const RunResult& run) {
                                  .arg(evolve.label->largestShiftVoxels, 0, 'f', 2));
   } else if (run.params.segmentation.method == SegmentationMethod::LevelSet) {
     log_.say(Severity::Info, tr("Evolve: %1 after %2 iterations, threshold b = %3.")
-                                 .arg(stopText(evolve.stopReason))
+                                 .arg(stopText(run))
                                  .arg(evolve.iterations)
                                  .arg(evolve.thresholds.b, 0, 'g', 3));
   } else {

@@ -52,6 +52,12 @@ class RunModel : public QObject {
   [[nodiscard]] double change() const { return change_; }
   /// Iterations and change at the checks of the evolution shown.
   [[nodiscard]] const std::vector<std::pair<int, double>>& history() const { return history_; }
+  /// How far the front moved in each of its iterations, see LevelSetEvolution::motions().
+  [[nodiscard]] const std::vector<float>& motions() const { return motions_; }
+  /// Where it has been, the first one first.
+  [[nodiscard]] const std::vector<std::shared_ptr<const KeptFront>>& keptFronts() const {
+    return keptFronts_;
+  }
 
   /// Forgets failures and the evolution, with the results.
   void clear();
@@ -68,7 +74,9 @@ class RunModel : public QObject {
   void fail(Step step, const Parameters& params, const std::string& reason);
   void interrupt();
   void watch(RunJob& job);
-  void watchEvolution(RunJob& job);
+  void watchEvolution(const RunJob& job, const EvolutionSnapshot* snapshot);
+  void forgetEvolution();
+  void noteEvolution();
   void tell(const StepResult& result);
   void sayEvolved(const RunResult& run);
   void finish(const RunJob& job);
@@ -91,7 +99,10 @@ class RunModel : public QObject {
   QString failedText_;
   int iterations_ = 0;
   double change_ = -1.0;
+  QString evolutionOf_;  ///< name of the segmentation that the following come from
   std::vector<std::pair<int, double>> history_;
+  std::vector<float> motions_;
+  std::vector<std::shared_ptr<const KeptFront>> keptFronts_;
   JobSlot<RunJob> slot_;
 };
 

@@ -8,24 +8,13 @@
 
 #include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
+#include "gui/panel/plot_frame.h"
 
 namespace angiomesh {
 
 namespace {
 
 constexpr int kMargin = 6;
-
-QColor faint(const QPalette& palette) {
-  QColor colour = palette.color(QPalette::Text);
-  colour.setAlpha(60);
-  return colour;
-}
-
-void drawFrame(QPainter& painter, const QRectF& area, const QPalette& palette) {
-  painter.setPen(faint(palette));
-  painter.drawLine(area.bottomLeft(), area.bottomRight());
-  painter.drawLine(area.bottomLeft(), area.topLeft());
-}
 
 /// Outlines are told apart by their dashes, and follow the palette.
 QPen outlinePen(MeshKind kind, const QPalette& palette) {
@@ -40,78 +29,6 @@ QPen outlinePen(MeshKind kind, const QPalette& palette) {
 }
 
 }  // namespace
-
-ConvergencePlot::ConvergencePlot(CaseModels& models, QWidget* parent)
-    : QWidget(parent), models_(models) {
-  setMinimumSize(220, 90);
-  setToolTip(tr("Change of the surface at each check of the evolution; dashed: the tolerance"));
-  connect(&models_.timer, &JobTimer::ticked, this, [this] { update(); });
-  connect(&models_.results, &ResultModel::resultsChanged, this, [this] { update(); });
-}
-
-void ConvergencePlot::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), palette().color(QPalette::Base));
-  painter.setPen(palette().color(QPalette::Text));
-  const QFontMetrics metrics = painter.fontMetrics();
-  const int line = metrics.height();
-  const auto& history = models_.runs.history();
-  QString title = tr("Change over iterations");
-  if (!history.empty()) {
-    title = tr("Iteration %1, change %2")
-                .arg(models_.runs.iterations())
-                .arg(history.back().second, 0, 'g', 3);
-  }
-  painter.drawText(kMargin, kMargin + metrics.ascent(), title);
-  const int left = kMargin + metrics.horizontalAdvance("0.0001");
-  const QRectF area(left + 6, kMargin + line + 4, width() - left - 6 - 2 * kMargin,
-                    height() - 2.0 * line - 2 * kMargin - 8);
-  drawFrame(painter, area, palette());
-  if (history.empty() || area.height() < 10) {
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(area, Qt::AlignCenter, tr("No evolution yet"));
-    return;
-  }
-  const double tolerance = std::max(models_.document.parameters().levelset.tolerance, 1e-6);
-  double lowest = tolerance, highest = tolerance;
-  for (const auto& [iteration, change] : history) {
-    lowest = std::min(lowest, std::max(change, 1e-6));
-    highest = std::max(highest, change);
-  }
-  const int from = static_cast<int>(std::floor(std::log10(lowest)));
-  const int to = std::max(from + 1, static_cast<int>(std::ceil(std::log10(highest))));
-  const double lastIteration = std::max(1, history.back().first);
-  const auto place = [&](double iteration, double change) {
-    const double t = (std::log10(std::max(change, 1e-6)) - from) / (to - from);
-    return QPointF(area.left() + iteration / lastIteration * area.width(),
-                   area.bottom() - t * area.height());
-  };
-  for (int decade = from; decade <= to; ++decade) {
-    const QPointF at = place(0.0, std::pow(10.0, decade));
-    painter.setPen(faint(palette()));
-    painter.drawLine(at, QPointF(area.right(), at.y()));
-    painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(QRectF(0, at.y() - line / 2.0, left, line), Qt::AlignRight | Qt::AlignVCenter,
-                     QString::number(std::pow(10.0, decade)));
-  }
-  painter.drawText(QRectF(area.left(), area.bottom() + 2, area.width(), line), Qt::AlignRight,
-                   QString::number(lastIteration));
-  painter.drawText(QRectF(area.left(), area.bottom() + 2, area.width(), line), Qt::AlignLeft, "0");
-  painter.setPen(QPen(palette().color(QPalette::Text), 1.0, Qt::DashLine));
-  painter.drawLine(place(0.0, tolerance), place(lastIteration, tolerance));
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 1.8));
-  QPainterPath path;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const QPointF at = place(history[i].first, history[i].second);
-    if (i == 0)
-      path.moveTo(at);
-    else
-      path.lineTo(at);
-    painter.drawEllipse(at, 1.5, 1.5);
-  }
-  painter.drawPath(path);
-}
 
 HistogramWidget::HistogramWidget(QString title, double from, double to, int bins, QWidget* parent)
     : QWidget(parent), title_(std::move(title)), from_(from), to_(to), bins_(bins) {
@@ -149,7 +66,7 @@ void HistogramWidget::paintEvent(QPaintEvent* /*event*/) {
                     height() - 2 * kMargin - 2 * line - 6);
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(kMargin, kMargin + metrics.ascent(), title_);
-  drawFrame(painter, area, palette());
+  drawPlotFrame(painter, area, palette());
   double top = 0.0;
   for (const std::vector<double>& shares : shares_)
     for (const double share : shares) top = std::max(top, share);

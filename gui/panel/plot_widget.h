@@ -14,24 +14,6 @@ class QPainter;
 
 namespace angiomesh {
 
-struct CaseModels;
-
-/// Change of the evolution over its iterations, on a logarithmic scale, with the tolerance.
-class ConvergencePlot : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit ConvergencePlot(CaseModels& models, QWidget* parent = nullptr);
-
-  [[nodiscard]] QSize sizeHint() const override { return {360, 150}; }
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  CaseModels& models_;
-};
-
 /// Histograms of one quantity over the triangles of the three meshes, each as shares of its own
 /// triangles. The mesh selected is filled, the others are outlines.
 class HistogramWidget : public QWidget {

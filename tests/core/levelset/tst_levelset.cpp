@@ -7,6 +7,7 @@
 #include "core/levelset/evolution.h"
 #include "core/levelset/flood.h"
 #include "core/levelset/front_speed.h"
+#include "core/levelset/packed_front.h"
 #include "core/levelset/seeds.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
@@ -284,6 +285,59 @@ class TestLevelSet : public QObject {
     QVERIFY(mostApart(turned(found), floodVessels(other, 0.1, seed, 1.0, 30)) == 0.0);
     QVERIFY(mostApart(turned(floodStart(v, 0.1, found)), floodStart(other, 0.1, turned(found))) <
             1e-5);
+  }
+
+  void packedFrontsKeepSignsAndValues() {
+    LevelSetEvolution evolution = startedTorus({});
+    evolution.step(30);
+    Volume<float> phi = evolution.phi();
+    phi.voxels[5] = -1e-4F;  // would round to the other side
+    const PackedFront packed(phi);
+    const Volume<float> back = packed.unpacked();
+    QVERIFY(back.geometry == phi.geometry);
+    for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+      QCOMPARE(back.voxels[i] < 0.0F, phi.voxels[i] < 0.0F);
+      QVERIFY(std::fabs(back.voxels[i] - std::clamp(phi.voxels[i], -2.5F, 2.5F)) <= 0.0201F);
+    }
+    QVERIFY(packed.bytes() < phi.voxels.size());
+    // Long runs, of which a digit is not enough.
+    const Volume<float> far(cube(41), 3.0F);
+    QVERIFY(PackedFront(far).unpacked().voxels == Volume<float>(cube(41), 2.5F).voxels);
+    QVERIFY(PackedFront(far).bytes() <= 4);
+    Geometry row = cube(1);
+    for (row.size[0] = 1; row.size[0] < 300; ++row.size[0])
+      QCOMPARE(PackedFront(Volume<float>(row, 3.0F)).unpacked().voxels,
+               Volume<float>(row, 2.5F).voxels);
+  }
+
+  void itIsEndedAfterSoManyIterations() {
+    LevelSetParams params;
+    params.stopAfter = 7;
+    LevelSetEvolution ended = startedTorus(params);
+    QCOMPARE(ended.step(5), 5);
+    QCOMPARE(ended.stopReason(), StopReason::Running);
+    QCOMPARE(ended.step(5), 2);
+    QCOMPARE(ended.stopReason(), StopReason::Stopped);
+    LevelSetEvolution other = startedTorus({});
+    other.step(7);
+    QVERIFY(ended.phi().voxels == other.phi().voxels);
+  }
+
+  void motionsTellHowFarTheFrontMoved() {
+    // A front that p pushes on with speed 1 moves by the largest step, half a voxel.
+    const Geometry g = cube(31);
+    LevelSetParams params;
+    params.gamma = 1.0;
+    LevelSetEvolution ball(std::make_shared<const Volume<float>>(g, 1.0F), simpleThresholds(),
+                           fastMarchingStart(g, {centreOf(g)}, 3.0), params);
+    ball.step(6);
+    QCOMPARE(ball.motions().size(), std::size_t{6});
+    for (const float motion : ball.motions()) QVERIFY(motion > 0.2F && motion <= 0.5001F);
+    // One that has come to rest does not.
+    LevelSetEvolution torus = startedTorus({});
+    torus.step(400);
+    QVERIFY(torus.converged());
+    QVERIFY(torus.motions().back() < 0.1F * torus.motions()[5]);
   }
 };
 
