@@ -105,6 +105,7 @@ void ConvergencePlot::paintEvent(QPaintEvent* /*event*/) {
     return;
   }
   const int line = metrics.height();
+  painter.setPen(palette().color(QPalette::Text));
   const QRectF below(area.left(), area.bottom() + 2, area.width(), line);
   painter.drawText(below, Qt::AlignRight, QString::number(lastIteration()));
   painter.drawText(below, Qt::AlignLeft, "0");
@@ -200,19 +201,17 @@ void ConvergencePlot::keyPressEvent(QKeyEvent* event) {
 
 EvolutionPanel::EvolutionPanel(CaseModels& models, QWidget* parent)
     : QWidget(parent), models_(models) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 4);
-  column->setSpacing(2);
-  column->addWidget(named(new ConvergencePlot(models, this), "convergencePlot"), 1);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(6, 0, 6, 0);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 6, 0);
+  row->addWidget(named(new ConvergencePlot(models, this), "convergencePlot"), 1);
+  auto* column = new QVBoxLayout;
   use_ = named(new QPushButton(tr("Use this front"), this), "useFront");
   use_->setToolTip(tr("Ends the evolution at this iteration (levelset.stopAfter)"));
   back_ = named(new QPushButton(tr("Back to the last one"), this), "leaveFront");
-  row->addStretch(1);
-  row->addWidget(use_);
-  row->addWidget(back_);
-  column->addLayout(row);
+  column->addStretch(1);
+  column->addWidget(use_);
+  column->addWidget(back_);
+  row->addLayout(column);
   connect(use_, &QPushButton::clicked, this, &EvolutionPanel::useFront);
   connect(back_, &QPushButton::clicked, this, [this] { models_.results.showFront(nullptr); });
   connect(&models_.results, &ResultModel::resultsChanged, this, &EvolutionPanel::refresh);
