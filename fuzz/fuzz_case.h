@@ -13,7 +13,7 @@ namespace angiomesh::fuzz {
 
 inline bool same(const JournalStep& a, const JournalStep& b) {
   return a.saves == b.saves && a.position == b.position && a.text == b.text &&
-         parametersToJson(a.params) == parametersToJson(b.params);
+         parametersToJson(a.params) == parametersToJson(b.params) && a.notes == b.notes;
 }
 
 /// The document comes back without a warning from what is written of it into `folder`.
@@ -53,8 +53,9 @@ inline void workOn(const InputFolder& folder, SavedCase document) {
   if (!steps.empty()) {
     checkNotes(copy, steps, document.saves);
     document.params = steps.back().params;
+    document.notes = steps.back().notes;
   }
-  const JournalStep edit{document.saves, 1, "an edit", document.params};
+  const JournalStep edit{document.saves, 1, "an edit", document.params, document.notes};
   appendJournal(given, {edit});
   steps = readJournal(given, document.saves);
   expect(!steps.empty() && same(steps.back(), edit), "the edit was not noted");

@@ -8,14 +8,14 @@
 
 namespace angiomesh {
 
-/// The one undoable edit: parameters before and after.
+/// The one undoable edit: parameters and notes before and after.
 class CaseDocument::Change final : public QUndoCommand {
  public:
-  Change(CaseDocument& document, Parameters after, const QString& text, QString mergeKey,
+  Change(CaseDocument& document, Content after, const QString& text, QString mergeKey,
          bool continued)
       : QUndoCommand(text),
         document_(document),
-        before_(document.params_),
+        before_(document.content_),
         after_(std::move(after)),
         mergeKey_(std::move(mergeKey)),
         continued_(continued) {}
@@ -33,30 +33,32 @@ class CaseDocument::Change final : public QUndoCommand {
 
  private:
   CaseDocument& document_;
-  Parameters before_, after_;
+  Content before_, after_;
   QString mergeKey_;
   bool continued_;
 };
 
 CaseDocument::CaseDocument(MessageLog& log, QObject* parent)
-    : QObject(parent), log_(log), params_(preset("angiomesh")) {}
+    : QObject(parent),
+      log_(log),
+      content_{preset("angiomesh"), std::make_shared<const CaseNotes>()} {}
 
 void CaseDocument::begin(std::shared_ptr<Pipeline> pipeline, const FieldContext& facts,
-                         const DisplayFacts& display, const QString& name,
-                         const Parameters& params) {
+                         const DisplayFacts& display, const QString& name, const Parameters& params,
+                         const CaseNotes& notes) {
   pipeline_ = std::move(pipeline);
   facts_ = facts;
   display_ = display;
   name_ = name;
   undo_.clear();
-  params_ = params;
+  content_ = {params, std::make_shared<const CaseNotes>(notes)};
   keys_.fill({});
 }
 
 const std::string& CaseDocument::key(Step step) const {
   // Everything that is shown asks for keys, many times with each change.
   std::string& known = keys_[static_cast<std::size_t>(step)];
-  if (known.empty()) known = pipeline_->key(step, params_);
+  if (known.empty()) known = pipeline_->key(step, content_.params);
   return known;
 }
 
@@ -70,22 +72,41 @@ std::string CaseDocument::sourceHash() const {
 
 void CaseDocument::change(const Parameters& after, const QString& text, const QString& mergeKey,
                           bool continued) {
-  if (after == params_) {
+  if (after == content_.params) {
     Q_EMIT parametersChanged();
     return;
   }
-  undo_.push(new Change(*this, after, text, mergeKey, continued));
+  push({after, content_.notes}, text, mergeKey, continued);
 }
 
-void CaseDocument::replace(const Parameters& params) {
-  params_ = params;
-  keys_.fill({});
-  Q_EMIT parametersChanged();
-  Q_EMIT edited();
+void CaseDocument::changeNotes(const CaseNotes& after, const QString& text, const QString& mergeKey,
+                               bool continued) {
+  if (after == notes()) return;
+  push({content_.params, std::make_shared<const CaseNotes>(after)}, text, mergeKey, continued);
+}
+
+void CaseDocument::change(const Parameters& params, const CaseNotes& notes, const QString& text) {
+  if (params == content_.params && notes == *content_.notes) return;
+  push({params, std::make_shared<const CaseNotes>(notes)}, text, {}, false);
+}
+
+void CaseDocument::push(Content after, const QString& text, const QString& mergeKey,
+                        bool continued) {
+  undo_.push(new Change(*this, std::move(after), text, mergeKey, continued));
+}
+
+void CaseDocument::replace(const Content& content) {
+  const Content before = std::exchange(content_, content);
+  if (content_.params != before.params) {
+    keys_.fill({});
+    Q_EMIT parametersChanged();
+    Q_EMIT edited();
+  }
+  if (notes() != *before.notes) Q_EMIT notesChanged();
 }
 
 void CaseDocument::setField(const QString& key, const FieldValue& value, bool continued) {
-  Parameters after = params_;
+  Parameters after = content_.params;
   try {
     const Field& field = findField(key.toStdString());
     angiomesh::setField(after, field.key, value);
@@ -102,7 +123,7 @@ void CaseDocument::setField(const QString& key, const FieldValue& value, bool co
 
 void CaseDocument::applyPreset(const QString& name) {
   Parameters after = preset(name.toStdString());
-  copyPlaces(params_, after);
+  copyPlaces(content_.params, after);
   change(after, tr("preset %1").arg(name));
   Q_EMIT presetChosen(name);
 }
@@ -110,28 +131,28 @@ void CaseDocument::applyPreset(const QString& name) {
 QString CaseDocument::presetName() const {
   for (const std::string& name : presetNames()) {
     Parameters candidate = preset(name);
-    copyPlaces(params_, candidate);
-    if (candidate == params_) return QString::fromStdString(name);
+    copyPlaces(content_.params, candidate);
+    if (candidate == content_.params) return QString::fromStdString(name);
   }
   return {};
 }
 
 std::vector<Eigen::Vector3d> CaseDocument::seeds() const {
   std::vector<Eigen::Vector3d> points;
-  const std::vector<double>& numbers = params_.seeds.points;
+  const std::vector<double>& numbers = content_.params.seeds.points;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
     points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
   return points;
 }
 
 void CaseDocument::addSeed(const Eigen::Vector3d& lps) {
-  Parameters after = params_;
+  Parameters after = content_.params;
   after.seeds.points.insert(after.seeds.points.end(), {lps[0], lps[1], lps[2]});
   change(after, tr("add a seed"));
 }
 
 void CaseDocument::removeSeed(int index) {
-  Parameters after = params_;
+  Parameters after = content_.params;
   std::vector<double>& points = after.seeds.points;
   const auto at = static_cast<std::ptrdiff_t>(index) * 3;
   if (index < 0 || at + 3 > static_cast<std::ptrdiff_t>(points.size())) return;
@@ -148,19 +169,19 @@ void CaseDocument::setRoi(const std::optional<std::array<double, 6>>& roi) {
       return;
     }
   }
-  Parameters after = params_;
+  Parameters after = content_.params;
   after.preprocess.roi = roi;
   change(after, roi ? tr("draw the region of interest") : tr("clear the region of interest"));
 }
 
 QString CaseDocument::setCuts(const std::vector<std::string>& cuts, const QString& what) {
-  PortParams ports = params_.ports;
+  PortParams ports = content_.params.ports;
   ports.cuts = cuts;
   return setPorts(ports, what);
 }
 
 QString CaseDocument::setPorts(const PortParams& ports, const QString& what) {
-  Parameters after = params_;
+  Parameters after = content_.params;
   after.ports = ports;
   try {
     checkPorts(after.ports);

@@ -14,11 +14,12 @@
 #include "core/pipeline/pipeline.h"
 #include "gui/job/display_facts.h"
 #include "gui/model/message_log.h"
+#include "io/case/case_notes.h"
 
 namespace angiomesh {
 
-/// The case that is open: its source and its parameters. Every edit is a change of the parameters,
-/// and goes through the undo stack.
+/// The case that is open: its source, its parameters, and what the user noted. Every edit is a
+/// change of parameters or notes, and goes through the undo stack.
 class CaseDocument : public QObject {
   Q_OBJECT
 
@@ -26,9 +27,10 @@ class CaseDocument : public QObject {
   explicit CaseDocument(MessageLog& log, QObject* parent = nullptr);
 
   // The source.
-  /// parametersChanged() does not follow.
+  /// Neither parametersChanged() nor notesChanged() follows.
   void begin(std::shared_ptr<Pipeline> pipeline, const FieldContext& facts,
-             const DisplayFacts& display, const QString& name, const Parameters& params);
+             const DisplayFacts& display, const QString& name, const Parameters& params,
+             const CaseNotes& notes = {});
   [[nodiscard]] bool hasCase() const { return pipeline_ != nullptr; }
   /// Knows the keys, and remembers results. Null without a case.
   [[nodiscard]] const std::shared_ptr<Pipeline>& pipeline() const { return pipeline_; }
@@ -43,13 +45,19 @@ class CaseDocument : public QObject {
   [[nodiscard]] std::string sourceHash() const;
 
   // Edits: each one is undoable.
-  [[nodiscard]] const Parameters& parameters() const { return params_; }
+  [[nodiscard]] const Parameters& parameters() const { return content_.params; }
   [[nodiscard]] QUndoStack* undoStack() { return &undo_; }
   /// There are edits since the last save.
   [[nodiscard]] bool modified() const { return hasCase() && !undo_.isClean(); }
   /// @param mergeKey `continued` merges the change with the last one that has the same
   void change(const Parameters& after, const QString& text, const QString& mergeKey = {},
               bool continued = false);
+  [[nodiscard]] const CaseNotes& notes() const { return *content_.notes; }
+  /// Likewise, of what was noted: no step's key changes.
+  void changeNotes(const CaseNotes& after, const QString& text, const QString& mergeKey = {},
+                   bool continued = false);
+  /// Both at once.
+  void change(const Parameters& params, const CaseNotes& notes, const QString& text);
   /// @param continued merges with the last change of the same field, as while a slider is dragged
   void setField(const QString& key, const FieldValue& value, bool continued = false);
   void applyPreset(const QString& name);
@@ -66,16 +74,24 @@ class CaseDocument : public QObject {
  Q_SIGNALS:
   void parametersChanged();  ///< or an edit was refused, and a form has to show what is
   void edited();             ///< after parametersChanged(), where there was an edit
+  void notesChanged();
   void presetChosen(const QString& name);
 
  private:
+  /// What edits change.
+  struct Content {
+    Parameters params;
+    std::shared_ptr<const CaseNotes> notes;  ///< never null
+  };
   class Change;
-  void replace(const Parameters& params);
+  void push(Content after, const QString& text, const QString& mergeKey, bool continued);
+  void replace(const Content& content);
 
   MessageLog& log_;
   QUndoStack undo_;
-  Parameters params_;
-  mutable std::array<std::string, kStepCount> keys_;  ///< of params_, as far as they were asked for
+  Content content_;
+  /// Of the parameters, as far as they were asked for.
+  mutable std::array<std::string, kStepCount> keys_;
   std::shared_ptr<Pipeline> pipeline_;
   FieldContext facts_;
   DisplayFacts display_;

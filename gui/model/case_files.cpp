@@ -165,19 +165,21 @@ void CaseFiles::finishLoad(const std::shared_ptr<LoadJob>& job) {
   if (next_) startLoad(std::exchange(next_, nullptr));
 }
 
-void CaseFiles::begin(const LoadJob& job, const QString& name, const Parameters& params) {
+void CaseFiles::begin(const LoadJob& job, const QString& name, const Parameters& params,
+                      const CaseNotes& notes) {
   leaveCase();
   pending_.reset();
   results_.clear();
   runs_.clear();
   info_ = job.info();
   sourcePath_.clear();
-  document_.begin(job.pipeline(), job.facts(), job.display(), name, params);
+  document_.begin(job.pipeline(), job.facts(), job.display(), name, params, notes);
 }
 
 void CaseFiles::announce() {
   Q_EMIT caseChanged();
   Q_EMIT document_.parametersChanged();
+  Q_EMIT document_.notesChanged();
   Q_EMIT results_.resultsChanged();
 }
 
@@ -193,7 +195,7 @@ Parameters CaseFiles::parametersToBegin(const LoadJob& job) {
 void CaseFiles::takeVolume(const LoadJob& job) {
   begin(job, QString::fromStdString(job.pipeline()->source().name),
         withoutPlaces(job.label(), parametersToBegin(job)));
-  store_.begin({describeSource(), document_.parameters(), {}, 0}, nullptr);
+  store_.begin({describeSource(), document_.parameters(), {}, {}, 0}, nullptr);
   sayOpened(job.info());
   if (job.label()) sayLabel(*job.label());
   announce();
@@ -217,7 +219,7 @@ void CaseFiles::takeCase(const std::shared_ptr<const OpenCaseJob>& job) {
   }
   const bool recovery = job->request().place && job->request().place->recovery;
   begin(*job, recovery ? tr("restored") : QString::fromStdString(job->pipeline()->source().name),
-        job->document().params);
+        job->document().params, job->document().notes);
   sourcePath_ = job->sourcePath();
   store_.begin(job->document(), job->place());
   sayOpened(job->info());
@@ -261,7 +263,7 @@ void CaseFiles::restoreEdits() {
   restoring_ = true;
   const std::size_t first = steps.size() > kMostRestored ? steps.size() - kMostRestored : 0;
   for (std::size_t i = first; i < steps.size(); ++i)
-    document_.change(steps[i].params, QString::fromStdString(steps[i].text));
+    document_.change(steps[i].params, steps[i].notes, QString::fromStdString(steps[i].text));
   restoring_ = false;
   const std::size_t count = steps.size() - first;
   log_.say(Severity::Info, count == 1
@@ -286,7 +288,8 @@ CaseSource CaseFiles::describeSource() const {
 
 void CaseFiles::saveCase(const QString& folder, const CaseView& view) {
   if (!document_.hasCase()) return;
-  store_.save(absolute(folder), {describeSource(), document_.parameters(), view, 0});
+  store_.save(absolute(folder),
+              {describeSource(), document_.parameters(), document_.notes(), view, 0});
   cacheEvolve();
   timer_.wake();
   timer_.poll();
@@ -314,7 +317,8 @@ void CaseFiles::leaveCase() {
 void CaseFiles::noteEdit() {
   if (restoring_ || !store_.begun()) return;
   QUndoStack& undo = *document_.undoStack();
-  store_.note({0, undo.index(), undo.undoText().toStdString(), document_.parameters()});
+  store_.note(
+      {0, undo.index(), undo.undoText().toStdString(), document_.parameters(), document_.notes()});
   timer_.wake();
 }
 
@@ -332,7 +336,8 @@ void CaseFiles::takeOutcome(const CaseStore::Outcome& outcome) {
       log_.say(Severity::Info, tr("Saved the case %1.").arg(QString::fromStdString(name)));
       if (!outcome.present) return;
       document_.setCaseName(QString::fromStdString(name));
-      if (outcome.document.params == document_.parameters())
+      if (outcome.document.params == document_.parameters() &&
+          outcome.document.notes == document_.notes())
         document_.undoStack()->setClean();
       else
         document_.undoStack()->resetClean();

@@ -92,7 +92,8 @@ class CaseFiles : public QObject, private Polled {
   /// Nothing of another patient's: a preset, or what was chosen before there was any volume.
   [[nodiscard]] Parameters parametersToBegin(const LoadJob& job);
   void takeCase(const std::shared_ptr<const OpenCaseJob>& job);
-  void begin(const LoadJob& job, const QString& name, const Parameters& params);
+  void begin(const LoadJob& job, const QString& name, const Parameters& params,
+             const CaseNotes& notes = {});
   void announce();
   void sayOpened(const InputInfo& info);
   void sayLabel(const Label& label);

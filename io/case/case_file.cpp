@@ -188,16 +188,19 @@ CaseReading parse(const std::string& text, const fs::path& file) {
     reading.warnings.push_back("the case has a parameter that this program does not know, " + key +
                                ": it was left out");
   document.params = parametersOf(parameters, file, reading.warnings);
+  if (json.contains("notes"))
+    document.notes = notesFromJson(json["notes"].dump(), reading.warnings);
   return reading;
 }
 
 std::string textOf(const SavedCase& document) {
-  const Json json = {{"schema", kCaseSchema},
-                     {"program", versionText()},
-                     {"saves", document.saves},
-                     {"source", toJson(document.source)},
-                     {"parameters", Json::parse(parametersToJson(document.params))},
-                     {"view", toJson(document.view)}};
+  Json json = {{"schema", kCaseSchema},
+               {"program", versionText()},
+               {"saves", document.saves},
+               {"source", toJson(document.source)},
+               {"parameters", Json::parse(parametersToJson(document.params))},
+               {"view", toJson(document.view)}};
+  if (document.notes != CaseNotes()) json["notes"] = Json::parse(notesToJson(document.notes));
   return json.dump(2) + "\n";
 }
 
@@ -235,6 +238,7 @@ std::optional<CaseReading> fromJournal(const fs::path& folder) {
   if (steps.empty()) return std::nullopt;
   CaseReading reading;
   reading.document.params = steps.back().params;
+  reading.document.notes = steps.back().notes;
   reading.document.saves = steps.back().saves;
   reading.warnings.emplace_back(
       "case.json and case.previous.json are damaged: the parameters are those of the last edit in "

@@ -11,6 +11,7 @@
 
 #include "core/image/volume.h"
 #include "core/parameters/parameters.h"
+#include "io/case/case_notes.h"
 
 namespace angiomesh {
 
@@ -41,6 +42,7 @@ struct CaseView {
 struct SavedCase {
   CaseSource source;
   Parameters params;
+  CaseNotes notes;
   CaseView view;
   int saves =
       0;  ///< how many times it was saved; the journal's steps say after which one they came
@@ -64,8 +66,9 @@ void writeCase(const std::filesystem::path& folder, const SavedCase& document);
 
 /// Reads case.json, or case.previous.json where that one is missing or damaged, or else the last
 /// edit in the journal, with a warning. Parameters that the file does not name have their defaults;
-/// those that this program does not know or cannot use are left out, with a warning. What a program
-/// that was killed had begun to write in the folder is removed.
+/// those that this program does not know or cannot use are left out, with a warning, and so are
+/// notes that it cannot read. What a program that was killed had begun to write in the folder is
+/// removed.
 /// @throws IoError (no case, damaged, a link among its files), InputError (a newer schema)
 CaseReading readCase(const std::filesystem::path& folder);
 

@@ -30,10 +30,11 @@ constexpr off_t kLongestBytes = 1 << 20;
 fs::path journalOf(const fs::path& folder) { return placeIn(folder, "edits/journal.jsonl"); }
 
 std::string lineOf(const JournalStep& step) {
-  const Json json = {{"saves", step.saves},
-                     {"position", step.position},
-                     {"text", step.text},
-                     {"parameters", Json::parse(parametersToJson(step.params))}};
+  Json json = {{"saves", step.saves},
+               {"position", step.position},
+               {"text", step.text},
+               {"parameters", Json::parse(parametersToJson(step.params))}};
+  if (step.notes != CaseNotes()) json["notes"] = Json::parse(notesToJson(step.notes));
   return json.dump() + "\n";
 }
 
@@ -47,6 +48,9 @@ bool parseLine(std::string_view line, JournalStep& step) {
     step.text = json.at("text").get<std::string>();
     step.params =
         parametersFromJson(json.at("parameters").dump(), preset("angiomesh"), "the journal");
+    std::vector<std::string> leftOut;
+    if (json.contains("notes")) step.notes = notesFromJson(json["notes"].dump(), leftOut);
+    if (!leftOut.empty()) return false;
   } catch (const Json::exception&) {
     return false;
   } catch (const std::out_of_range&) {
@@ -95,10 +99,11 @@ std::string headOf(const fs::path& folder) {
   return source.empty() ? "" : "{\"source\":" + source + "}\n";
 }
 
-/// Keeps the head and the last half of a long journal, whole lines only.
+/// Keeps the head and the last half of a long journal, whole lines only, but the last one at least.
 void cut(const fs::path& folder, const fs::path& file) {
   const std::string text = readText(file);
-  const std::size_t from = text.find('\n', text.size() / 2);
+  std::size_t from = text.find('\n', text.size() / 2);
+  if (from == text.size() - 1) from = text.rfind('\n', from - 1);
   if (from != std::string::npos) writeText(file, headOf(folder) + text.substr(from + 1));
 }
 

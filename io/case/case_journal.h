@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/parameters/parameters.h"
+#include "io/case/case_notes.h"
 
 namespace angiomesh {
 
@@ -15,6 +16,7 @@ struct JournalStep {
   int position = 0;   ///< in the undo stack, after the edit
   std::string text;   ///< "change levelset.xi"
   Parameters params;  ///< after the edit
+  CaseNotes notes;    ///< likewise
 };
 
 /// Adds steps to the end of the case's journal and forces them to the medium. A long journal is

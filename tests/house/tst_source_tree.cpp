@@ -90,6 +90,7 @@ const std::map<std::string, std::string> kMayInclude{
     {"core/lumen", "base image field distance vesselness topology"},
     {"core/centreline", "base image field"},
     {"core/openings", "base image field mesh distance centreline"},
+    {"core/measure", "base image field mesh centreline openings"},
     {"core/sizing", "base field openings"},
     {"core/contour", "base image field mesh openings"},
     {"core/cuts", "base image field mesh distance centreline openings contour"},

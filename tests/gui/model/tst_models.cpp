@@ -72,6 +72,91 @@ class TestModels : public QObject {
     verifyStates(models, Step::Seeds, StepState::Empty);
   }
 
+  void notesAreEditsThatComputeNothingAnew() {
+    CaseModels models(makeInlineJobRunner);
+    models.files.take(twoTubes());
+    models.runs.run();
+    CaseDocument& document = models.document;
+    QUndoStack& undo = *document.undoStack();
+    const std::string key = document.key(Step::Evolve);
+    const QSignalSpy noted(&document, &CaseDocument::notesChanged);
+    const QSignalSpy edited(&document, &CaseDocument::edited);
+    CaseNotes one;
+    one.measurements.emplace_back();
+    one.measurements.back().name = "Distance 1";
+    document.changeNotes(one, "measure a distance");
+    QCOMPARE(undo.undoText(), QString("measure a distance"));
+    QVERIFY(document.notes() == one);
+    QVERIFY(document.modified());
+    document.changeNotes(one, "the same");
+    QCOMPARE(undo.count(), 1);
+    QCOMPARE(noted.size(), 1);
+    QCOMPARE(edited.size(), 0);
+    QCOMPARE(document.key(Step::Evolve), key);
+    verifyStates(models, static_cast<Step>(kStepCount), StepState::Stale);
+    QVERIFY(models.results.meshFresh());
+
+    // In between parameters: each undo takes back its own edit.
+    document.setField("levelset.xi", 35.0);
+    QVERIFY(document.notes() == one);
+    CaseNotes two = one;
+    two.measurements.back().name = "Neck";
+    document.changeNotes(two, "rename");
+    undo.undo();
+    QVERIFY(document.notes() == one);
+    QCOMPARE(document.parameters().thresholds.xi, 35.0);
+    undo.undo();
+    QVERIFY(document.notes() == one);
+    QVERIFY(document.parameters().thresholds.xi != 35.0);
+    QCOMPARE(noted.size(), 3);
+    undo.undo();
+    QVERIFY(document.notes() == CaseNotes());
+    undo.setIndex(undo.count());
+    QVERIFY(document.notes() == two);
+    QCOMPARE(document.parameters().thresholds.xi, 35.0);
+    models.files.take(twoTubes());
+    QVERIFY(document.notes() == CaseNotes());
+  }
+
+  void notesAreSavedWithTheCase() {
+    const QTemporaryDir folder;
+    const QString saved = folder.filePath("a.angiomesh");
+    CaseNotes notes;
+    notes.measurements.emplace_back();
+    notes.measurements.back().name = "Distance 1";
+    notes.measurements.back().places = {{1, 2, 3}, {4, 5, 6}};
+    {
+      CaseModels models(makeInlineJobRunner);
+      models.files.openSample();
+      models.files.saveCase(saved, {});
+      QVERIFY(!models.document.modified());
+      models.document.changeNotes(notes, "measure a distance");
+      QVERIFY(models.document.modified());
+      models.files.saveCase(saved, {});
+      QVERIFY(!models.document.modified());
+    }
+    for (const bool crash : {false, true}) {
+      CaseModels models(makeInlineJobRunner);
+      const QSignalSpy noted(&models.document, &CaseDocument::notesChanged);
+      models.files.openCase({saved.toStdString(), nullptr, {}, {}, crash});
+      QCOMPARE(models.document.notes().measurements.size(), std::size_t(1));
+      QVERIFY(noted.size() > 0);
+      if (crash) break;
+      QVERIFY(models.document.notes() == notes);
+      QVERIFY(!models.document.modified());
+      // A program that ends without a word leaves its journal.
+      CaseNotes renamed = notes;
+      renamed.measurements.back().name = "Neck";
+      models.document.changeNotes(renamed, "rename");
+    }
+    CaseModels models(makeInlineJobRunner);
+    models.files.openCase({saved.toStdString(), nullptr, {}, {}, true});
+    QCOMPARE(models.document.notes().measurements.front().name, std::string("Neck"));
+    QCOMPARE(models.document.undoStack()->undoText(), QString("rename"));
+    models.document.undoStack()->undo();
+    QVERIFY(models.document.notes() == notes);
+  }
+
   void changesReachTheStepsThatDependOnThemOnly() {
     CaseModels models(makeInlineJobRunner);
     models.files.take(twoTubes());
