@@ -42,15 +42,6 @@ Polyline resampled(const Polyline& line, double stepMm) {
   return result;
 }
 
-/// Of a curve through the points up to `reach` on either side of point n; 0 where they coincide.
-Vector3d tangentAt(const Polyline& line, std::size_t n, std::size_t reach) {
-  const std::size_t from = n - std::min(n, reach);
-  const std::size_t to = std::min(n + reach, line.size() - 1);
-  const Vector3d chord = line[to] - line[from];
-  const double length = chord.norm();
-  return length > 0.0 ? Vector3d(chord / length) : Vector3d::Zero();
-}
-
 }  // namespace
 
 Polyline smoothed(const Polyline& line, std::size_t half) {
@@ -62,6 +53,14 @@ Polyline smoothed(const Polyline& line, std::size_t half) {
     result[i] = sum / static_cast<double>(2 * window + 1);
   }
   return result;
+}
+
+Vector3d tangentAt(const Polyline& line, std::size_t n, std::size_t reach) {
+  const std::size_t from = n - std::min(n, reach);
+  const std::size_t to = std::min(n + reach, line.size() - 1);
+  const Vector3d chord = line[to] - line[from];
+  const double length = chord.norm();
+  return length > 0.0 ? Vector3d(chord / length) : Vector3d::Zero();
 }
 
 double lengthOf(const Polyline& line) {

@@ -18,6 +18,10 @@ Polyline smoothed(const Polyline& line, std::size_t half);
 
 double lengthOf(const Polyline& line);
 
+/// Unit direction at point n of a curve through the points up to `reach` on either side; 0 where
+/// they coincide.
+Eigen::Vector3d tangentAt(const Polyline& line, std::size_t n, std::size_t reach);
+
 /// A branch on its way from a chain of voxels to a centre line. Lengths in mm, points LPS.
 class BranchLine {
  public:
