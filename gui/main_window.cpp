@@ -10,6 +10,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
@@ -20,6 +21,7 @@
 #include "gui/central_area.h"
 #include "gui/dialog/help_dialogs.h"
 #include "gui/model/case_ports.h"
+#include "gui/model/case_review.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
 #include "gui/panel/evolution_panel.h"
@@ -28,6 +30,7 @@
 #include "gui/panel/named.h"
 #include "gui/panel/pipeline_panel.h"
 #include "gui/panel/port_panel.h"
+#include "gui/panel/review_panel.h"
 #include "gui/panel/view_grid.h"
 #include "gui/panel/why_panel.h"
 #include "gui/pictures.h"
@@ -54,6 +57,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       models_(std::make_unique<CaseModels>(options_.makeRunner, options_.recovery)),
       state_(new ViewState(*models_, this)),
       ports_(new CasePorts(*models_, options_.makeRunner, this)),
+      review_(new CaseReviewModel(*models_, options_.makeRunner, this)),
       views_(new ViewGrid(*models_, *state_, *ports_, options_.makeRunner, this)),
       centre_(new CentralArea(*models_, views_, this)),
       cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
@@ -112,6 +116,9 @@ MainWindow::~MainWindow() {
   ports_->disconnect();
   delete ports_;
   ports_ = nullptr;
+  review_->disconnect();
+  delete review_;
+  review_ = nullptr;
   pictures_->disconnect();
   delete pictures_;
   pictures_ = nullptr;
@@ -144,6 +151,9 @@ void MainWindow::buildDocks() {
   why_ = new WhyPanel(*models_, *views_, options_.makeRunner, this);
   QDockWidget* why = dock("whyDock", tr("Why here?"), Qt::RightDockWidgetArea, why_);
   tabifyDockWidget(ports, why);
+  tabifyDockWidget(ports, dock("reviewDock", tr("Review"), Qt::RightDockWidgetArea,
+                               new ReviewPanel(*review_, *views_, this)));
+  connect(review_, &CaseReviewModel::goTo, views_, &ViewGrid::goTo);
   ports->raise();
   resizeDocks({inspector, ports}, {kInspectorHeight, kPortsHeight}, Qt::Vertical);
   resizeDocks({log, plot}, {150, 150}, Qt::Vertical);
@@ -173,6 +183,7 @@ void MainWindow::buildMenus() {
   buildRunMenu();
   tools_->buildToolMenu();
   portMenu_ = new PortMenu(this, *models_, *ports_, *portPanel_, *views_, options_.chooser);
+  buildReviewMenu();
   QMenu* view = menuBar()->addMenu(tr("&View"));
   workspaces_->addTo(view);
   view->addSeparator();
@@ -224,6 +235,26 @@ void MainWindow::buildRunMenu() {
                 [this] { models_->runs.stepEvolution(kStepIterations); });
   addMenuAction(this, run, "finishRun", tr("Finish"), QKeySequence(Qt::Key_F8),
                 [this] { models_->runs.finishEvolution(); });
+}
+
+void MainWindow::buildReviewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("Revie&w"));
+  auto* panel = findChild<QDockWidget*>("reviewDock");
+  addMenuAction(this, menu, "openReview", tr("Open the review"), QKeySequence(tr("Ctrl+Alt+R")),
+                [panel] {
+                  panel->show();
+                  panel->raise();
+                });
+  addMenuAction(this, menu, "nextDoubt", tr("Next doubtful place"), QKeySequence(Qt::Key_N),
+                [this] { review_->step(1); });
+  addMenuAction(this, menu, "previousDoubt", tr("Previous doubtful place"),
+                QKeySequence(Qt::SHIFT | Qt::Key_N), [this] { review_->step(-1); });
+  addMenuAction(this, menu, "addRemark", tr("Add a remark at the crosshair"),
+                QKeySequence(tr("Ctrl+Alt+M")), [this, panel] {
+                  panel->show();
+                  panel->raise();
+                  findChild<QPushButton*>("remarkAdd")->click();
+                });
 }
 
 void MainWindow::buildStatusBar() {

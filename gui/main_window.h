@@ -19,6 +19,7 @@ namespace angiomesh {
 struct CaseModels;
 class CaseDialogs;
 class CasePorts;
+class CaseReviewModel;
 class CentralArea;
 class Pictures;
 class PortMenu;
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CaseModels& models() { return *models_; }
   [[nodiscard]] ViewState& viewState() { return *state_; }
   [[nodiscard]] CasePorts& ports() { return *ports_; }
+  [[nodiscard]] CaseReviewModel& review() { return *review_; }
   [[nodiscard]] ViewGrid& views() { return *views_; }
   [[nodiscard]] Workspaces& workspaces() { return *workspaces_; }
 
@@ -71,6 +73,7 @@ class MainWindow : public QMainWindow {
   void buildMenus();
   void buildFileMenu();
   void buildRunMenu();
+  void buildReviewMenu();
   void buildStatusBar();
   void runOnceLoaded();
   void refreshTitle();
@@ -88,6 +91,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<CaseModels> models_;
   ViewState* state_;
   CasePorts* ports_;
+  CaseReviewModel* review_;
   WhyPanel* why_ = nullptr;
   ViewGrid* views_;
   CentralArea* centre_;

@@ -4,6 +4,7 @@
 #include <exception>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/contour/marching_cubes.h"
 #include "core/cuts/cuts.h"
 #include "core/field/wall_field.h"
@@ -48,6 +49,16 @@ void FrontJob::execute() noexcept {
   } catch (const std::exception&) {
     phi.reset();
     surface.reset();
+  }
+}
+
+void DoubtJob::execute() noexcept {
+  try {
+    places = doubtfulPlaces(*phi, vesselness.get(), thresholds, progress);
+  } catch (const Cancelled&) {
+    places.clear();
+  } catch (const std::exception& failure) {
+    error = failure.what();
   }
 }
 

@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/parameters/parameters.h"
+#include "core/pipeline/doubtful_places.h"
 #include "core/pipeline/run_options.h"
 #include "core/pipeline/step_results.h"
 #include "core/pipeline/voxel_reason.h"
@@ -61,6 +63,20 @@ struct FrontJob {
   // After execute(); null where it failed:
   std::shared_ptr<const Volume<float>> phi;
   std::shared_ptr<const TriMesh> surface;
+};
+
+/// Where a segmentation may be wrong.
+struct DoubtJob {
+  std::shared_ptr<const Volume<float>> phi;
+  std::shared_ptr<const VesselnessResult> vesselness;  ///< may be null
+  Thresholds thresholds;
+  Progress progress;
+
+  void execute() noexcept;
+
+  // After execute():
+  std::vector<DoubtfulPlace> places;
+  std::string error;
 };
 
 /// Why a place is vessel or not.

@@ -87,13 +87,15 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   refreshAll();
 }
 
+void ViewGrid::goTo(double x, double y, double z, double radiusMm) {
+  setCrosshair({x, y, z});
+  if (radiusMm > 0.0) surface_->lookAt({x, y, z}, kRadiiAround * radiusMm);
+}
+
 void ViewGrid::connectPorts() {
   connect(&ports_, &CasePorts::changed, this, &ViewGrid::refreshPorts);
   connect(&ports_, &CasePorts::dragged, this, &ViewGrid::showPorts);
-  connect(&ports_, &CasePorts::goTo, this, [this](double x, double y, double z, double radiusMm) {
-    setCrosshair({x, y, z});
-    surface_->lookAt({x, y, z}, kRadiiAround * radiusMm);
-  });
+  connect(&ports_, &CasePorts::goTo, this, &ViewGrid::goTo);
   const auto link = [this](auto* view) {
     using View = std::remove_pointer_t<decltype(view)>;
     connect(view, &View::portPressed, &ports_, &CasePorts::select);

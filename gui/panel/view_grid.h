@@ -66,6 +66,8 @@ class ViewGrid : public QWidget {
 
   /// Of all slice panes, mm LPS.
   [[nodiscard]] Eigen::Vector3d crosshair() const;
+  /// Takes the panes to a place, and the camera near a vessel of this radius; 0: it stays.
+  void goTo(double x, double y, double z, double radiusMm);
   void setCrosshair(const Eigen::Vector3d& lps);
 
  Q_SIGNALS:

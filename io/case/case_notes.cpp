@@ -143,12 +143,72 @@ Measurement measurementFrom(const Json& json) {
   return measurement;
 }
 
+/// How many entries of a list could not be read.
+template <class Entry>
+std::size_t readList(const Json& list, std::vector<Entry>& to, Entry (*read)(const Json&)) {
+  std::size_t lost = 0;
+  for (const Json& each : list) {
+    try {
+      to.push_back(read(each));
+    } catch (const Json::exception&) {
+      ++lost;
+    } catch (const std::out_of_range&) {
+      ++lost;
+    }
+  }
+  return lost;
+}
+
+int scoreFrom(const Json& json) {
+  const auto score = json.get<std::int64_t>();
+  if (!json.is_number_integer() || score < 0 || score > kBestScore)
+    throw std::out_of_range("no score");
+  return static_cast<int>(score);
+}
+
+ReviewRemark remarkFrom(const Json& json) {
+  return {pointsFrom(json.at("placeMm")).at(0), scoreFrom(json.at("score")),
+          json.at("text").get<std::string>()};
+}
+
+SeenPlace seenFrom(const Json& json) {
+  const auto kind = doubtKindOf(json.at("kind").get<std::string>());
+  if (!kind) throw std::out_of_range("no such kind");
+  return {*kind, pointsFrom(json.at("placeMm")).at(0)};
+}
+
+Json toJson(const CaseReview& review) {
+  Json json = {{"verdict", verdictWord(review.verdict)}, {"score", review.score}};
+  if (!review.key.empty()) json["key"] = review.key;
+  for (const ReviewRemark& remark : review.remarks)
+    json["remarks"].push_back(
+        {{"placeMm", flat({remark.pointLps})}, {"score", remark.score}, {"text", remark.text}});
+  for (const SeenPlace& place : review.seen)
+    json["seen"].push_back({{"kind", doubtWord(place.kind)}, {"placeMm", flat({place.pointLps})}});
+  return json;
+}
+
+/// @returns how many of its entries could not be read   @throws as measurementFrom()
+std::size_t readReview(const Json& json, CaseReview& review) {
+  std::size_t lost = 0;
+  if (json.contains("remarks")) lost += readList(json["remarks"], review.remarks, remarkFrom);
+  if (json.contains("seen")) lost += readList(json["seen"], review.seen, seenFrom);
+  const auto verdict = verdictOf(json.at("verdict").get<std::string>());
+  if (!verdict) throw std::out_of_range("no such verdict");
+  const int score = scoreFrom(json.at("score"));
+  if (json.contains("key")) review.key = json["key"].get<std::string>();
+  review.verdict = *verdict;
+  review.score = score;
+  return lost;
+}
+
 }  // namespace
 
 std::string notesToJson(const CaseNotes& notes) {
   Json json = Json::object();
   for (const Measurement& measurement : notes.measurements)
     json["measurements"].push_back(toJson(measurement));
+  if (!notes.review.empty()) json["review"] = toJson(notes.review);
   return json.dump();
 }
 
@@ -159,22 +219,24 @@ CaseNotes notesFromJson(const std::string& text, std::vector<std::string>& warni
     warnings.emplace_back("what was noted in the case is damaged: it was left out");
     return notes;
   }
-  if (!json.contains("measurements")) return notes;
-  std::size_t lost = 0;
-  for (const Json& each : json["measurements"]) {
-    try {
-      notes.measurements.push_back(measurementFrom(each));
-    } catch (const Json::exception&) {
-      ++lost;
-    } catch (const std::out_of_range&) {
-      ++lost;
-    }
-  }
+  const std::size_t lost = json.contains("measurements")
+                               ? readList(json["measurements"], notes.measurements, measurementFrom)
+                               : 0;
   if (lost > 0)
     warnings.push_back(std::to_string(lost) +
                        (lost == 1
                             ? " measurement of the case cannot be read: it was left out"
                             : " measurements of the case cannot be read: they were left out"));
+  if (!json.contains("review")) return notes;
+  bool whole = false;
+  try {
+    whole = readReview(json["review"], notes.review) == 0;
+  } catch (const Json::exception&) {
+    // Said below.
+  } catch (const std::out_of_range&) {
+    // Said below.
+  }
+  if (!whole) warnings.emplace_back("the review of the case is damaged: a part of it was left out");
   return notes;
 }
 

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "core/measure/measurement.h"
+#include "core/measure/review.h"
 
 namespace angiomesh {
 
 /// What the user noted in a case: nothing that a step computes depends on it.
 struct CaseNotes {
   std::vector<Measurement> measurements;
+  CaseReview review;
 
   bool operator==(const CaseNotes& other) const = default;
 };

@@ -103,7 +103,8 @@ const std::map<std::string, std::string> kMayInclude{
      "base preprocess vesselness levelset topology lumen sizing contour cuts smooth surface"},
     {"core/pipeline",
      "base image field mesh preprocess vesselness phantom levelset topology distance lumen "
-     "centreline openings sizing contour cuts front remesh smooth surface quality parameters"},
+     "centreline openings sizing contour cuts front remesh smooth surface quality measure "
+     "parameters"},
     {"io/file", ""},
     {"io/volume", "file"},
     {"io/dicom", "file volume"},

@@ -112,6 +112,48 @@ class TestCaseNotes : public QObject {
     QCOMPARE(reading.document.params.thresholds.xi, 44.0);
   }
 
+  void aReviewComesBackAsItWas() {
+    const Folder folder;
+    const fs::path a = folder / "a.angiomesh";
+    SavedCase saved = sampleCase();
+    saved.notes = {};
+    CaseReview& review = saved.notes.review;
+    review.verdict = Verdict::Rejected;
+    review.score = 2;
+    review.key = "0123abc";
+    review.remarks = {{{1.0 / 3.0, -2.0, 7e-3}, 4, "two vessels, \"touching\"\nhere"},
+                      {{0.0, 0.0, 0.0}, 0, ""}};
+    review.seen = {{DoubtKind::Neck, {1.5, 2.5, -3.5}}, {DoubtKind::Missed, {0.1, 0.2, 0.3}}};
+    writeCase(a, saved);
+    const CaseReading whole = readCase(a);
+    QVERIFY(whole.warnings.empty());
+    QVERIFY(whole.document.notes == saved.notes);
+    // What is damaged is left out by itself.
+    const std::string text = bytesOf(a / "case.json");
+    for (const auto& [what, with] :
+         std::vector<std::pair<std::string, std::string>>{{"\"neck\"", "\"nick\""},
+                                                          {"\"score\": 4", "\"score\": 6"},
+                                                          {"\"score\": 4", "\"score\": 1e99"}}) {
+      std::string damaged = text;
+      QVERIFY(damaged.find(what) != std::string::npos);
+      save(a / "case.json", damaged.replace(damaged.find(what), what.size(), with));
+      const CaseReading reading = readCase(a);
+      QCOMPARE(reading.warnings.size(), std::size_t(1));
+      QVERIFY(reading.warnings.front().find("the review of the case is damaged") == 0);
+      const CaseReview& left = reading.document.notes.review;
+      QCOMPARE(left.remarks.size() + left.seen.size(), std::size_t(3));
+      QCOMPARE(left.verdict, Verdict::Rejected);
+      QCOMPARE(left.score, 2);
+    }
+    std::string damaged = text;
+    damaged.replace(damaged.find("\"rejected\""), 10, "\"perhaps\"");
+    save(a / "case.json", damaged);
+    const CaseReading reading = readCase(a);
+    QCOMPARE(reading.warnings.size(), std::size_t(1));
+    QCOMPARE(reading.document.notes.review.verdict, Verdict::None);
+    QCOMPARE(reading.document.notes.review.remarks.size(), std::size_t(2));
+  }
+
   void theJournalHasThemToo() {
     const Folder folder;
     const fs::path a = folder / "a.angiomesh";
