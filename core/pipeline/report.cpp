@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/parallel.h"
+#include "core/measure/review_json.h"
 #include "core/openings/port_json.h"
 #include "core/parameters/field.h"
 #include "core/quality/quality_json.h"
@@ -203,7 +204,8 @@ std::optional<double> peakMemoryMb() {
 
 }  // namespace
 
-std::string runReportJson(const RunResult& result, const std::optional<OverlapMeasures>& truth) {
+std::string runReportJson(const RunResult& result, const std::optional<OverlapMeasures>& truth,
+                          const CaseReview& review) {
   Json report{{"schema", kSchema},
               {"version", versionText()},
               {"key", result.key},
@@ -240,6 +242,7 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
     report["mesh_unsmoothed"] = qualityJson<Json>(result.quality->unsmoothed);
     report["marching_cubes"] = qualityJson<Json>(result.quality->marchingCubes);
   }
+  if (!review.empty()) report["review"] = reviewJson<Json>(review, "place_mm");
   return report.dump(kIndent) + "\n";
 }
 

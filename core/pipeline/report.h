@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/measure/review.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/overlap.h"
 
@@ -11,8 +12,8 @@ namespace angiomesh {
 
 /// report.json of a run (schema 1): see docs/report.md. Blocks of steps that did not run are
 /// absent.
-std::string runReportJson(const RunResult& result,
-                          const std::optional<OverlapMeasures>& truth = {});
+std::string runReportJson(const RunResult& result, const std::optional<OverlapMeasures>& truth = {},
+                          const CaseReview& review = {});
 
 /// One block alone, as {"schema": 1, "surface": {...}} and so on.
 std::string surfaceJson(const SurfaceOrigin& origin);

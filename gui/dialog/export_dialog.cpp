@@ -359,6 +359,7 @@ std::optional<DicomOrigin> ExportDialog::origin() const {
 ExportExtras ExportDialog::extras() const {
   ExportExtras extras;
   extras.report = report_->isChecked();
+  extras.review = models_.document.notes().review;
   extras.ports = ports_->isEnabled() && ports_->isChecked();
   extras.patches = patches_->isEnabled() && patches_->isChecked();
   return extras;

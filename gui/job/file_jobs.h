@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/measure/review.h"
 #include "core/parameters/field.h"
 #include "core/pipeline/pipeline.h"
 #include "gui/job/display_facts.h"
@@ -105,6 +106,7 @@ struct ExportExtras {
   bool report = false;   ///< NAME.report.json
   bool ports = false;    ///< NAME.ports.json
   bool patches = false;  ///< a file of each patch, see writePatchFiles()
+  CaseReview review;     ///< goes into the report
 };
 
 /// What an export writes.

@@ -42,14 +42,14 @@ void fillScores(QComboBox* box) {
   for (int score = 1; score <= kBestScore; ++score) box->addItem(QString::number(score));
 }
 
-/// Touches what differs only: an editor that is open would start anew.
+/// In the item that is there: with another one an editor that is open would start anew.
 QTableWidgetItem* setCell(QTableWidget* table, int row, int column, const QString& text) {
   QTableWidgetItem* item = table->item(row, column);
   if (item == nullptr) {
     item = new QTableWidgetItem;
     table->setItem(row, column, item);
   }
-  if (item->text() != text) item->setText(text);
+  item->setText(text);
   return item;
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/base/json_text.h"
+#include "core/measure/review_json.h"
 
 namespace angiomesh {
 namespace {
@@ -177,17 +178,6 @@ SeenPlace seenFrom(const Json& json) {
   return {*kind, pointsFrom(json.at("placeMm")).at(0)};
 }
 
-Json toJson(const CaseReview& review) {
-  Json json = {{"verdict", verdictWord(review.verdict)}, {"score", review.score}};
-  if (!review.key.empty()) json["key"] = review.key;
-  for (const ReviewRemark& remark : review.remarks)
-    json["remarks"].push_back(
-        {{"placeMm", flat({remark.pointLps})}, {"score", remark.score}, {"text", remark.text}});
-  for (const SeenPlace& place : review.seen)
-    json["seen"].push_back({{"kind", doubtWord(place.kind)}, {"placeMm", flat({place.pointLps})}});
-  return json;
-}
-
 /// @returns how many of its entries could not be read   @throws as measurementFrom()
 std::size_t readReview(const Json& json, CaseReview& review) {
   std::size_t lost = 0;
@@ -208,7 +198,7 @@ std::string notesToJson(const CaseNotes& notes) {
   Json json = Json::object();
   for (const Measurement& measurement : notes.measurements)
     json["measurements"].push_back(toJson(measurement));
-  if (!notes.review.empty()) json["review"] = toJson(notes.review);
+  if (!notes.review.empty()) json["review"] = reviewJson<Json>(notes.review, "placeMm");
   return json.dump();
 }
 

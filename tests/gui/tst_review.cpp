@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -164,6 +167,21 @@ class TestReview : public QObject {
     std::vector<std::string> warnings;
     const CaseReading saved = readCase(folder.filePath("a.angiomesh").toStdString());
     QVERIFY(saved.document.notes.review.remarks == expected);
+  }
+
+  void theReportOfAMeshHasIt() {
+    Reviewed c;
+    c.models().files.take(test::twoTubes());
+    c.models().runs.run();
+    QTest::mouseClick(c.button("reviewAccept"), Qt::LeftButton);
+    c.savePath = c.folder.filePath("a.ply");
+    c.find<QAction>("export")->trigger();
+    c.click(c.find<QPushButton>("exportGo"));
+    QFile report(c.folder.filePath("a.report.json"));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QJsonObject review =
+        QJsonDocument::fromJson(report.readAll()).object().value("review").toObject();
+    QCOMPARE(review.value("verdict").toString(), QString("accepted"));
   }
 
   void placesOfAResultThatIsGoneAreNotShown() {

@@ -55,6 +55,17 @@ class TestDoubtfulPlaces : public QObject {
     QCOMPARE(placesOf(clampedField(params)).size(), std::size_t{0});
   }
 
+  void aVesselThatGetsThinnerIsNoNeck() {
+    const Geometry g = cube(64);
+    QCOMPARE(placesOf(clamped(g,
+                              [&](const Eigen::Vector3d& x) {
+                                return std::min(capsule(x, {32, 32, 8}, {32, 32, 32}, 5.0),
+                                                capsule(x, {32, 32, 32}, {32, 32, 56}, 2.0));
+                              }))
+                 .size(),
+             std::size_t{0});
+  }
+
   void aHoleThroughAVesselIsNamed() {
     const Geometry g = cube(40);
     Volume<float> phi = clamped(g, [&](const Eigen::Vector3d& x) {
