@@ -16,6 +16,7 @@
 #include "core/field/wall_field.h"
 #include "core/parameters/field.h"
 #include "core/phantom/truth_json.h"
+#include "core/quality/quality_gates.h"
 #include "core/quality/quality_json.h"
 #include "core/quality/sizing_check.h"
 #include "core/quality/zero_set_measure.h"

@@ -37,12 +37,12 @@ std::vector<char> rimCorners(const TriMesh& mesh) {
 
 double leastAngle(const TriMesh& mesh) {
   const std::vector<char> corner = rimCorners(mesh);
-  const std::vector<float> angles = minAngles(mesh);
+  const std::vector<TriangleShape> shapes = shapesOf(mesh);
   double least = 180.0;
-  for (std::size_t t = 0; t < angles.size(); ++t) {
+  for (std::size_t t = 0; t < shapes.size(); ++t) {
     const auto& c = mesh.triangles[t];
     if (corner[c[0]] == 0 && corner[c[1]] == 0 && corner[c[2]] == 0)
-      least = std::min(least, static_cast<double>(angles[t]));
+      least = std::min(least, shapes[t].minAngle);
   }
   return least;
 }

@@ -44,6 +44,7 @@ TriangleShape triangleShape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   shape.maxAngle = std::max({angles[0], angles[1], angles[2]});
   // r = area / s, R = xyz / (4 area), s half the perimeter.
   shape.radiusRatio = 4.0 * twiceArea * twiceArea / ((x + y + z) * x * y * z);
+  shape.aspectRatio = std::max({x, y, z}) * (x + y + z) / (2.0 * std::numbers::sqrt3 * twiceArea);
   return shape;
 }
 

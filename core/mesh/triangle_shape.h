@@ -2,13 +2,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <limits>
 
 namespace angiomesh {
 
-/// Angles in degrees and 2 * inradius / circumradius of one triangle. A triangle without area has
-/// the angles 0 and 180 and the ratio 0.
+/// Angles in degrees, 2 * inradius / circumradius, and longest edge / (inradius * 12^0.5) of one
+/// triangle. One without area has the angles 0 and 180, the radius ratio 0 and an infinite aspect
+/// ratio.
 struct TriangleShape {
   double minAngle = 0.0, maxAngle = 180.0, radiusRatio = 0.0;
+  double aspectRatio = std::numeric_limits<double>::infinity();
+
+  /// Equiangular, as in Fluent: 0 is equilateral, 1 has no area.
+  [[nodiscard]] double skewness() const {
+    return std::max((maxAngle - 60.0) / 120.0, (60.0 - minAngle) / 60.0);
+  }
 };
 
 TriangleShape triangleShape(const Eigen::Vector3d& a, const Eigen::Vector3d& b,

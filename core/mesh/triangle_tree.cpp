@@ -105,7 +105,17 @@ TriangleTree::Closest TriangleTree::closest(const Eigen::Vector3d& point) const 
 
 double TriangleTree::firstExit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                double least) const {
-  double best = std::numeric_limits<double>::infinity();
+  Stop stop;
+  stop.least = least;
+  return firstStop(origin, direction, stop);
+}
+
+double TriangleTree::firstStop(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                               const Stop& stop) const {
+  const double least = stop.least;
+  const double side = stop.entering ? -1.0 : 1.0;
+  double best = stop.most;
+  bool any = false;
   const Eigen::Array3d inverse = direction.array().inverse();
   const auto misses = [&](const Box& box) {
     const Eigen::Array3d a = (box.min() - origin).array() * inverse;
@@ -126,19 +136,23 @@ double TriangleTree::firstExit(const Eigen::Vector3d& origin, const Eigen::Vecto
     const auto corners = cornersOf(mesh_, order_[i]);
     const Eigen::Vector3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
     const Eigen::Vector3d normal = ab.cross(ac);
-    const double facing = normal.dot(direction);
+    const double facing = side * normal.dot(direction);
     if (!(facing > 0.0)) return;
+    for (const std::uint32_t v : mesh_.triangles[order_[i]])
+      if (v == stop.notAt[0] || v == stop.notAt[1] || v == stop.notAt[2]) return;
     // Moeller and Trumbore 1997.
     const Eigen::Vector3d from = origin - corners[0];
     const Eigen::Vector3d turned = direction.cross(from);
-    const double u = ac.dot(turned), v = -ab.dot(turned);
+    const double u = side * ac.dot(turned), v = -side * ab.dot(turned);
     // A ray through an edge or a corner is not to slip out between the triangles there.
     const double hair = 1e-9 * facing;
     if (u < -hair || v < -hair || u + v > facing + hair) return;
-    const double distance = -normal.dot(from) / facing;
-    if (distance > least && distance < best) best = distance;
+    const double distance = -side * normal.dot(from) / facing;
+    if (!(distance > least && distance < best)) return;
+    best = distance;
+    any = true;
   });
-  return best;
+  return any ? best : std::numeric_limits<double>::infinity();
 }
 
 Eigen::Vector3d closestWeights(const std::array<Eigen::Vector3d, 3>& triangle,

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -44,6 +45,19 @@ class TriangleTree {
   /// leaves the inside through, beyond `least`; infinity where there is none.
   [[nodiscard]] double firstExit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                  double least) const;
+
+  /// Which triangles stop a ray.
+  struct Stop {
+    bool entering = false;  ///< those that it gets into the inside through; else out of it
+    double least = 0.0, most = std::numeric_limits<double>::infinity();  ///< distances
+    /// Triangles with one of these corners do not.
+    std::array<std::uint32_t, 3> notAt{noVertex, noVertex, noVertex};
+  };
+  static constexpr std::uint32_t noVertex = 0xFFFFFFFF;
+  /// The distance from `origin` along `direction` (of length 1) to the first triangle that stops
+  /// it; infinity where there is none.
+  [[nodiscard]] double firstStop(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                                 const Stop& stop) const;
 
  private:
   struct Node {

@@ -3,6 +3,7 @@
 #include "core/mesh/mesh_faults.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/base/parallel.h"
@@ -103,15 +104,6 @@ void countTopology(const TriMesh& mesh, MeshQuality& q, const Progress& progress
   q.edgeMeanMm = counted == 0 ? 0.0 : sum / static_cast<double>(counted);
 }
 
-std::vector<TriangleShape> shapesOf(const TriMesh& mesh) {
-  std::vector<TriangleShape> shapes(mesh.triangles.size());
-  parallelForEach(shapes.size(), blockSize, [&](std::size_t i) {
-    const Triangle3 t = cornersOf(mesh, static_cast<std::uint32_t>(i));
-    if (!isDegenerate(t)) shapes[i] = triangleShape(t[0], t[1], t[2]);
-  });
-  return shapes;
-}
-
 // Per triangle: 1 where two of its sides border two other patches.
 std::vector<char> inCorners(const TriMesh& mesh) {
   std::vector<char> corner(mesh.triangles.size(), 0);
@@ -162,9 +154,10 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
     smallest.push_back(s.minAngle);
     largest.push_back(s.maxAngle);
     ratios.push_back(s.radiusRatio);
-    const double skewness = std::max((s.maxAngle - 60.0) / 120.0, (60.0 - s.minAngle) / 60.0);
-    q.skewnessMax = std::max(q.skewnessMax, skewness);
-    q.skewnessMean += skewness / static_cast<double>(shapes.size());
+    q.skewnessMax = std::max(q.skewnessMax, s.skewness());
+    q.skewnessMean += s.skewness() / static_cast<double>(shapes.size());
+    q.aspectMax = std::max(q.aspectMax, s.aspectRatio);
+    q.aspectMean += s.aspectRatio / static_cast<double>(shapes.size());
     if (s.minAngle < 20.0) ++below20;
     if (s.minAngle < 30.0) ++below30;
   }
@@ -189,6 +182,16 @@ void measureShapes(const TriMesh& mesh, MeshQuality& q) {
 // The largest curvature in magnitude of the level set of phi through a point, 1/mm.
 double largestCurvature(const SplineField& phi, const Eigen::Vector3d& pointLps) {
   return principalCurvatures(phi.secondAt(pointLps)).maximal();
+}
+
+void measureNeighbours(const TriMesh& mesh, MeshQuality& q) {
+  q.valences = measureValences(mesh);
+  std::vector<double> gradations;
+  for (const float ratio : sizeGradations(mesh))
+    if (std::isfinite(ratio)) gradations.push_back(ratio);
+  if (gradations.empty()) return;
+  q.gradationMax = *std::max_element(gradations.begin(), gradations.end());
+  q.gradationP99 = percentile(gradations, 0.99);
 }
 
 struct Deviations {
@@ -243,7 +246,9 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Pr
   countTopology(mesh, q, progress);
   progress.report(0.2);
   measureShapes(mesh, q);
-  progress.report(0.3);
+  measureNeighbours(mesh, q);
+  progress.report(0.25);
+  q.gaps = gapFigures(measureGaps(mesh, progress.sub(0.25, 0.3)));
   std::vector<char> wall;
   if (phi != nullptr) wall = wallTriangles(mesh, phi->geometry());
   q.roughness = measureRoughness(mesh, wall, progress.sub(0.3, 0.4));
@@ -274,16 +279,13 @@ MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi, const Pr
   return q;
 }
 
-std::vector<float> minAngles(const TriMesh& mesh) {
-  std::vector<float> angles;
-  for (const TriangleShape& s : shapesOf(mesh)) angles.push_back(static_cast<float>(s.minAngle));
-  return angles;
-}
-
-std::vector<float> radiusRatios(const TriMesh& mesh) {
-  std::vector<float> ratios;
-  for (const TriangleShape& s : shapesOf(mesh)) ratios.push_back(static_cast<float>(s.radiusRatio));
-  return ratios;
+std::vector<TriangleShape> shapesOf(const TriMesh& mesh) {
+  std::vector<TriangleShape> shapes(mesh.triangles.size());
+  parallelForEach(shapes.size(), blockSize, [&](std::size_t i) {
+    const Triangle3 t = cornersOf(mesh, static_cast<std::uint32_t>(i));
+    if (!isDegenerate(t)) shapes[i] = triangleShape(t[0], t[1], t[2]);
+  });
+  return shapes;
 }
 
 std::string surfaceFault(const TriMesh& mesh, bool closed, const MeshQuality* known,

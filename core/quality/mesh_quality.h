@@ -11,7 +11,10 @@
 #include "core/base/progress.h"
 #include "core/field/spline_field.h"
 #include "core/mesh/tri_mesh.h"
+#include "core/mesh/triangle_shape.h"
+#include "core/quality/neighbours.h"
 #include "core/quality/roughness.h"
+#include "core/quality/wall_gaps.h"
 
 namespace angiomesh {
 
@@ -62,6 +65,10 @@ struct MeshQuality {
   /// Equiangular skewness, max((largest - 60) / 120, (60 - smallest) / 60) of the angles in
   /// degrees: 0 is equilateral, 1 has no area.
   double skewnessMax = 0.0, skewnessMean = 0.0;
+  double aspectMax = 0.0, aspectMean = 0.0;  ///< see TriangleShape; infinite where one has no area
+  std::optional<Valences> valences;
+  std::optional<double> gradationMax, gradationP99;  ///< see sizeGradations()
+  GapFigures gaps;
   std::optional<CornerShapes> corners;  ///< where there are such triangles
   double edgeMinMm = 0.0, edgeMeanMm = 0.0, edgeMaxMm = 0.0;
   double below20Percent = 0.0, below30Percent = 0.0;  ///< of triangles, by smallest angle
@@ -80,9 +87,8 @@ struct MeshQuality {
 MeshQuality measureQuality(const TriMesh& mesh, const SplineField* phi = nullptr,
                            const Progress& progress = {}, bool meetsNothing = false);
 
-/// Smallest angle in degrees and 2 r / R of every triangle; 0 where degenerate.
-std::vector<float> minAngles(const TriMesh& mesh);
-std::vector<float> radiusRatios(const TriMesh& mesh);
+/// Of every triangle; those of repeated or exactly collinear corners are without area.
+std::vector<TriangleShape> shapesOf(const TriMesh& mesh);
 
 /// "the surface cuts itself in ...", as text() has it, empty where it has no fault. `known`, where
 /// not null, is the mesh's quality, which may tell that at once. @throws Cancelled

@@ -17,6 +17,9 @@ enum class MeasureKind {
   Significant  ///< with `digits` in all
 };
 
+/// Which of two figures is the better one, all else equal.
+enum class Better { Neither, More, Less };
+
 /// A figure of MeshQuality. Reports, summaries, the inspector, gates and docs/quality.md come from
 /// the table of these.
 struct QualityMeasure {
@@ -25,7 +28,8 @@ struct QualityMeasure {
   const char* unit;   ///< "mm"; may be empty
   MeasureKind kind;
   int digits;
-  bool main;            ///< among the few that decide between meshes
+  bool main;  ///< among the few that decide between meshes
+  Better better;
   const char* meaning;  ///< one line
   /// Nothing where the mesh has no such figure.
   std::optional<double> (*value)(const MeshQuality&);
@@ -36,23 +40,17 @@ struct QualityMeasure {
 /// In the order of reports.
 const std::vector<QualityMeasure>& qualityMeasures();
 
-/// "12.35", "yes"; "-" where there is none. Numbers as in C.
+/// "12.35", "yes". Numbers as in C.
+std::string valueText(const QualityMeasure& measure, double value);
+/// The same; "-" where there is none.
 std::string measureText(const QualityMeasure& measure, const MeshQuality& quality);
 
-/// A named list of conditions on a mesh.
-struct QualityGate {
-  struct Limit {
-    const char* key;
-    double bound;
-    bool atLeast;  ///< else at most
-  };
-  const char* name;
-  const char* help;
-  std::vector<Limit> limits;
-};
-const std::vector<QualityGate>& qualityGates();
+/// Of the figures of several meshes those that are better than all others' and are written
+/// otherwise, by index; none where all are alike, or neither is better.
+std::vector<std::size_t> betterOnes(const QualityMeasure& measure,
+                                    const std::vector<const MeshQuality*>& meshes);
 
-/// The conditions that the mesh does not meet, in words: "least angle 12.00 deg, below 15".
-std::vector<std::string> gateFailures(const QualityGate& gate, const MeshQuality& quality);
+/// The measure with that key, which must be there.
+const QualityMeasure& qualityMeasure(const std::string& key);
 
 }  // namespace angiomesh

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -68,11 +69,11 @@ class Measure {
     }
   }
 
-  std::optional<Roughness> result(const Progress& progress) {
+  void measure(const Progress& progress) {
     choosePlaces(progress.sub(0.0, 0.2));
-    std::vector<Place> places(places_.size());
+    measured_.assign(places_.size(), {});
     const double reachWithout = std::sqrt(area_ / (4.0 * std::numbers::pi));
-    parallelFor(0, places.size(), 256, [&](std::size_t first, std::size_t last) {
+    parallelFor(0, measured_.size(), 256, [&](std::size_t first, std::size_t last) {
       progress.check();
       std::vector<char> marks(mesh_.points.size(), 0);
       std::vector<std::uint32_t> found;
@@ -80,21 +81,43 @@ class Measure {
         const double radius = std::isfinite(radii_[n]) ? std::min(radii_[n], mostRadius_)
                               : mostRadius_ > 0.0      ? mostRadius_
                                                        : reachWithout;
-        measureAt(places_[n], radius, marks, found, places[n]);
+        measureAt(places_[n], radius, marks, found, measured_[n]);
       }
     });
-    std::vector<Weighted> spreads, angles;
-    for (std::size_t n = 0; n < places.size(); ++n) {
-      if (places[n].spread < 0.0) continue;
-      const double weight = areas_[places_[n]];
-      spreads.emplace_back(places[n].spread, weight);
-      for (const double angle : places[n].angles)
-        angles.emplace_back(angle, weight / static_cast<double>(places[n].angles.size()));
-    }
     progress.report(1.0);
+  }
+
+  [[nodiscard]] std::optional<Roughness> figures() const {
+    std::vector<Weighted> spreads, angles;
+    for (std::size_t n = 0; n < measured_.size(); ++n) {
+      if (measured_[n].spread < 0.0) continue;
+      const double weight = areas_[places_[n]];
+      spreads.emplace_back(measured_[n].spread, weight);
+      for (const double angle : measured_[n].angles)
+        angles.emplace_back(angle, weight / static_cast<double>(measured_[n].angles.size()));
+    }
     if (spreads.empty()) return std::nullopt;
     return Roughness{quantile(spreads, 0.5), quantile(spreads, 0.95), quantile(angles, 0.5),
                      spreads.size()};
+  }
+
+  /// Of each vertex; not a number where no place is near by edges.
+  [[nodiscard]] std::vector<float> spreads() const {
+    std::vector<float> spread(mesh_.points.size(), std::numeric_limits<float>::quiet_NaN());
+    std::vector<std::uint32_t> reached;
+    for (std::size_t n = 0; n < measured_.size(); ++n) {
+      if (measured_[n].spread < 0.0) continue;
+      spread[places_[n]] = static_cast<float>(measured_[n].spread);
+      reached.push_back(places_[n]);
+    }
+    for (std::size_t n = 0; n < reached.size(); ++n)
+      for (const std::uint32_t t : rings_.trianglesAt(reached[n]))
+        for (const std::uint32_t other : mesh_.triangles[t]) {
+          if (!std::isnan(spread[other])) continue;
+          spread[other] = spread[reached[n]];
+          reached.push_back(other);
+        }
+    return spread;
   }
 
  private:
@@ -185,8 +208,17 @@ class Measure {
   double area_ = 0.0;
   std::vector<std::uint32_t> places_;
   std::vector<double> radii_;
+  std::vector<Place> measured_;  ///< at places_
   double mostRadius_ = 0.0;
 };
+
+/// Which triangles count, see measureRoughness(); empty: all.
+std::vector<char> counted(const TriMesh& mesh, const std::vector<char>& wall) {
+  std::vector<char> counts = wall;
+  if (counts.empty() && !mesh.patch.empty())
+    for (const std::uint16_t patch : mesh.patch) counts.push_back(patch == 0 ? 1 : 0);
+  return counts;
+}
 
 }  // namespace
 
@@ -194,11 +226,17 @@ std::optional<Roughness> measureRoughness(const TriMesh& mesh, const std::vector
                                           const Progress& progress) {
   checkMesh(mesh);
   if (mesh.triangles.empty()) return std::nullopt;
-  std::vector<char> counts = wall;
-  if (counts.empty() && !mesh.patch.empty())
-    for (const std::uint16_t patch : mesh.patch) counts.push_back(patch == 0 ? 1 : 0);
-  Measure measure(mesh, std::move(counts), progress.sub(0.0, 0.3));
-  return measure.result(progress.sub(0.3, 1.0));
+  Measure measure(mesh, counted(mesh, wall), progress.sub(0.0, 0.3));
+  measure.measure(progress.sub(0.3, 1.0));
+  return measure.figures();
+}
+
+std::vector<float> vertexSpreads(const TriMesh& mesh, const Progress& progress) {
+  checkMesh(mesh);
+  if (mesh.triangles.empty()) return {};
+  Measure measure(mesh, counted(mesh, {}), progress.sub(0.0, 0.3));
+  measure.measure(progress.sub(0.3, 1.0));
+  return measure.spreads();
 }
 
 }  // namespace angiomesh

@@ -38,4 +38,9 @@ struct Roughness {
 std::optional<Roughness> measureRoughness(const TriMesh& mesh, const std::vector<char>& wall = {},
                                           const Progress& progress = {});
 
+/// The spread of each vertex, mm, where patches do not count: measured at the same places; the
+/// vertices between them have that of the nearest by edges. Not a number where none is near.
+/// @throws InputError (see checkMesh), Cancelled
+std::vector<float> vertexSpreads(const TriMesh& mesh, const Progress& progress = {});
+
 }  // namespace angiomesh

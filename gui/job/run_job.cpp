@@ -21,8 +21,10 @@ std::shared_ptr<const MeshFacts> measureFacts(const RunResult& run) {
       run.smoothed.get(), run.surface->mesh.get(), run.surface->marchingCubes.get()};
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (meshes[i]) {
-      facts->minAnglesDeg[i] = minAngles(*meshes[i]);
-      facts->radiusRatios[i] = radiusRatios(*meshes[i]);
+      for (const TriangleShape& shape : shapesOf(*meshes[i])) {
+        facts->minAnglesDeg[i].push_back(static_cast<float>(shape.minAngle));
+        facts->radiusRatios[i].push_back(static_cast<float>(shape.radiusRatio));
+      }
     }
   }
   return facts;

@@ -210,9 +210,9 @@ class TestMeshQuality : public QObject {
                        {{0, 1, 2}, {0, 0, 3}, {0, 2, 3}, {0, 3, 4}}};
     const MeshQuality q = measureQuality(mesh);
     QCOMPARE(q.degenerateTriangles, std::size_t{2});
-    QCOMPARE(minAngles(mesh)[0], 0.0F);
-    QCOMPARE(radiusRatios(mesh)[1], 0.0F);
-    QVERIFY(minAngles(mesh)[2] > 30.0F);
+    QCOMPARE(shapesOf(mesh)[0].minAngle, 0.0);
+    QCOMPARE(shapesOf(mesh)[1].radiusRatio, 0.0);
+    QVERIFY(shapesOf(mesh)[2].minAngle > 30.0);
   }
 
   void interpenetratingBodies() {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/quality/quality_gates.h"
 #include "core/quality/quality_json.h"
 #include "core/quality/quality_table.h"
 #include "tests/core/mesh_shapes.h"
@@ -147,6 +148,46 @@ class TestQualityTable : public QObject {
     QVERIFY(gateFailures(gateOf("cfd"), q).empty());
     q.corners->otherMinAngle = 10.0;
     QCOMPARE(gateFailures(gateOf("cfd"), q).size(), std::size_t{1});
+  }
+
+  // The meshes are as good as their solids; what they are printed from is in mm.
+  void printingAsksForOneThickPart() {
+    const QualityGate& print = gateOf("print");
+    using Texts = std::vector<std::string>;
+    MeshQuality q = faultless();
+    q.minAngleMin = 1.0;
+    QVERIFY(gateFailures(print, q).empty());
+    q.components = 3;
+    q.gaps.thickness1Mm = 0.25;
+    QCOMPARE(gateFailures(print, q), (Texts{"3 components", "thickness, 1 % 0.25 mm, below 0.5"}));
+    std::vector<std::string> asked;
+    for (const GateCheck& check : checkGate(print, q)) {
+      asked.push_back(limitText(check));
+      QCOMPARE(check.passed, failureText(check).empty());
+      QVERIFY(*check.limit->why != '\0');
+      if (!check.passed) QVERIFY(*fixText(check.limit->fix) != '\0');
+    }
+    QCOMPARE(asked, (Texts{"at least 1", "yes", "none", "none", "none", "none", "none", "at most 1",
+                           "at least 0.5 mm"}));
+  }
+
+  void theBetterFigureIsKnown() {
+    MeshQuality a = faultless(), b = faultless(), c = faultless();
+    a.minAngleMin = 30.0;
+    b.minAngleMin = 35.0;
+    c.minAngleMin = 35.001;
+    using Which = std::vector<std::size_t>;
+    const QualityMeasure& angle = qualityMeasure("min_angle_deg.min");
+    QCOMPARE(betterOnes(angle, {&a, &b}), Which{1});
+    // What is written alike is as good.
+    QCOMPARE(betterOnes(angle, {&a, &b, nullptr, &c}), (Which{1, 3}));
+    QCOMPARE(betterOnes(angle, {&b, &c}), Which{});
+    QCOMPARE(betterOnes(angle, {&a, nullptr}), Which{});
+    QCOMPARE(betterOnes(qualityMeasure("max_angle_deg.max"), {&a, &b}), Which{});
+    a.maxAngleMax = 80.0;
+    QCOMPARE(betterOnes(qualityMeasure("max_angle_deg.max"), {&a, &b}), Which{1});
+    a.areaMm2 = 1.0;
+    QCOMPARE(betterOnes(qualityMeasure("area_mm2"), {&a, &b}), Which{});
   }
 
   void reportsNestTheMeasures() {
