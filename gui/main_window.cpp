@@ -22,6 +22,7 @@
 #include "gui/dialog/help_dialogs.h"
 #include "gui/model/case_ports.h"
 #include "gui/model/case_review.h"
+#include "gui/model/mesh_inspection.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
 #include "gui/panel/evolution_panel.h"
@@ -58,7 +59,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       state_(new ViewState(*models_, this)),
       ports_(new CasePorts(*models_, options_.makeRunner, this)),
       review_(new CaseReviewModel(*models_, options_.makeRunner, this)),
-      views_(new ViewGrid(*models_, *state_, *ports_, options_.makeRunner, this)),
+      inspection_(new MeshInspection(*models_, *state_, options_.makeRunner, this)),
+      views_(new ViewGrid(*models_, *state_, *ports_, *inspection_, options_.makeRunner, this)),
       centre_(new CentralArea(*models_, views_, this)),
       cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
                              options_.recovery)),
@@ -113,6 +115,9 @@ MainWindow::~MainWindow() {
   why_ = nullptr;
   delete views_;
   views_ = nullptr;
+  inspection_->disconnect();
+  delete inspection_;
+  inspection_ = nullptr;
   ports_->disconnect();
   delete ports_;
   ports_ = nullptr;
@@ -139,7 +144,7 @@ void MainWindow::buildDocks() {
   QDockWidget* pipeline = dock("pipelineDock", tr("Pipeline"), Qt::LeftDockWidgetArea,
                                new PipelinePanel(*models_, this));
   QDockWidget* inspector = dock("inspectorDock", tr("Mesh inspector"), Qt::RightDockWidgetArea,
-                                new InspectorPanel(*models_, *state_, this));
+                                new InspectorPanel(*models_, *state_, *inspection_, this));
   portPanel_ = new PortPanel(*ports_, this);
   QDockWidget* ports = dock("portsDock", tr("Ports"), Qt::RightDockWidgetArea, portPanel_);
   splitDockWidget(inspector, ports, Qt::Vertical);

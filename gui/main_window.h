@@ -20,6 +20,7 @@ struct CaseModels;
 class CaseDialogs;
 class CasePorts;
 class CaseReviewModel;
+class MeshInspection;
 class CentralArea;
 class Pictures;
 class PortMenu;
@@ -92,6 +93,7 @@ class MainWindow : public QMainWindow {
   ViewState* state_;
   CasePorts* ports_;
   CaseReviewModel* review_;
+  MeshInspection* inspection_;
   WhyPanel* why_ = nullptr;
   ViewGrid* views_;
   CentralArea* centre_;

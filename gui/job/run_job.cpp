@@ -15,21 +15,6 @@ namespace {
 /// The window promises five pictures of the evolving contour per second.
 constexpr double kSnapshotSeconds = 0.17;
 
-std::shared_ptr<const MeshFacts> measureFacts(const RunResult& run) {
-  auto facts = std::make_shared<MeshFacts>();
-  const std::array<const TriMesh*, kMeshKindCount> meshes{
-      run.smoothed.get(), run.surface->mesh.get(), run.surface->marchingCubes.get()};
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (meshes[i]) {
-      for (const TriangleShape& shape : shapesOf(*meshes[i])) {
-        facts->minAnglesDeg[i].push_back(static_cast<float>(shape.minAngle));
-        facts->radiusRatios[i].push_back(static_cast<float>(shape.radiusRatio));
-      }
-    }
-  }
-  return facts;
-}
-
 }  // namespace
 
 RunJob::RunJob(std::shared_ptr<Pipeline> pipeline, const Parameters& params, Step until)
@@ -82,7 +67,6 @@ void RunJob::collect(Step step, const RunResult& soFar) {
   result.step = step;
   result.key = soFar.key;
   result.run = std::make_shared<const RunResult>(soFar);
-  if (step == Step::Quality) result.facts = measureFacts(soFar);
   const std::lock_guard lock(mutex_);
   results_.push_back(std::move(result));
 }

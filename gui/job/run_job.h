@@ -18,17 +18,11 @@ namespace angiomesh {
 enum class MeshKind { Exported, Unsmoothed, MarchingCubes };
 constexpr int kMeshKindCount = 3;
 
-/// Per triangle, for histograms and colours.
-struct MeshFacts {
-  std::array<std::vector<float>, kMeshKindCount> minAnglesDeg, radiusRatios;
-};
-
 /// A step's result and those before it.
 struct StepResult {
   Step step = Step::Load;
   std::string key;
   std::shared_ptr<const RunResult> run;
-  std::shared_ptr<const MeshFacts> facts;  ///< with Step::Quality only
 };
 
 /// One run of the pipeline as its worker and its watcher share it: execute() runs on the worker,

@@ -34,7 +34,6 @@ void ResultModel::clear() {
   keys_.fill({});
   reports_.fill({});
   meshRun_.reset();
-  facts_.reset();
   names_.clear();
   segmentation_ = meshOf_ = 0;
   livePhi_.reset();
@@ -79,7 +78,6 @@ void ResultModel::accept(const StepResult& result) {
     case Step::Smooth:
     case Step::Quality:
       meshRun_ = result.run;
-      facts_ = result.facts;
       meshOf_ = segmentation_;
       meshName_ = names_.mesh(segmentation_, document_.pipeline()->key(Step::Smooth, run.params));
       break;

@@ -118,7 +118,6 @@ class ResultModel : public QObject {
   /// The openings of a mesh, in the order of its patches; none where it has no patches.
   [[nodiscard]] std::vector<Port> ports(MeshKind kind) const;
   [[nodiscard]] const MeshQuality* quality(MeshKind kind) const;
-  [[nodiscard]] std::shared_ptr<const MeshFacts> facts() const { return facts_; }
   /// Whether the exported mesh belongs to the present parameters.
   [[nodiscard]] bool meshFresh() const { return fresh(Step::Smooth); }
   /// The run that the meshes come from; null without one.
@@ -165,7 +164,6 @@ class ResultModel : public QObject {
   std::array<std::string, kStepCount> keys_;
   std::array<StageReport, kStepCount> reports_;
   std::shared_ptr<const RunResult> meshRun_;
-  std::shared_ptr<const MeshFacts> facts_;
   Parameters evolveParams_;  ///< that the segmentation shown was made with
   ResultNames names_;
   int segmentation_ = 0;  ///< number of the segmentation shown; 0: there is none

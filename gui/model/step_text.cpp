@@ -4,6 +4,7 @@
 #include "core/parameters/field.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <cmath>
 
 namespace angiomesh {
@@ -34,6 +35,23 @@ QString meshTitle(MeshKind kind) {
       return QStringLiteral("marching cubes");
   }
   return {};
+}
+
+QString unitText(const char* unit) {
+  return QString::fromLatin1(unit)
+      .replace("deg", QStringLiteral("°"))
+      .replace("mm2", QStringLiteral("mm²"))
+      .replace("mm3", QStringLiteral("mm³"));
+}
+
+QString measureTitle(const TriangleMeasure& measure) {
+  const QString label = QCoreApplication::translate("TriangleMeasure", measure.label);
+  const QString unit = unitText(measure.unit);
+  return unit.isEmpty() ? label : label + ", " + unit;
+}
+
+QString measureValue(const TriangleMeasure& measure, double value) {
+  return QLocale().toString(value, 'f', measure.digits);
 }
 
 QString gridText(const Geometry& grid) {

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "core/parameters/field.h"
+#include "core/quality/triangle_measures.h"
 #include "gui/model/result_model.h"
 #include "io/mesh/mesh_io.h"
 
@@ -13,6 +14,12 @@ namespace angiomesh {
 QString stepTitle(Step step);
 QString layerTitle(Layer layer);
 QString meshTitle(MeshKind kind);
+/// "°" for "deg", "mm²" for "mm2".
+QString unitText(const char* unit);
+/// "Smallest angle, °".
+QString measureTitle(const TriangleMeasure& measure);
+/// With as many digits as the measure has.
+QString measureValue(const TriangleMeasure& measure, double value);
 
 /// "512 × 512 × 120 voxels of 0.41 × 0.41 × 1.5 mm".
 QString gridText(const Geometry& grid);

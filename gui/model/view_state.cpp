@@ -18,7 +18,8 @@ constexpr std::array<const char*, kLayerCount> kLayers{"source", "preprocessed",
 constexpr std::array<const char*, 4> kSlabs{"none", "mip", "minip", "mean"};
 constexpr std::array<const char*, kMeshKindCount> kMeshes{"exported", "unsmoothed",
                                                           "marching-cubes"};
-constexpr std::array<const char*, 3> kColours{"plain", "min-angle", "radius-ratio"};
+/// Without colours; else the key of the measure.
+constexpr const char* kPlain = "plain";
 
 constexpr const char* kInterpolated = "view/interpolated";  // of the settings
 
@@ -76,7 +77,7 @@ CaseView ViewState::caseView() const {
                 {"surface", surface_},           {"edges", edges_},
                 {"interpolated", interpolated_}, {"comparison", comparison_}};
   view.mesh = wordOf(meshKind_, kMeshes);
-  view.colour = wordOf(meshColour_, kColours);
+  view.colour = meshColour_ ? meshColour_->key : kPlain;
   return view;
 }
 
@@ -103,7 +104,9 @@ void ViewState::take(const CaseView& view) {
   takeShown(interpolated_, "interpolated");
   takeShown(comparison_, "comparison");
   fromWord(meshKind_, view.mesh, kMeshes);
-  fromWord(meshColour_, view.colour, kColours);
+  if (view.colour == kPlain) meshColour_ = nullptr;
+  for (const TriangleMeasure& measure : triangleMeasures())
+    if (view.colour == measure.key) meshColour_ = &measure;
   Q_EMIT changed();
   showAwaitedLayer();
 }

@@ -5,15 +5,15 @@
 #include <QObject>
 #include <array>
 #include <optional>
+#include <type_traits>
 
+#include "core/quality/triangle_measures.h"
 #include "gui/model/case_models.h"
 #include "gui/model/mouse_tool.h"
 #include "gui/model/window_presets.h"
 #include "render/slice/slice_raster.h"
 
 namespace angiomesh {
-
-enum class MeshColour { Plain, MinAngle, RadiusRatio };
 
 /// What the panes show and how: the one place that toolbar, menus, inspector and panes agree on.
 /// Every setter that changes something emits changed().
@@ -66,8 +66,9 @@ class ViewState : public QObject {
 
   [[nodiscard]] MeshKind meshKind() const { return meshKind_; }
   void setMeshKind(MeshKind kind) { set(meshKind_, kind); }
-  [[nodiscard]] MeshColour meshColour() const { return meshColour_; }
-  void setMeshColour(MeshColour colour) { set(meshColour_, colour); }
+  /// Of triangleMeasures(): the measure that the surface is coloured by; null: none.
+  [[nodiscard]] const TriangleMeasure* meshColour() const { return meshColour_; }
+  void setMeshColour(const TriangleMeasure* measure) { set(meshColour_, measure); }
   /// Marching cubes in a second 3D pane beside the mesh shown, seen by the same camera.
   [[nodiscard]] bool comparison() const { return comparison_; }
   void setComparison(bool on) { set(comparison_, on); }
@@ -77,7 +78,7 @@ class ViewState : public QObject {
 
  private:
   template <class T>
-  void set(T& member, const T& value) {
+  void set(T& member, const std::type_identity_t<T>& value) {
     if (member != value) {
       member = value;
       Q_EMIT changed();
@@ -99,7 +100,7 @@ class ViewState : public QObject {
   Tool tool_ = Tool::Navigate;
   MouseScheme scheme_ = MouseScheme::Radiology;
   MeshKind meshKind_ = MeshKind::Exported;
-  MeshColour meshColour_ = MeshColour::Plain;
+  const TriangleMeasure* meshColour_ = nullptr;
   bool comparison_ = false;
 };
 

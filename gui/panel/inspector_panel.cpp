@@ -3,89 +3,71 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QEvent>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
-#include <QTableWidget>
+#include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <functional>
 
-#include "core/quality/quality_table.h"
+#include "gui/model/mesh_inspection.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
-#include "gui/model/view_state.h"
 #include "gui/panel/dimmed.h"
+#include "gui/panel/gate_list.h"
+#include "gui/panel/histogram_widget.h"
 #include "gui/panel/named.h"
-#include "gui/panel/plot_widget.h"
+#include "gui/panel/quality_grid.h"
 #include "gui/panel/surface_note.h"
+#include "gui/panel/worst_list.h"
 
 namespace angiomesh {
 
 namespace {
 
 constexpr int kLeastWidth = 360;
-/// Room kept for the hints, so that the table below stays where it is.
+/// Room kept for the hints, so that what is below stays where it is.
 constexpr int kHintLines = 3;
 
-const QString kNothing = QStringLiteral("–");
-
-/// Of the surface, not of a mesh's quality: see refreshVerified().
-constexpr const char* kVerifiedTitle = "Verified parts";
-
-/// What decides between meshes, then the rest; null stands for the verified parts.
-const std::vector<const QualityMeasure*>& rows() {
-  static const std::vector<const QualityMeasure*> table = [] {
-    std::vector<const QualityMeasure*> all;
-    for (const bool main : {true, false}) {
-      for (const QualityMeasure& measure : qualityMeasures()) {
-        if (measure.main == main) all.push_back(&measure);
-        if (main && std::string(measure.key) == "components") all.push_back(nullptr);
-      }
-    }
-    return all;
-  }();
-  return table;
+QString bandTitle(const std::vector<BandLimit>& limits, std::size_t band, const QString& unit) {
+  const auto at = [&](std::size_t i) { return QString::number(limits[i].at, 'g', 4); };
+  const QString range = limits.empty() ? InspectorPanel::tr("all")
+                        : band == 0    ? InspectorPanel::tr("below %1").arg(at(0))
+                        : band == limits.size()
+                            ? InspectorPanel::tr("from %1").arg(at(band - 1))
+                            : InspectorPanel::tr("%1 to %2").arg(at(band - 1), at(band));
+  return limits.empty() || unit.isEmpty() ? range : range + ' ' + unit;
 }
 
-QString titleOf(const QualityMeasure* measure) {
-  if (!measure) return QCoreApplication::translate("QualityMeasure", kVerifiedTitle);
-  const QString label = QCoreApplication::translate("QualityMeasure", measure->label);
-  const QString unit = QString::fromLatin1(measure->unit)
-                           .replace("deg", QStringLiteral("°"))
-                           .replace("mm2", QStringLiteral("mm²"))
-                           .replace("mm3", QStringLiteral("mm³"));
-  return unit.isEmpty() ? label : label + ", " + unit;
-}
-
-QString valueOf(const QualityMeasure* measure, const MeshQuality* quality) {
-  const std::optional<double> value =
-      measure && quality ? measure->value(*quality) : std::optional<double>();
-  if (!value) return kNothing;
-  switch (measure->kind) {
-    case MeasureKind::Count:
-      return QLocale().toString(static_cast<qlonglong>(*value));
-    case MeasureKind::YesNo:
-      return *value != 0.0 ? QStringLiteral("yes") : QStringLiteral("no");
-    case MeasureKind::Fixed:
-      return QLocale().toString(*value, 'f', measure->digits);
-    case MeasureKind::Significant:
-      break;
+/// The per cent of each band and mesh, as a table.
+QString bandTable(const MeasuredMeshes& measured) {
+  const std::vector<BandLimit> limits = bandLimits(*measured.measure);
+  QString html = QStringLiteral("<table><tr><td></td>");
+  for (int i = 0; i < kMeshKindCount; ++i)
+    if (measured.of(static_cast<MeshKind>(i)).mesh)
+      html += QStringLiteral("<td align='right'>&nbsp;%1</td>")
+                  .arg(meshTitle(static_cast<MeshKind>(i)).toHtmlEscaped());
+  html += QStringLiteral("</tr>");
+  for (std::size_t band = 0; band <= limits.size(); ++band) {
+    html += QStringLiteral("<tr><td>%1</td>")
+                .arg(bandTitle(limits, band, unitText(measured.measure->unit)).toHtmlEscaped());
+    for (const MeasuredMeshes::Of& mesh : measured.meshes)
+      if (mesh.mesh)
+        html += QStringLiteral("<td align='right'>%1 %</td>").arg(mesh.bands[band], 0, 'f', 2);
+    html += QStringLiteral("</tr>");
   }
-  return QLocale().toString(*value, 'g', measure->digits);
+  return html + QStringLiteral("</table>");
 }
 
 }  // namespace
 
-InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* parent)
-    : QWidget(parent), models_(models), state_(state) {
+InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, MeshInspection& inspection,
+                               QWidget* parent)
+    : QWidget(parent), models_(models), state_(state), inspection_(inspection) {
   // A low window scrolls what does not fit.
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
@@ -94,13 +76,39 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* pa
   auto* content = new QWidget(scroll);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(4, 4, 4, 4);
+  addChoosers(column);
+  tabs_ = named(new QTabWidget(this), "inspectorTabs");
+  grid_ = new QualityGrid(models_, tabs_);
+  tabs_->addTab(grid_, tr("Compare"));
+  tabs_->addTab(gatesTab(), tr("Gates"));
+  tabs_->addTab(trianglesTab(), tr("Triangles"));
+  column->addWidget(tabs_, 1);
+  scroll->setWidget(content);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
+  setMinimumWidth(std::max(kLeastWidth, content->minimumSizeHint().width() +
+                                            scroll->verticalScrollBar()->sizeHint().width()));
+  connect(&models_.results, &ResultModel::resultsChanged, this, &InspectorPanel::refreshHints);
+  connect(&models_.runs, &RunModel::statesChanged, this, &InspectorPanel::refreshHints);
+  connect(&state_, &ViewState::changed, this, &InspectorPanel::refreshState);
+  connectInspection();
+  refreshMeasured();
+  refreshState();
+}
+
+void InspectorPanel::addChoosers(QVBoxLayout* column) {
   auto* form = new QFormLayout;
   mesh_ = named(new QComboBox(this), "meshShown");
   for (int kind = 0; kind < kMeshKindCount; ++kind)
     mesh_->addItem(meshTitle(static_cast<MeshKind>(kind)));
   form->addRow(tr("Mesh shown"), mesh_);
   colour_ = named(new QComboBox(this), "meshColour");
-  colour_->addItems({tr("plain"), tr("smallest angle"), tr("radius ratio")});
+  colour_->addItem(tr("plain"));
+  for (const TriangleMeasure& measure : triangleMeasures()) {
+    colour_->addItem(measureTitle(measure));
+    colour_->setItemData(colour_->count() - 1, QLatin1String(measure.meaning), Qt::ToolTipRole);
+  }
   form->addRow(tr("Colour"), colour_);
   comparison_ = named(new QCheckBox(tr("Marching cubes beside it"), this), "comparison");
   form->addRow(comparison_);
@@ -110,124 +118,81 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, QWidget* pa
   hints_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   hints_->setMinimumHeight(kHintLines * hints_->fontMetrics().lineSpacing());
   column->addWidget(hints_);
-  auto* splitter = new QSplitter(Qt::Vertical, this);
-  table_ =
-      named(new QTableWidget(static_cast<int>(rows().size()), kMeshKindCount, splitter), "quality");
-  buildTable();
-  plots_ = new QWidget(splitter);
-  auto* plotColumn = new QVBoxLayout(plots_);
-  plotColumn->setContentsMargins(0, 0, 0, 0);
-  angles_ =
-      named(new HistogramWidget(tr("Smallest angle, ° (% of triangles)"), 0.0, 60.0, 60, plots_),
-            "angleHistogram");
-  ratios_ = named(new HistogramWidget(tr("Radius ratio (% of triangles)"), 0.0, 1.0, 50, plots_),
-                  "ratioHistogram");
-  plotColumn->addWidget(angles_);
-  plotColumn->addWidget(ratios_);
-  splitter->setStretchFactor(0, 3);
-  splitter->setStretchFactor(1, 2);
-  splitter->setChildrenCollapsible(false);
-  column->addWidget(splitter, 1);
-  scroll->setWidget(content);
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(scroll);
-  setMinimumWidth(std::max(kLeastWidth, content->minimumSizeHint().width() +
-                                            scroll->verticalScrollBar()->sizeHint().width()));
-
   connect(mesh_, &QComboBox::activated, this,
           [this](int kind) { state_.setMeshKind(static_cast<MeshKind>(kind)); });
-  connect(colour_, &QComboBox::activated, this,
-          [this](int colour) { state_.setMeshColour(static_cast<MeshColour>(colour)); });
+  connect(colour_, &QComboBox::activated, this, [this](int colour) {
+    state_.setMeshColour(colour > 0 ? &triangleMeasures()[static_cast<std::size_t>(colour) - 1]
+                                    : nullptr);
+  });
   connect(comparison_, &QCheckBox::toggled, &state_, &ViewState::setComparison);
-  connect(&models_.results, &ResultModel::resultsChanged, this, &InspectorPanel::refreshResults);
-  connect(&models_.runs, &RunModel::statesChanged, this, &InspectorPanel::refreshHints);
-  connect(&state_, &ViewState::changed, this, &InspectorPanel::refreshState);
-  refreshResults();
-  refreshState();
 }
 
-void InspectorPanel::buildTable() {
-  QStringList kinds, titles;
-  for (int kind = 0; kind < kMeshKindCount; ++kind) {
-    kinds << meshTitle(static_cast<MeshKind>(kind))
-                 .replace(' ', '\n')
-                 .replace("unsmoothed", "un-\nsmoothed")
-                 .remove('(')
-                 .remove(')');
-  }
-  for (const QualityMeasure* measure : rows()) titles << titleOf(measure);
-  table_->setHorizontalHeaderLabels(kinds);
-  table_->setVerticalHeaderLabels(titles);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  QFont small = table_->font();
-  small.setPointSizeF(0.85 * small.pointSizeF());
-  table_->setFont(small);
-  table_->horizontalHeader()->setFont(small);
-  table_->verticalHeader()->setFont(small);
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->horizontalHeader()->setMinimumSectionSize(
-      QFontMetrics(small).horizontalAdvance(QStringLiteral("smoothed")) + 8);
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setAlternatingRowColors(true);
-  for (int row = 0; row < table_->rowCount(); ++row) {
-    for (int kind = 0; kind < kMeshKindCount; ++kind) {
-      auto* item = new QTableWidgetItem;
-      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-      table_->setItem(row, kind, item);
-    }
-  }
+QWidget* InspectorPanel::gatesTab() {
+  auto* scroll = new QScrollArea(tabs_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(new GateList(models_, state_, scroll));
+  return scroll;
 }
 
-void InspectorPanel::refreshResults() {
-  const std::shared_ptr<const MeshFacts> facts = models_.results.facts();
-  for (int column = 0; column < kMeshKindCount; ++column) {
-    const auto kind = static_cast<MeshKind>(column);
-    const MeshQuality* quality = models_.results.quality(kind);
-    for (int row = 0; row < table_->rowCount(); ++row)
-      table_->item(row, column)->setText(valueOf(rows()[static_cast<std::size_t>(row)], quality));
-    const auto i = static_cast<std::size_t>(column);
-    angles_->setValues(kind, facts ? facts->minAnglesDeg[i] : std::vector<float>());
-    ratios_->setValues(kind, facts ? facts->radiusRatios[i] : std::vector<float>());
-  }
-  refreshVerified();
-  refreshHints();
+QWidget* InspectorPanel::trianglesTab() {
+  triangles_ = new QWidget(tabs_);
+  auto* column = new QVBoxLayout(triangles_);
+  column->setContentsMargins(4, 4, 4, 4);
+  auto* splitter = new QSplitter(Qt::Vertical, triangles_);
+  splitter->setChildrenCollapsible(false);
+  auto* spread = new QWidget(splitter);
+  auto* spreadColumn = new QVBoxLayout(spread);
+  spreadColumn->setContentsMargins(0, 0, 0, 0);
+  histogram_ = named(new HistogramWidget(spread), "histogram");
+  histogram_->setToolTip(tr("A click on a bar lights its triangles up in 3D; drag for more bars"));
+  spreadColumn->addWidget(histogram_, 1);
+  bands_ = named(new QLabel(spread), "bands");
+  bands_->setTextFormat(Qt::RichText);
+  spreadColumn->addWidget(bands_);
+  auto* worst = new QWidget(splitter);
+  auto* worstColumn = new QVBoxLayout(worst);
+  worstColumn->setContentsMargins(0, 0, 0, 0);
+  worstColumn->addWidget(new QLabel(tr("Worst of the mesh shown"), worst));
+  worstColumn->addWidget(new WorstList(inspection_, models_, state_, worst), 1);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 2);
+  column->addWidget(splitter);
+  return triangles_;
+}
+
+void InspectorPanel::connectInspection() {
+  connect(&inspection_, &MeshInspection::changed, this, &InspectorPanel::refreshMeasured);
+  connect(&inspection_, &MeshInspection::litChanged, this,
+          [this] { histogram_->setLit(inspection_.litBars()); });
+  connect(histogram_, &HistogramWidget::barsPicked, &inspection_, &MeshInspection::lightBars);
 }
 
 void InspectorPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && hints_) refreshHints();  // the faint colour
+  if (event->type() == QEvent::PaletteChange && hints_ && triangles_) refreshHints();  // faint
 }
 
-void InspectorPanel::refreshVerified() {
-  const auto row =
-      static_cast<int>(std::find(rows().begin(), rows().end(), nullptr) - rows().begin());
-  const SurfaceOrigin* origin = models_.results.surfaceOrigin();
-  const QString text = origin ? verifiedText(*origin) : QString();
-  const QString why = origin ? verifiedReasons(*origin) : QString();
-  // Smoothing keeps what was verified: it neither cuts nor joins. Marching cubes is not checked.
-  for (const MeshKind kind : {MeshKind::Exported, MeshKind::Unsmoothed}) {
-    QTableWidgetItem* item = table_->item(row, static_cast<int>(kind));
-    item->setText(text.isEmpty() ? kNothing : text);
-    item->setToolTip(why);
-  }
+void InspectorPanel::refreshMeasured() {
+  histogram_->setMeasured(inspection_.measured());
+  bands_->setText(inspection_.measured() ? bandTable(*inspection_.measured()) : QString());
 }
 
 void InspectorPanel::refreshState() {
   const QSignalBlocker quietMesh(mesh_);
   const QSignalBlocker quietColour(colour_);
   mesh_->setCurrentIndex(static_cast<int>(state_.meshKind()));
-  colour_->setCurrentIndex(static_cast<int>(state_.meshColour()));
+  const TriangleMeasure* colour = state_.meshColour();
+  colour_->setCurrentIndex(colour ? 1 + static_cast<int>(colour - triangleMeasures().data()) : 0);
   comparison_->setChecked(state_.comparison());
-  angles_->setSelected(state_.meshKind());
-  ratios_->setSelected(state_.meshKind());
+  histogram_->setSelected(models_.results.kindAtHand(state_.meshKind()));
   refreshHints();
 }
 
 void InspectorPanel::refreshHints() {
   const ResultModel& results = models_.results;
-  for (QWidget* measured : {static_cast<QWidget*>(table_), plots_})
+  for (QWidget* measured : {static_cast<QWidget*>(grid_), triangles_})
     setDimmed(measured, meshText(results).stale);
   QString whose = tr("Result %1").arg(results.meshName());
   if (!results.meshFresh()) whose = tr("◐ %1 belongs to earlier parameters: run again.").arg(whose);

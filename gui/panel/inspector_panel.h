@@ -6,42 +6,51 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QTableWidget;
+class QTabWidget;
+class QVBoxLayout;
 
 namespace angiomesh {
 
 struct CaseModels;
 class HistogramWidget;
+class MeshInspection;
+class QualityGrid;
 class ViewState;
 
-/// What the mesh is worth: our meshes beside marching cubes in numbers and histograms, whether a
-/// solver would take it, which mesh the 3D pane shows and how it is coloured.
+/// What the mesh is worth: which mesh the 3D pane shows and how it is coloured; our meshes beside
+/// marching cubes in numbers; whether a solver or a printer would take it; how one measure is
+/// spread over the triangles, and where it is worst.
 class InspectorPanel : public QWidget {
   Q_OBJECT
 
  public:
-  InspectorPanel(CaseModels& models, ViewState& state, QWidget* parent = nullptr);
+  InspectorPanel(CaseModels& models, ViewState& state, MeshInspection& inspection,
+                 QWidget* parent = nullptr);
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
-  void buildTable();
-  void refreshResults();
+  void addChoosers(QVBoxLayout* column);
+  QWidget* gatesTab();
+  QWidget* trianglesTab();
+  void connectInspection();
   void refreshState();
-  void refreshVerified();
+  void refreshMeasured();
   void refreshHints();
 
   CaseModels& models_;
   ViewState& state_;
-  QComboBox* mesh_;
-  QComboBox* colour_;
-  QCheckBox* comparison_;
+  MeshInspection& inspection_;
+  QComboBox* mesh_ = nullptr;
+  QComboBox* colour_ = nullptr;
+  QCheckBox* comparison_ = nullptr;
   QLabel* hints_ = nullptr;
-  QTableWidget* table_ = nullptr;
-  QWidget* plots_;
-  HistogramWidget* angles_;
-  HistogramWidget* ratios_;
+  QTabWidget* tabs_ = nullptr;
+  QualityGrid* grid_ = nullptr;
+  QWidget* triangles_ = nullptr;
+  HistogramWidget* histogram_ = nullptr;
+  QLabel* bands_ = nullptr;
 };
 
 }  // namespace angiomesh

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "gui/model/case_ports.h"
+#include "gui/model/mesh_inspection.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/named.h"
@@ -30,8 +31,8 @@ constexpr int kLargeShare = 2;
 }  // namespace
 
 ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
-                   const JobRunnerFactory& makeRunner, QWidget* parent)
-    : QWidget(parent), models_(models), state_(state), ports_(ports) {
+                   MeshInspection& inspection, const JobRunnerFactory& makeRunner, QWidget* parent)
+    : QWidget(parent), models_(models), state_(state), ports_(ports), inspection_(inspection) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(2);
@@ -84,12 +85,26 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   connect(&models_.document, &CaseDocument::edited, this, &ViewGrid::refreshSegmentation);
   connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
   connectPorts();
+  connectInspection();
   refreshAll();
 }
 
 void ViewGrid::goTo(double x, double y, double z, double radiusMm) {
   setCrosshair({x, y, z});
   if (radiusMm > 0.0) surface_->lookAt({x, y, z}, kRadiiAround * radiusMm);
+}
+
+void ViewGrid::connectInspection() {
+  connect(&inspection_, &MeshInspection::changed, this, [this] {
+    paintSurface();
+    if (state_.comparison()) paintComparison();
+  });
+  connect(&inspection_, &MeshInspection::litChanged, this, &ViewGrid::paintMarks);
+  connect(&inspection_, &MeshInspection::goTo, this,
+          [this](const Eigen::Vector3d& lps, const Eigen::Vector3d& normal, double radiusMm) {
+            setCrosshair(lps);
+            surface_->lookAtFrom(lps, normal, radiusMm);
+          });
 }
 
 void ViewGrid::connectPorts() {
@@ -311,27 +326,35 @@ void ViewGrid::paintSurface() {
   if (live || surfaceFeed_->settled())
     surfaceText_ = surfaceText(results, models_.runs, state_.meshKind());
   const std::shared_ptr<const TriMesh>& mesh = surfaceFeed_->shown();
-  const bool ofKind = mesh && mesh == results.mesh(state_.meshKind());
-  const std::shared_ptr<const MeshFacts> facts = ofKind && !live ? results.facts() : nullptr;
-  const MeshColour colour = facts ? state_.meshColour() : MeshColour::Plain;
-  if (mesh == shownMesh_ && colour == shownColour_ && facts == shownFacts_) return;
+  const MeshKind kind = results.kindAtHand(state_.meshKind());
+  const std::shared_ptr<const MeasuredMeshes> colours =
+      !live && state_.meshColour() && inspection_.of(mesh.get(), kind) ? inspection_.measured()
+                                                                       : nullptr;
+  if (mesh == shownMesh_ && colours == shownColours_) return;
   if (mesh != shownMesh_) surface_->setPatchColours(patchColours(mesh));
   shownMesh_ = mesh;
-  shownColour_ = colour;
-  shownFacts_ = facts;
-  paintQuality(*surface_, state_.meshKind(), colour);
+  shownColours_ = colours;
+  paintQuality(*surface_, kind, colours.get());
+  paintMarks();
 }
 
-void ViewGrid::paintQuality(SurfaceView& view, MeshKind kind, MeshColour colour) const {
-  const auto i = static_cast<std::size_t>(kind);
-  if (colour == MeshColour::MinAngle) {
-    view.setSurfaceColours(models_.results.facts()->minAnglesDeg[i], tr("Smallest angle, °"), 0.0,
-                           60.0);
-  } else if (colour == MeshColour::RadiusRatio) {
-    view.setSurfaceColours(models_.results.facts()->radiusRatios[i], tr("Radius ratio"), 0.0, 1.0);
-  } else {
+void ViewGrid::paintQuality(SurfaceView& view, MeshKind kind,
+                            const MeasuredMeshes* measured) const {
+  if (measured)
+    view.setSurfaceColours(measured->of(kind).values, measureTitle(*measured->measure),
+                           measured->scale.worst, measured->scale.best);
+  else
     view.clearSurfaceColours();
-  }
+}
+
+void ViewGrid::paintMarks() {
+  const auto mark = [this](SurfaceView* view, const TriMesh* mesh, MeshKind kind) {
+    view->setMarked(inspection_.of(mesh, kind) ? inspection_.lit(kind)
+                                               : std::vector<std::uint32_t>());
+  };
+  mark(surface_, surfaceFeed_->shown().get(), models_.results.kindAtHand(state_.meshKind()));
+  if (state_.comparison())
+    mark(comparison_, comparisonFeed_->shown().get(), MeshKind::MarchingCubes);
 }
 
 void ViewGrid::refreshComparison() {
@@ -347,14 +370,15 @@ void ViewGrid::refreshComparison() {
 
 void ViewGrid::paintComparison() {
   const std::shared_ptr<const TriMesh>& mesh = comparisonFeed_->shown();
-  const bool there = mesh && mesh == models_.results.mesh(MeshKind::MarchingCubes);
-  const std::shared_ptr<const MeshFacts> facts = there ? models_.results.facts() : nullptr;
-  const MeshColour colour = facts ? state_.meshColour() : MeshColour::Plain;
-  if (mesh == comparedMesh_ && colour == comparedColour_ && facts == comparedFacts_) return;
+  const std::shared_ptr<const MeasuredMeshes> colours =
+      state_.meshColour() && inspection_.of(mesh.get(), MeshKind::MarchingCubes)
+          ? inspection_.measured()
+          : nullptr;
+  if (mesh == comparedMesh_ && colours == comparedColours_) return;
   comparedMesh_ = mesh;
-  comparedColour_ = colour;
-  comparedFacts_ = facts;
-  paintQuality(*comparison_, MeshKind::MarchingCubes, colour);
+  comparedColours_ = colours;
+  paintQuality(*comparison_, MeshKind::MarchingCubes, colours.get());
+  paintMarks();
 }
 
 void ViewGrid::refreshCaptions() {

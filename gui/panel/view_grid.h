@@ -15,10 +15,12 @@
 namespace angiomesh {
 
 class CasePorts;
+class MeshInspection;
 class SliceView;
 class SurfaceFeed;
 class SurfaceView;
 class VtkView;
+struct MeasuredMeshes;
 
 /// Four: two by two. OneAndThree: a large one and the others in a column at its right. Single: the
 /// large one alone.
@@ -29,7 +31,7 @@ class ViewGrid : public QWidget {
   Q_OBJECT
 
  public:
-  ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
+  ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, MeshInspection& inspection,
            const JobRunnerFactory& makeRunner, QWidget* parent = nullptr);
 
   [[nodiscard]] SliceView* slice(int plane) const {
@@ -89,7 +91,9 @@ class ViewGrid : public QWidget {
   void refreshComparison();
   void paintComparison();
   void refreshCaptions();
-  void paintQuality(SurfaceView& view, MeshKind kind, MeshColour colour) const;
+  void paintQuality(SurfaceView& view, MeshKind kind, const MeasuredMeshes* measured) const;
+  void paintMarks();
+  void connectInspection();
   void refreshEdits();
   void connectPorts();
   void refreshPorts();
@@ -100,6 +104,7 @@ class ViewGrid : public QWidget {
   CaseModels& models_;
   ViewState& state_;
   CasePorts& ports_;
+  MeshInspection& inspection_;
   std::array<SliceView*, 3> slices_{};  ///< by plane: sagittal, coronal, axial
   QWidget* pane3d_ = nullptr;           ///< holds the two 3D views
   SurfaceView* surface_ = nullptr;
@@ -115,11 +120,9 @@ class ViewGrid : public QWidget {
   SurfaceFeed* comparisonFeed_ = nullptr;
   std::shared_ptr<const TriMesh> shownMesh_;
   std::vector<PortMark> shownPorts_;
-  std::shared_ptr<const MeshFacts> shownFacts_;
+  std::shared_ptr<const MeasuredMeshes> shownColours_;  ///< null: plain
   std::shared_ptr<const TriMesh> comparedMesh_;
-  std::shared_ptr<const MeshFacts> comparedFacts_;
-  MeshColour comparedColour_ = MeshColour::Plain;
-  MeshColour shownColour_ = MeshColour::Plain;
+  std::shared_ptr<const MeasuredMeshes> comparedColours_;
 };
 
 }  // namespace angiomesh

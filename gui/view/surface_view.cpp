@@ -143,6 +143,11 @@ void SurfaceView::clearSurfaceColours() {
   requestRender();
 }
 
+void SurfaceView::setMarked(const std::vector<std::uint32_t>& triangles) {
+  state_->scene.setMarked(triangles);
+  requestRender();
+}
+
 void SurfaceView::setPatchColours(std::vector<std::array<double, 3>> colours) {
   if (colours == state_->patchColours) return;
   state_->patchColours = colours;
@@ -184,6 +189,13 @@ void SurfaceView::turn(double right, double up) {
 
 void SurfaceView::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
   state_->scene.lookAt(lps, radiusMm);
+  changed();
+  Q_EMIT cameraMoved();
+}
+
+void SurfaceView::lookAtFrom(const Eigen::Vector3d& lps, const Eigen::Vector3d& normal,
+                             double radiusMm) {
+  state_->scene.lookAtFrom(lps, normal, radiusMm);
   changed();
   Q_EMIT cameraMoved();
 }

@@ -48,10 +48,12 @@ class SurfaceView : public VtkView {
   /// What the pane shows, in lines; dimmed: the surface is out of date.
   void setCaption(const QString& lines, bool dimmed = false);
 
-  /// One scalar per triangle, red at `lo`, blue at `hi`, with a colour bar.
+  /// One scalar per triangle, red at `lo`, blue at `hi`, which may be less, with a colour bar.
   void setSurfaceColours(std::vector<float> perTriangle, const QString& title, double lo,
                          double hi);
   void clearSurfaceColours();
+  /// Triangles of the surface that stand out.
+  void setMarked(const std::vector<std::uint32_t>& triangles);
 
   /// Of the patches 1.. of the surface.
   void setPatchColours(std::vector<std::array<double, 3>> colours);
@@ -70,6 +72,8 @@ class SurfaceView : public VtkView {
   /// Turns what is seen, degrees: to the right about the pane's upward axis, and upwards.
   void turn(double right, double up);
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
+  /// The same from the side of `normal`, unless that is 0.
+  void lookAtFrom(const Eigen::Vector3d& lps, const Eigen::Vector3d& normal, double radiusMm);
   void resetView();  ///< from anterior (from the feet when the image lies flat), fitted
   /// Takes over the camera of another view. Two views that do so on each other's cameraMoved()
   /// show their surfaces side by side.

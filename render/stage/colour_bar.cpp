@@ -21,7 +21,7 @@ void fillTable(vtkLookupTable* table, double lo, double hi) {
   constexpr int count = 256;
   table->SetNumberOfTableValues(count);
   for (int k = 0; k < count; ++k) {
-    const double position = 2.0 * k / (count - 1);
+    const double position = 2.0 * (lo > hi ? count - 1 - k : k) / (count - 1);
     const auto from = static_cast<std::size_t>(std::min(position, 1.0));
     const double t = position - static_cast<double>(from);
     std::array<double, 3> rgb{};
@@ -29,7 +29,8 @@ void fillTable(vtkLookupTable* table, double lo, double hi) {
       rgb[c] = (1.0 - t) * stops[from][c] + t * stops[from + 1][c];
     table->SetTableValue(k, rgb[0], rgb[1], rgb[2], 1.0);
   }
-  table->SetTableRange(lo, hi);
+  table->SetTableRange(std::min(lo, hi), std::max(lo, hi));
+  table->SetNanColor(0.5, 0.5, 0.53, 1.0);
 }
 
 }  // namespace

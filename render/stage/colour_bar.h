@@ -24,6 +24,7 @@ class ColourBar {
   ColourBar& operator=(const ColourBar&) = delete;
 
   [[nodiscard]] vtkLookupTable* table() const;
+  /// Red at `lo`, blue at `hi`, which may be less; grey without a value.
   void setRange(const std::string& title, double lo, double hi);
   void setVisible(bool visible);
 

@@ -30,6 +30,7 @@
 #include "render/stage/stage.h"
 #include "render/surface/projection_volume.h"
 #include "render/surface/surface_actor.h"
+#include "render/surface/triangle_marks.h"
 
 namespace angiomesh {
 
@@ -59,6 +60,7 @@ struct SurfaceScene::Parts {
   ProjectionVolume projection;
   SurfaceActor surface{{0.84, 0.27, 0.21}};
   PortMarks ports{renderer};
+  TriangleMarks marked;
   std::shared_ptr<const TriMesh> mesh;
   bool meshVisible = true;
   ColourBar colourBar{renderer};
@@ -104,6 +106,7 @@ SurfaceScene::Parts::Parts() {
   renderer->SetLayer(1);
   backRenderer->SetActiveCamera(renderer->GetActiveCamera());
   renderer->AddActor(surface.actor());
+  renderer->AddActor(marked.actor());
   backRenderer->AddViewProp(projection.prop());
 
   vtkNew<vtkPolyDataMapper> seedMapper;
@@ -294,6 +297,7 @@ void SurfaceScene::setSurface(std::shared_ptr<const TriMesh> mesh) {
 }
 
 void SurfaceScene::setDrawnSurface(std::shared_ptr<const DrawnMesh> mesh) {
+  if (meshOf(*mesh) != parts_->mesh) parts_->marked.clear();
   parts_->mesh = meshOf(*mesh);
   parts_->surface.setMesh(std::move(mesh));
   parts_->showColourBar();
@@ -303,6 +307,7 @@ void SurfaceScene::setDrawnSurface(std::shared_ptr<const DrawnMesh> mesh) {
 void SurfaceScene::setSurfaceVisible(bool visible) {
   parts_->meshVisible = visible;
   parts_->surface.setVisible(visible);
+  parts_->marked.setVisible(visible);
   parts_->showColourBar();
 }
 
@@ -324,6 +329,13 @@ void SurfaceScene::setSurfaceColours(std::vector<float> perTriangle, const std::
 void SurfaceScene::clearSurfaceColours() {
   parts_->surface.setTriangleValues({}, nullptr);
   parts_->showColourBar();
+}
+
+void SurfaceScene::setMarked(const std::vector<std::uint32_t>& triangles) {
+  if (parts_->mesh)
+    parts_->marked.set(*parts_->mesh, triangles);
+  else
+    parts_->marked.clear();
 }
 
 void SurfaceScene::setPatchColours(std::vector<std::array<double, 3>> colours) {
@@ -422,6 +434,21 @@ void SurfaceScene::lookAt(const Eigen::Vector3d& lps, double radiusMm) {
                       lps[2] - distance * direction[2]);
 }
 
+void SurfaceScene::lookAtFrom(const Eigen::Vector3d& lps, const Eigen::Vector3d& normal,
+                              double radiusMm) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  if (!normal.isZero()) {
+    const Eigen::Vector3d position = Eigen::Vector3d(camera->GetFocalPoint()) + normal;
+    camera->SetPosition(position.data());
+    // Upwards as far as that goes.
+    const Eigen::Vector3d up = std::abs(normal[2]) < 0.95 ? Eigen::Vector3d(0.0, 0.0, 1.0)
+                                                          : Eigen::Vector3d(0.0, -1.0, 0.0);
+    camera->SetViewUp(up.data());
+    camera->OrthogonalizeViewUp();
+  }
+  lookAt(lps, radiusMm);
+}
+
 void SurfaceScene::takeCameraOf(const SurfaceScene& other) {
   vtkCamera* from = other.parts_->renderer->GetActiveCamera();
   vtkCamera* to = parts_->renderer->GetActiveCamera();
@@ -435,6 +462,7 @@ void SurfaceScene::takeCameraOf(const SurfaceScene& other) {
 void SurfaceScene::setPixelRatio(double ratio) {
   parts_->pixelRatio = ratio;
   parts_->seedActor->GetProperty()->SetPointSize(static_cast<float>(9.0 * ratio));
+  parts_->marked.setPixelRatio(ratio);
   parts_->roiActor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * ratio));
 }
 

@@ -56,11 +56,14 @@ class SurfaceScene {
   /// Lines in the upper right corner, on what the pane shows.
   void setCaption(const std::string& lines);
 
-  /// One scalar per triangle of the surface, shown from red (lo) over yellow to blue (hi) with a
-  /// colour bar. Dropped when a surface with another number of triangles comes.
+  /// One scalar per triangle of the surface, shown from red (lo) over yellow to blue (hi), which
+  /// may be less than lo, with a colour bar. Dropped when a surface with another number of
+  /// triangles comes.
   void setSurfaceColours(std::vector<float> perTriangle, const std::string& title, double lo,
                          double hi);
   void clearSurfaceColours();
+  /// Some triangles of the surface stand out, whatever its colours, and however small they are.
+  void setMarked(const std::vector<std::uint32_t>& triangles);
 
   /// Of the patches 1.. of the surface, shown where it has no other colours.
   void setPatchColours(std::vector<std::array<double, 3>> colours);
@@ -94,6 +97,8 @@ class SurfaceScene {
   void turn(double right, double up);
   /// Turns the camera towards a point, at a distance that shows `radiusMm` around it.
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
+  /// The same from the side of `normal`; where that is 0, from where the camera is.
+  void lookAtFrom(const Eigen::Vector3d& lps, const Eigen::Vector3d& normal, double radiusMm);
   void takeCameraOf(const SurfaceScene& other);
   void setPixelRatio(double ratio);
 

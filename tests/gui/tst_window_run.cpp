@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "gui/panel/plot_widget.h"
+#include "gui/panel/histogram_widget.h"
 #include "io/mesh/mesh_io.h"
 #include "io/volume/image_write.h"
 #include "window_case.h"
@@ -139,7 +139,7 @@ class TestWindowRun : public QObject {
                static_cast<qulonglong>(
                    c.models().results.mesh(static_cast<MeshKind>(kind))->triangles.size()));
       const auto& shares =
-          c.find<HistogramWidget>("angleHistogram")->shares(static_cast<MeshKind>(kind));
+          c.find<HistogramWidget>("histogram")->shares(static_cast<MeshKind>(kind));
       QVERIFY(std::abs(std::accumulate(shares.begin(), shares.end(), 0.0) - 100.0) < 1e-6);
     }
     QVERIFY(c.find<QLabel>("hints")->text().contains("closed"));

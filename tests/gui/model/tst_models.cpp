@@ -59,8 +59,6 @@ class TestModels : public QObject {
     verifyStates(models, static_cast<Step>(kStepCount), StepState::Stale);
     QCOMPARE(models.results.components().size(), std::size_t(2));
     QVERIFY(models.results.quality(MeshKind::Exported)->closed);
-    QCOMPARE(models.results.facts()->minAnglesDeg[0].size(),
-             models.results.mesh(MeshKind::Exported)->triangles.size());
     QVERIFY(models.results.layer(Layer::Speed) != nullptr);
     QVERIFY(models.results.seconds(Step::Vesselness) > 0.0);
   }
