@@ -25,6 +25,7 @@
 #include "gui/model/mesh_inspection.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
+#include "gui/pane_menu.h"
 #include "gui/panel/evolution_panel.h"
 #include "gui/panel/inspector_panel.h"
 #include "gui/panel/log_panel.h"
@@ -189,6 +190,8 @@ void MainWindow::buildMenus() {
   tools_->buildToolMenu();
   portMenu_ = new PortMenu(this, *models_, *ports_, *portPanel_, *views_, options_.chooser);
   buildReviewMenu();
+  auto* paneMenu = new PaneMenu(*state_, this);
+  connect(portMenu_, &PortMenu::menuMade, paneMenu, &PaneMenu::addTo);
   QMenu* view = menuBar()->addMenu(tr("&View"));
   workspaces_->addTo(view);
   view->addSeparator();

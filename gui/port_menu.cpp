@@ -85,7 +85,7 @@ void PortMenu::refresh() {
 }
 
 void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
-                    const QString& port, bool onSlice) {
+                    const QString& port, int plane) {
   auto* menu = named(new QMenu(window_), "portMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (port.isEmpty()) {
@@ -97,7 +97,7 @@ void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& 
     for (const char* name : {"cutAcross", "flipPort", "renamePort", "deletePort"})
       menu->addAction(actionOf(window_, name));
   }
-  if (onSlice) {
+  if (plane != ViewGrid::kNoSlice) {
     QAction* why = menu->addAction(tr("Why here?"), this, [this, place] {
       views_.setCrosshair(*place);
       auto* dock = window_->findChild<QDockWidget*>("whyDock");
@@ -108,6 +108,7 @@ void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& 
     menu->addSeparator();
     menu->addAction(actionOf(window_, "windowMenu"));
   }
+  Q_EMIT menuMade(menu, place, plane);
   menu->popup(global);
 }
 

@@ -13,6 +13,7 @@
 #include "gui/panel/view_grid.h"
 
 class QMainWindow;
+class QMenu;
 
 namespace angiomesh {
 
@@ -26,9 +27,13 @@ class PortMenu : public QObject {
 
   void refresh();
 
+ Q_SIGNALS:
+  /// A menu of a pane was made, before it is shown; see ViewGrid::menuRequested().
+  void menuMade(QMenu* menu, const std::optional<Eigen::Vector3d>& place, int plane);
+
  private:
   void show(const QPoint& global, const std::optional<Eigen::Vector3d>& place, const QString& port,
-            bool onSlice);
+            int plane);
   void askForEnds();
   void importPorts();
   void exportPorts();

@@ -20,6 +20,7 @@
 
 #include "gui/action_icon.h"
 #include "gui/model/step_text.h"
+#include "gui/pane_tools.h"
 #include "gui/panel/named.h"
 #include "gui/theme.h"
 #include "gui/view/slice_view.h"
@@ -30,7 +31,6 @@ namespace angiomesh {
 
 namespace {
 
-constexpr double kThickestSlabMm = 200.0;
 constexpr int kIconSize = 18;
 
 struct LayoutEntry {
@@ -52,7 +52,12 @@ const QString kPanesKey = QStringLiteral("panes");
 }  // namespace
 
 ViewTools::ViewTools(QMainWindow* window, CaseModels& models, ViewState& state, ViewGrid& views)
-    : QObject(window), window_(window), models_(models), state_(state), views_(views) {
+    : QObject(window),
+      window_(window),
+      models_(models),
+      state_(state),
+      views_(views),
+      panes_(new PaneTools(window, models, state)) {
   connect(&state_, &ViewState::changed, this, &ViewTools::refreshActions);
 }
 
@@ -86,6 +91,7 @@ void ViewTools::addTo(QMenu* view) {
   addMenuToggle(window_, view, "interpolate", tr("Interpolate slices"), QKeySequence(tr("Ctrl+T")),
                 [this](bool on) { state_.setInterpolated(on); });
   view->addSeparator();
+  panes_->addTo(view);
   new WindowMenu(window_, view, models_, state_);
   addMenuAction(window_, view, "resetViews", tr("Reset all panes"), QKeySequence(tr("Ctrl+R")),
                 [this] { views_.resetViews(); });
@@ -214,9 +220,14 @@ void ViewTools::buildChoosers(QToolBar* bar) {
   layer_ = named(new QComboBox(bar), "layer");
   for (int i = 0; i < kLayerCount; ++i) layer_->addItem(layerTitle(static_cast<Layer>(i)));
   bar->addWidget(layer_);
+  panes_->addTo(bar);
   bar->addWidget(new QLabel(tr("  Slab "), bar));
   slab_ = named(new QComboBox(bar), "slab");
   slab_->addItems({tr("off"), tr("MIP"), tr("MinIP"), tr("mean")});
+  slab_->setPlaceholderText(tr("by pane"));
+  slab_->setToolTip(
+      tr("Of all slice panes. The right-click menu of a pane, M and Alt with the "
+         "wheel change one of them."));
   bar->addWidget(slab_);
   thickness_ = named(new QDoubleSpinBox(bar), "thickness");
   thickness_->setRange(0.1, kThickestSlabMm);
@@ -227,17 +238,25 @@ void ViewTools::buildChoosers(QToolBar* bar) {
   connect(layer_, &QComboBox::activated, this,
           [this](int layer) { state_.setLayer(static_cast<Layer>(layer)); });
   connect(slab_, &QComboBox::activated, this, [this](int mode) {
-    state_.setSlab(static_cast<SlabMode>(mode), state_.slabThicknessMm());
+    state_.setSlabs({static_cast<SlabMode>(mode), thickness_->value()});
   });
-  connect(thickness_, &QDoubleSpinBox::valueChanged, this,
-          [this](double mm) { state_.setSlab(state_.slabMode(), mm); });
+  connect(thickness_, &QDoubleSpinBox::valueChanged, this, [this](double mm) { setThickness(mm); });
+}
+
+bool ViewTools::anySlab() const {
+  return state_.slab(0).mode != SlabMode::None || state_.slab(1).mode != SlabMode::None ||
+         state_.slab(2).mode != SlabMode::None;
+}
+
+void ViewTools::setThickness(double mm) {
+  for (const int plane : {0, 1, 2}) state_.setSlab(plane, {state_.slab(plane).mode, mm});
 }
 
 void ViewTools::refresh() {
   const bool any = models_.document.hasCase();
   layer_->setEnabled(any);
   slab_->setEnabled(any);
-  thickness_->setEnabled(any && state_.slabMode() != SlabMode::None);
+  thickness_->setEnabled(any && anySlab());
   const bool vesselness = models_.results.vesselnessResult() != nullptr;
   const std::array<bool, kLayerCount> there{
       any, models_.results.layer(Layer::Preprocessed) != nullptr, vesselness, vesselness};
@@ -252,9 +271,13 @@ void ViewTools::refreshActions() {
   const QSignalBlocker quietSlab(slab_);
   const QSignalBlocker quietThickness(thickness_);
   layer_->setCurrentIndex(static_cast<int>(state_.layer()));
-  slab_->setCurrentIndex(static_cast<int>(state_.slabMode()));
-  thickness_->setValue(state_.slabThicknessMm());
-  thickness_->setEnabled(models_.document.hasCase() && state_.slabMode() != SlabMode::None);
+  const Slab& axial = state_.slab(2);
+  const bool same = state_.slab(0).mode == axial.mode && state_.slab(1).mode == axial.mode;
+  slab_->setCurrentIndex(same ? static_cast<int>(axial.mode) : -1);
+  for (const int plane : {0, 1, 2})
+    if (plane == 2 || state_.slab(plane).mode != SlabMode::None)
+      thickness_->setValue(state_.slab(plane).thicknessMm);
+  thickness_->setEnabled(models_.document.hasCase() && anySlab());
   check("contours", state_.contours());
   check("mip", state_.mip());
   check("surface", state_.surface());

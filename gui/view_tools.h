@@ -17,6 +17,8 @@ class QToolBar;
 
 namespace angiomesh {
 
+class PaneTools;
+
 /// How the panes are looked at: the menus Tools and View, and the tool bar.
 class ViewTools : public QObject {
   Q_OBJECT
@@ -47,6 +49,8 @@ class ViewTools : public QObject {
   QToolBar* addBar(const char* name, const QString& title);
   void addPanes(QMenu* viewMenu);
   void buildChoosers(QToolBar* bar);
+  [[nodiscard]] bool anySlab() const;
+  void setThickness(double mm);
   void recallPanes();
   void rememberPanes() const;
 
@@ -55,6 +59,7 @@ class ViewTools : public QObject {
   CaseModels& models_;
   ViewState& state_;
   ViewGrid& views_;
+  PaneTools* panes_;
   QComboBox* layer_ = nullptr;
   QComboBox* slab_ = nullptr;
   QDoubleSpinBox* thickness_ = nullptr;

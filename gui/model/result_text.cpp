@@ -32,6 +32,13 @@ ShownText layerText(const ResultModel& results, Layer layer, bool isShown) {
   return shown(title, !results.layerFresh(layer));
 }
 
+ShownText overlayText(ResultModel& results, Layer overlay) {
+  const QString title = layerTitle(overlay);
+  if (!results.layer(overlay))
+    return {QObject::tr("No %1 yet to lay over it").arg(title.toLower())};
+  return shown(QObject::tr("%1 over it").arg(title), !results.layerFresh(overlay));
+}
+
 ShownText contourText(const ResultModel& results, const RunModel& runs) {
   if (results.live() || results.frontShown()) return evolving(results, runs);
   if (!results.evolveResult()) return {};

@@ -17,6 +17,8 @@ struct ShownText {
 
 /// @param shown the layer itself; null: the pane shows the source in its place
 ShownText layerText(const ResultModel& results, Layer layer, bool shown);
+/// A layer in colour over another one.
+ShownText overlayText(ResultModel& results, Layer overlay);
 /// The segmentation outlined on slices; empty where there is none.
 ShownText contourText(const ResultModel& results, const RunModel& runs);
 /// The surface of a 3D pane: the evolving one, a mesh, or that of a segmentation without a mesh.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/model/view_state.h"
 
+#include <Eigen/LU>
 #include <QSettings>
 #include <algorithm>
 #include <cstddef>
@@ -15,13 +16,17 @@ namespace {
 /// The words of a case file; new ones may join, none may change.
 constexpr std::array<const char*, kLayerCount> kLayers{"source", "preprocessed", "vesselness",
                                                        "speed"};
-constexpr std::array<const char*, 4> kSlabs{"none", "mip", "minip", "mean"};
+constexpr std::array<const char*, 3> kPlanes{"sagittal", "coronal", "axial"};
+constexpr std::array<const char*, kSlabModeCount> kSlabs{"none", "mip", "minip", "mean"};
 constexpr std::array<const char*, kMeshKindCount> kMeshes{"exported", "unsmoothed",
                                                           "marching-cubes"};
 /// Without colours; else the key of the measure.
 constexpr const char* kPlain = "plain";
 
 constexpr const char* kInterpolated = "view/interpolated";  // of the settings
+
+using Rows = Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+using ConstRows = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
 /// `value` stays where the word is unknown.
 template <class T, std::size_t N>
@@ -35,6 +40,31 @@ std::string wordOf(T value, const std::array<const char*, N>& words) {
   return words[static_cast<std::size_t>(value)];
 }
 
+CaseView::Planes planesOf(const PlaneTurn& turn) {
+  CaseView::Planes planes;
+  planes.patientAxes = turn.patientAxes;
+  for (std::size_t i = 0; i < kPlanes.size(); ++i) {
+    if (!turn.turned(static_cast<int>(i))) continue;
+    Rows(planes.turns[kPlanes[i]].data()) = turn.turns[i];
+  }
+  Eigen::Map<Eigen::Vector3d>(planes.pivotMm.data()) = turn.pivotLps;
+  return planes;
+}
+
+/// What is no rotation turns nothing.
+PlaneTurn turnFrom(const CaseView::Planes& planes) {
+  PlaneTurn turn;
+  turn.patientAxes = planes.patientAxes;
+  for (std::size_t i = 0; i < kPlanes.size(); ++i) {
+    const auto found = planes.turns.find(kPlanes[i]);
+    if (found == planes.turns.end()) continue;
+    const Eigen::Matrix3d rotation = ConstRows(found->second.data());
+    if (rotation.isUnitary(1e-6) && rotation.determinant() > 0.0) turn.turns[i] = rotation;
+  }
+  turn.pivotLps = Eigen::Map<const Eigen::Vector3d>(planes.pivotMm.data());
+  return turn;
+}
+
 }  // namespace
 
 ViewState::ViewState(CaseModels& models, QObject* parent) : QObject(parent), models_(models) {
@@ -42,6 +72,7 @@ ViewState::ViewState(CaseModels& models, QObject* parent) : QObject(parent), mod
     layer_ = Layer::Source;
     awaitedLayer_.reset();
     tool_ = Tool::Navigate;
+    turn_ = {};
     for (int i = 0; i < kLayerCount; ++i)
       windowLevels_[static_cast<std::size_t>(i)] =
           models_.results.windowLevel(static_cast<Layer>(i));
@@ -71,8 +102,11 @@ CaseView ViewState::caseView() const {
   view.layer = wordOf(awaitedLayer_.value_or(layer_), kLayers);
   for (std::size_t i = 0; i < kLayers.size(); ++i)
     view.windowLevels[kLayers[i]] = {windowLevels_[i].first, windowLevels_[i].second};
-  view.slab = wordOf(slabMode_, kSlabs);
-  view.slabThicknessMm = slabThicknessMm_;
+  for (std::size_t i = 0; i < kPlanes.size(); ++i)
+    view.slabs[kPlanes[i]] = {wordOf(slabs_[i].mode, kSlabs), slabs_[i].thicknessMm};
+  if (overlay_) view.overlay = wordOf(*overlay_, kLayers);
+  view.overlayOpacity = overlayOpacity_;
+  if (turn_ != PlaneTurn()) view.planes = planesOf(turn_);
   view.shown = {{"contours", contours_},         {"mip", mip_},
                 {"surface", surface_},           {"edges", edges_},
                 {"interpolated", interpolated_}, {"comparison", comparison_}};
@@ -91,8 +125,17 @@ void ViewState::take(const CaseView& view) {
       windowLevels_[i] =
           limitsOf(static_cast<Layer>(i)).bounded({found->second[0], found->second[1]});
   }
-  fromWord(slabMode_, view.slab, kSlabs);
-  if (view.slabThicknessMm > 0.0) slabThicknessMm_ = view.slabThicknessMm;
+  for (std::size_t i = 0; i < kPlanes.size(); ++i) {
+    const auto found = view.slabs.find(kPlanes[i]);
+    if (found == view.slabs.end()) continue;
+    fromWord(slabs_[i].mode, found->second.mode, kSlabs);
+    if (found->second.thicknessMm > 0.0) slabs_[i].thicknessMm = found->second.thicknessMm;
+  }
+  Layer over = Layer::Source;
+  fromWord(over, view.overlay, kLayers);
+  if (over == Layer::Vesselness || over == Layer::Speed) overlay_ = over;
+  overlayOpacity_ = std::clamp(view.overlayOpacity, 0.0, 1.0);
+  if (view.planes) turn_ = turnFrom(*view.planes);
   const auto takeShown = [&view](bool& member, const char* name) {
     const auto found = view.shown.find(name);
     member = found != view.shown.end() ? found->second : member;
@@ -149,16 +192,21 @@ void ViewState::setPresetWindow(WindowPreset preset) {
   if (layer_ == Layer::Source) rememberWindow(models_.document.display().modality, preset);
 }
 
+void ViewState::setPatientAxes(bool on) {
+  PlaneTurn turn;
+  turn.patientAxes = on;
+  setTurn(turn);
+}
+
+std::array<double, 2> ViewState::overlayRange() const {
+  if (!overlay_) return {0.0, 1.0};
+  const auto [window, level] = windowLevels_[static_cast<std::size_t>(*overlay_)];
+  return {level - 0.5 * window, level + 0.5 * window};
+}
+
 void ViewState::setInterpolated(bool on) {
   QSettings().setValue(kInterpolated, on);
   set(interpolated_, on);
-}
-
-void ViewState::setSlab(SlabMode mode, double thicknessMm) {
-  if (mode == slabMode_ && thicknessMm == slabThicknessMm_) return;
-  slabMode_ = mode;
-  slabThicknessMm_ = thicknessMm;
-  Q_EMIT changed();
 }
 
 }  // namespace angiomesh

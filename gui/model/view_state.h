@@ -11,9 +11,12 @@
 #include "gui/model/case_models.h"
 #include "gui/model/mouse_tool.h"
 #include "gui/model/window_presets.h"
+#include "render/slice/pane_grid.h"
 #include "render/slice/slice_raster.h"
 
 namespace angiomesh {
+
+constexpr double kThickestSlabMm = 200.0;
 
 /// What the panes show and how: the one place that toolbar, menus, inspector and panes agree on.
 /// Every setter that changes something emits changed().
@@ -37,9 +40,27 @@ class ViewState : public QObject {
   [[nodiscard]] std::optional<WindowLevel> presetWindow(WindowPreset preset) const;
   void setPresetWindow(WindowPreset preset);
 
-  [[nodiscard]] SlabMode slabMode() const { return slabMode_; }
-  [[nodiscard]] double slabThicknessMm() const { return slabThicknessMm_; }
-  void setSlab(SlabMode mode, double thicknessMm);
+  /// Of a slice pane: 0 sagittal, 1 coronal, 2 axial.
+  [[nodiscard]] const Slab& slab(int plane) const {
+    return slabs_[static_cast<std::size_t>(plane)];
+  }
+  void setSlab(int plane, const Slab& slab) { set(slabs_[static_cast<std::size_t>(plane)], slab); }
+  /// The same in all slice panes.
+  void setSlabs(const Slab& slab) { set(slabs_, {slab, slab, slab}); }
+
+  /// How the planes of the slice panes lie.
+  [[nodiscard]] const PlaneTurn& turn() const { return turn_; }
+  void setTurn(const PlaneTurn& turn) { set(turn_, turn); }
+  void setPatientAxes(bool on);  ///< from there on the planes are not turned
+  void resetTurn() { setPatientAxes(turn_.patientAxes); }
+
+  /// A layer in colour over the one shown: Vesselness or Speed; nothing: none.
+  [[nodiscard]] std::optional<Layer> overlay() const { return overlay_; }
+  void setOverlay(std::optional<Layer> layer) { set(overlay_, layer); }
+  [[nodiscard]] double overlayOpacity() const { return overlayOpacity_; }  ///< 0..1
+  void setOverlayOpacity(double opacity) { set(overlayOpacity_, opacity); }
+  /// The values that the colours go from and to: those of the layer's window.
+  [[nodiscard]] std::array<double, 2> overlayRange() const;
 
   [[nodiscard]] bool contours() const { return contours_; }
   void setContours(bool on) { set(contours_, on); }
@@ -93,8 +114,10 @@ class ViewState : public QObject {
   Layer layer_ = Layer::Source;
   std::optional<Layer> awaitedLayer_;
   std::array<WindowLevel, kLayerCount> windowLevels_;
-  SlabMode slabMode_ = SlabMode::None;
-  double slabThicknessMm_ = 10.0;
+  std::array<Slab, 3> slabs_;
+  PlaneTurn turn_;
+  std::optional<Layer> overlay_;
+  double overlayOpacity_ = 0.5;
   bool contours_ = true, mip_ = true, surface_ = true, edges_ = false;
   bool interpolated_ = true;
   Tool tool_ = Tool::Navigate;

@@ -117,8 +117,8 @@ void ViewGrid::connectPorts() {
     connect(view, &View::portDragged, &ports_, &CasePorts::drag);
     connect(view, &View::portDropped, &ports_, &CasePorts::drop);
     connect(view, &View::menuRequested, this,
-            [this](const QPoint& global, const auto& place, const QString& port) {
-              Q_EMIT menuRequested(global, place, port, std::is_same_v<View, SliceView>);
+            [this, view](const QPoint& global, const auto& place, const QString& port) {
+              Q_EMIT menuRequested(global, place, port, planeOf(view));
             });
     connect(view, &View::cutPicked, this, [this](double x, double y, double z) {
       ports_.cutHere({x, y, z});
@@ -139,13 +139,9 @@ void ViewGrid::connectSlice(SliceView* view) {
     Q_EMIT crosshairMoved();
   });
   connect(view, &SliceView::windowLevelChanged, &state_, &ViewState::setWindowLevel);
-  connect(view, &SliceView::slabChanged, this, [this](double thicknessMm) {
-    if (thicknessMm <= 0.0)
-      state_.setSlab(SlabMode::None, state_.slabThicknessMm());
-    else
-      state_.setSlab(state_.slabMode() == SlabMode::None ? SlabMode::Mip : state_.slabMode(),
-                     thicknessMm);
-  });
+  connect(view, &SliceView::slabChanged, &state_,
+          [this, view](const Slab& slab) { state_.setSlab(planeOf(view), slab); });
+  connect(view, &SliceView::turnChanged, &state_, &ViewState::setTurn);
   connect(view, &SliceView::seedPicked, this, [this](double x, double y, double z) {
     models_.document.addSeed({x, y, z});
   });
@@ -154,6 +150,11 @@ void ViewGrid::connectSlice(SliceView* view) {
     state_.setTool(Tool::Navigate);
   });
   connect(view, &SliceView::hovered, this, &ViewGrid::hovered);
+}
+
+int ViewGrid::planeOf(const VtkView* view) const {
+  const auto found = std::find(slices_.begin(), slices_.end(), view);
+  return found == slices_.end() ? kNoSlice : static_cast<int>(found - slices_.begin());
 }
 
 QWidget* ViewGrid::largePane() const { return large_ == pane3d_ ? surface_ : large_; }
@@ -273,6 +274,7 @@ void ViewGrid::refreshImage() {
     for (SliceView* view : slices_) view->setImage(image);
     surface_->setImage(image);
   }
+  const ColourLayer overlay = overlayLayer();
   const Layer layer = layerShown_ ? state_.layer() : Layer::Source;
   const bool hounsfield = layer == Layer::Source && models_.document.display().modality == "CT";
   const auto [window, level] = state_.windowLevel();
@@ -281,7 +283,9 @@ void ViewGrid::refreshImage() {
     view->setWindowLimits(state_.windowLimits());
     view->setValueNames(layerTitle(layer), hounsfield ? tr("HU") : QString());
     view->setInterpolated(state_.interpolated());
-    view->setSlab(state_.slabMode(), state_.slabThicknessMm());
+    view->setColourLayer(overlay, state_.overlay() ? layerTitle(*state_.overlay()) : QString());
+    view->setTurn(state_.turn());
+    view->setSlab(state_.slab(planeOf(view)));
     view->setTool(state_.tool());
     view->setScheme(state_.scheme());
   }
@@ -289,6 +293,17 @@ void ViewGrid::refreshImage() {
   surface_->setMipVisible(state_.mip());
   surface_->setSurfaceVisible(state_.surface());
   surface_->setEdgesVisible(state_.edges());
+}
+
+ColourLayer ViewGrid::overlayLayer() const {
+  ColourLayer layer;
+  if (!state_.overlay()) return layer;
+  layer.values = models_.results.layer(*state_.overlay());
+  const std::array<double, 2> range = state_.overlayRange();
+  layer.from = range[0];
+  layer.to = range[1];
+  layer.opacity = state_.overlayOpacity();
+  return layer;
 }
 
 void ViewGrid::refreshSegmentation() {
@@ -385,18 +400,19 @@ void ViewGrid::refreshCaptions() {
   const ResultModel& results = models_.results;
   const bool any = models_.document.hasCase();
   const QString layer = layerText(results, state_.layer(), layerShown_).text;
-  const auto lines = [any](const QString& first, const QString& second) {
-    QStringList list{first, second};
+  const auto lines = [any](QStringList list) {
     list.removeAll(QString());
     return any ? list.join('\n') : QString();
   };
+  const QString overlay =
+      state_.overlay() ? overlayText(models_.results, *state_.overlay()).text : QString();
   const QString contour = shownPhi_ ? contourText(results, models_.runs).text : QString();
-  for (SliceView* view : slices_) view->setCaption(lines(layer, contour));
+  for (SliceView* view : slices_) view->setCaption(lines({layer, overlay, contour}));
   const QString projection = state_.mip() ? tr("MIP: %1").arg(layer) : QString();
-  surface_->setCaption(lines(projection, state_.surface() ? surfaceText_.text : QString()),
+  surface_->setCaption(lines({projection, state_.surface() ? surfaceText_.text : QString()}),
                        surfaceText_.stale);
   const ShownText mesh = meshText(results);
-  comparison_->setCaption(lines(mesh.text, meshTitle(MeshKind::MarchingCubes)), mesh.stale);
+  comparison_->setCaption(lines({mesh.text, meshTitle(MeshKind::MarchingCubes)}), mesh.stale);
 }
 
 std::vector<std::array<double, 3>> ViewGrid::patchColours(
@@ -437,7 +453,7 @@ void ViewGrid::refreshEdits() {
   }
   surface_->setSeeds(seeds);
   surface_->setRoi(roi);
-  if (state_.layer() == Layer::Speed) refreshImage();
+  if (state_.layer() == Layer::Speed || state_.overlay() == Layer::Speed) refreshImage();
 }
 
 }  // namespace angiomesh

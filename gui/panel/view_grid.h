@@ -11,6 +11,7 @@
 #include "gui/model/result_text.h"
 #include "gui/model/view_state.h"
 #include "render/marks/port_mark.h"
+#include "render/slice/slice_pixels.h"
 
 namespace angiomesh {
 
@@ -26,11 +27,14 @@ struct MeasuredMeshes;
 /// large one alone.
 enum class PaneLayout { Four, OneAndThree, Single };
 
-/// The four panes: axial, sagittal, coronal and 3D, linked in crosshair, window, level and slab.
+/// The four panes: axial, sagittal, coronal and 3D, linked in crosshair, window and
+/// level.
 class ViewGrid : public QWidget {
   Q_OBJECT
 
  public:
+  static constexpr int kNoSlice = -1;
+
   ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, MeshInspection& inspection,
            const JobRunnerFactory& makeRunner, QWidget* parent = nullptr);
 
@@ -76,15 +80,18 @@ class ViewGrid : public QWidget {
   void arranged();  ///< the layout or the large pane has changed
   void hovered(const QString& text);
   void crosshairMoved();
-  /// A right click: `place` is empty where there is nothing, `port` off the ports.
+  /// A right click: `place` is empty where there is nothing, `port` off the ports. `plane` is
+  /// kNoSlice in 3D.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
-                     const QString& port, bool onSlice);
+                     const QString& port, int plane);
 
  private:
+  [[nodiscard]] int planeOf(const VtkView* view) const;
   void arrange();
   void connectSlice(SliceView* view);
   void refreshAll();
   void refreshImage();
+  [[nodiscard]] ColourLayer overlayLayer() const;
   void refreshSegmentation();
   void refreshSurface();
   void paintSurface();

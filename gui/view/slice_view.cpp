@@ -13,12 +13,13 @@
 #include <utility>
 
 #include "core/base/formatted.h"
+#include "gui/view/slice_grip.h"
 
 namespace angiomesh {
 
 namespace {
 
-enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port };
+enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port, Turn };
 
 constexpr double dimmedOpacity = 0.45;
 constexpr double pixelsForUsualWindow = 400.0;  // of a drag
@@ -28,21 +29,21 @@ constexpr double clickDistance = 3.0;           // Qt pixels: a shorter way is a
 
 struct SliceView::State {
   SliceScene scene;
+  SliceGrip grip{scene};
   Tool tool = Tool::Navigate;
   MouseScheme scheme = MouseScheme::Radiology;
   Drag drag = Drag::None;
   bool mayBeClick = false;
   QPointF pressed, last;
   WindowLimits limits;
+  ColourLayer colourLayer;
   bool interpolated = true;
   QString caption;
   Eigen::Vector3d roiCorner{0.0, 0.0, 0.0};
   std::optional<RoiBox> roiBefore;
-  std::optional<PortDrag> portDrag;  // of the port grabbed
-  QString grabbed;
   SlabMode lastSlabMode = SlabMode::Mip;
   std::optional<QPointF> pointer;  // over the pane
-  QString valueLayer, valueUnit;
+  QString valueLayer, valueUnit, overlayName;
   QStringList hovered;  // lines on what is under the pointer
 };
 
@@ -100,16 +101,21 @@ void SliceView::setInterpolated(bool on) {
   requestRender();
 }
 
-void SliceView::setSlab(SlabMode mode, double thicknessMm) {
-  if (mode == slabMode() && thicknessMm == slabThicknessMm()) return;
-  if (mode != SlabMode::None) state_->lastSlabMode = mode;
-  state_->scene.setSlab(mode, thicknessMm);
+void SliceView::setSlab(const Slab& slab) {
+  if (slab == this->slab()) return;
+  if (slab.mode != SlabMode::None) state_->lastSlabMode = slab.mode;
+  state_->scene.setSlab(slab);
   requestRender();
   hover();
 }
 
-SlabMode SliceView::slabMode() const { return state_->scene.slabMode(); }
-double SliceView::slabThicknessMm() const { return state_->scene.slabThicknessMm(); }
+const Slab& SliceView::slab() const { return state_->scene.slab(); }
+
+void SliceView::chooseSlab(const Slab& slab) {
+  if (!state_->scene.image()) return;
+  setSlab(slab);
+  Q_EMIT slabChanged(slab);
+}
 
 void SliceView::setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed) {
   std::vector<ContourLayer> layers;
@@ -135,6 +141,32 @@ void SliceView::setValueNames(const QString& layer, const QString& unit) {
   hover();
 }
 
+void SliceView::setColourLayer(const ColourLayer& layer, const QString& name) {
+  state_->overlayName = name;
+  if (layer == state_->colourLayer) return;
+  state_->colourLayer = layer;
+  state_->scene.setColourLayer(layer);
+  requestRender();
+  hover();
+}
+
+void SliceView::setTurn(const PlaneTurn& turn) {
+  if (turn == state_->scene.turn()) return;
+  const int before = slice();
+  state_->scene.setTurn(turn);
+  requestRender();
+  hover();
+  if (slice() != before) Q_EMIT sliceChanged(slice());
+}
+
+std::vector<QPointF> SliceView::knobs() const {
+  std::vector<QPointF> positions;
+  for (const Eigen::Vector2d& knob : state_->scene.knobs()) positions.push_back(fromDisplay(knob));
+  return positions;
+}
+
+const SliceScene& SliceView::scene() const { return state_->scene; }
+
 void SliceView::setSeeds(std::vector<Eigen::Vector3d> lps) {
   state_->scene.setSeeds(std::move(lps));
   requestRender();
@@ -156,6 +188,7 @@ void SliceView::setTool(Tool tool) {
   if (state_->drag == Drag::Roi) setRoi(state_->roiBefore);
   if (state_->drag != Drag::Port) state_->drag = Drag::None;
   state_->tool = tool;
+  state_->grip.setTool(tool);
   showPointer(state_->last);
 }
 
@@ -176,10 +209,9 @@ void SliceView::setSlice(int slice) {
   const int before = scene.slice();
   scene.setSlice(slice);
   if (scene.slice() == before) return;
-  const Geometry& geometry = scene.image()->geometry;
-  Eigen::Vector3d index = geometry.toIndex(scene.cursor());
+  Eigen::Vector3d index = scene.grid().toIndex(scene.cursor());
   index[scene.axes().across] = scene.slice();
-  const Eigen::Vector3d lps = geometry.toPhysical(index);
+  const Eigen::Vector3d lps = scene.grid().toPhysical(index);
   scene.setCursor(lps);
   requestRender();
   hover();
@@ -221,15 +253,14 @@ void SliceView::stepSlices(int towardsHead) {
 void SliceView::stepSlab(int steps) {
   SliceScene& scene = state_->scene;
   if (!scene.image()) return;
-  const double spacing = scene.image()->geometry.spacing[scene.axes().across];
-  const double now = scene.slabMode() == SlabMode::None ? spacing : scene.slabThicknessMm();
+  const double spacing = scene.grid().spacing[scene.axes().across];
+  const double now = slab().mode == SlabMode::None ? spacing : slab().thicknessMm;
   const double most = spacing * scene.sliceCount();
   const double thickness = std::min(now + steps * spacing, most);
   if (thickness > 1.5 * spacing)
-    setSlab(state_->lastSlabMode, thickness);
+    chooseSlab({state_->lastSlabMode, thickness});
   else
-    setSlab(SlabMode::None, 0.0);
-  Q_EMIT slabChanged(scene.slabThicknessMm());
+    chooseSlab({SlabMode::None, slab().thicknessMm});
 }
 
 void SliceView::dragContrast(const QPointF& moved, bool fine) {
@@ -245,18 +276,8 @@ void SliceView::dragContrast(const QPointF& moved, bool fine) {
 std::optional<RoiBox> SliceView::roiTo(const QPointF& position) const {
   const SliceScene& scene = state_->scene;
   const RoiBox whole = volumeBox(scene.image()->geometry);
-  RoiBox box = state_->roiBefore.value_or(whole);
-  const Eigen::Vector3d other = lpsAt(position);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (axis == scene.axes().plane) continue;
-    const auto a = static_cast<std::size_t>(axis);
-    const double low = std::min(state_->roiCorner[axis], other[axis]);
-    const double high = std::max(state_->roiCorner[axis], other[axis]);
-    box[a] = std::clamp(low, whole[a], whole[a + 3]);
-    box[a + 3] = std::clamp(high, whole[a], whole[a + 3]);
-    if (!(box[a + 3] > box[a])) return std::nullopt;
-  }
-  return box;
+  return boxBetween(state_->roiBefore.value_or(whole), whole, scene.axes().plane, state_->roiCorner,
+                    lpsAt(position));
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
@@ -272,8 +293,12 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     s.drag = Drag::Roi;
     s.roiCorner = lpsAt(event->position());
     s.roiBefore = s.scene.roi();
-  } else if (!event->modifiers().testFlag(Qt::ControlModifier) && grabPort(event->position())) {
+  } else if (!event->modifiers().testFlag(Qt::ControlModifier) &&
+             s.grip.takePort(toDisplay(event->position()))) {
     s.drag = Drag::Port;
+    Q_EMIT portPressed(s.grip.port());
+  } else if (s.grip.takeKnob(toDisplay(event->position()))) {
+    s.drag = Drag::Turn;
   } else if (s.scheme == MouseScheme::Engineering && s.tool == Tool::Navigate) {
     s.drag = Drag::Crosshair;
     moveCrosshair(event->position());
@@ -315,6 +340,9 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
       if (!s.mayBeClick)
         if (const std::optional<RoiBox> box = roiTo(position)) setRoi(box);
       break;
+    case Drag::Turn:
+      if (!s.mayBeClick) Q_EMIT turnChanged(s.grip.knobMoved(toDisplay(position)));
+      break;
     case Drag::Port:
       dragPort(position, event->modifiers().testFlag(Qt::ShiftModifier));
       break;
@@ -338,10 +366,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     else
       setRoi(s.roiBefore);
   }
-  if (ended == Drag::Port) {
-    s.portDrag.reset();
-    if (!s.mayBeClick) Q_EMIT portDropped();
-  }
+  if (ended == Drag::Port && !s.mayBeClick) Q_EMIT portDropped();
   if (!s.mayBeClick) return;
   const std::optional<Eigen::Vector3d> place = picked();
   if (!place) return;
@@ -349,40 +374,17 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   if (ended == Drag::Contrast && s.tool == Tool::Navigate) moveCrosshair(s.pressed);
   if (ended == Drag::Contrast && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
   if (ended == Drag::Contrast && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
-  if (ended == Drag::Zoom) {
-    const std::optional<PortHit> hit = portAt(s.pressed);
-    Q_EMIT menuRequested(event->globalPosition().toPoint(), p, hit ? nameOf(*hit) : QString());
-  }
-}
-
-QString SliceView::nameOf(const PortHit& hit) const {
-  return QString::fromStdString(state_->scene.ports()[hit.mark].name);
-}
-
-std::optional<PortHit> SliceView::portAt(const QPointF& position) const {
-  const Eigen::Vector2d at = toDisplay(position);
-  const bool grabs = state_->tool == Tool::Navigate || state_->tool == Tool::CutVessel;
-  return grabs ? state_->scene.portAt(at[0], at[1]) : std::nullopt;
-}
-
-bool SliceView::grabPort(const QPointF& position) {
-  State& s = *state_;
-  const std::optional<PortHit> hit = portAt(position);
-  if (!hit) return false;
-  const Eigen::Vector2d at = toDisplay(position);
-  s.portDrag = s.scene.grabPort(*hit, at[0], at[1]);
-  s.grabbed = nameOf(*hit);
-  Q_EMIT portPressed(s.grabbed);
-  return true;
+  if (ended == Drag::Zoom)
+    Q_EMIT menuRequested(event->globalPosition().toPoint(), p,
+                         s.grip.nameOf(s.grip.portAt(toDisplay(s.pressed))));
 }
 
 void SliceView::dragPort(const QPointF& position, bool free) {
   State& s = *state_;
   if (s.mayBeClick) return;
-  const Eigen::Vector2d at = toDisplay(position);
-  const CutPlane plane = s.portDrag->moved(s.scene.rayAt(at[0], at[1]), free);
-  Q_EMIT portDragged(s.grabbed, plane);
-  if (s.portDrag->grip() == PortDrag::Grip::Turn) return;
+  const CutPlane plane = s.grip.portMoved(toDisplay(position), free);
+  Q_EMIT portDragged(s.grip.port(), plane);
+  if (s.grip.turnsPort()) return;
   // A vessel leaves the slice: all panes go where its disc went.
   const Eigen::Vector3d& p = plane.pointLps;
   setCursor(p);
@@ -390,9 +392,12 @@ void SliceView::dragPort(const QPointF& position, bool free) {
 }
 
 void SliceView::showPointer(const QPointF& position) {
-  if (const std::optional<PortHit> hit = portAt(position))
+  const Eigen::Vector2d at = toDisplay(position);
+  if (const std::optional<PortHit> hit = state_->grip.portAt(at))
     QWidget::setCursor(hit->grip == PortDrag::Grip::Turn ? Qt::PointingHandCursor
                                                          : Qt::SizeAllCursor);
+  else if (state_->grip.knobAt(at))
+    QWidget::setCursor(Qt::PointingHandCursor);
   else if (state_->tool == Tool::Navigate)
     unsetCursor();
   else
@@ -400,16 +405,8 @@ void SliceView::showPointer(const QPointF& position) {
 }
 
 std::optional<Eigen::Vector3d> SliceView::picked() const {
-  const SliceScene& scene = state_->scene;
-  const Eigen::Vector3d lps = lpsAt(state_->pressed);
-  const std::optional<SliceScene::Probe> probe = scene.probe(lps);
-  if (!probe) return std::nullopt;
-  // In a slab the place lies where the shown value comes from.
-  const Geometry& geometry = scene.image()->geometry;
-  const int across = scene.axes().across;
-  Eigen::Vector3d index = geometry.toIndex(lps);
-  index[across] = probe->voxel[static_cast<std::size_t>(across)];
-  return geometry.toPhysical(index);
+  const std::optional<SliceScene::Probe> probe = state_->scene.probe(lpsAt(state_->pressed));
+  return probe ? std::optional(probe->placeLps) : std::nullopt;
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -447,6 +444,11 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Left:
       stepSlices(-steps);
       return;
+    case Qt::Key_M:
+      if (event->modifiers() != Qt::NoModifier) break;
+      chooseSlab({static_cast<SlabMode>((static_cast<int>(slab().mode) + 1) % kSlabModeCount),
+                  slab().thicknessMm});
+      return;
     case Qt::Key_R:
       if (event->modifiers() == Qt::NoModifier) {
         resetView();
@@ -475,6 +477,9 @@ void SliceView::hover() {
     QStringList value{s.valueLayer, QString::number(static_cast<double>(probe->value), 'g', 5),
                       s.valueUnit};
     value.removeAll(QString());
+    if (probe->overlay)
+      value << QStringLiteral("(%1 %2)").arg(
+          s.overlayName, QString::number(static_cast<double>(*probe->overlay), 'g', 3));
     const Index3& v = probe->voxel;
     lines << tr("%1, voxel %2,%3,%4").arg(value.join(' ')).arg(v[0]).arg(v[1]).arg(v[2])
           << QString::fromStdString(placeText(*lps));

@@ -17,12 +17,13 @@
 namespace angiomesh {
 
 /// One slice pane. Positions are mm LPS. Middle button pans, right zooms, the wheel steps slices
-/// (Ctrl: zooms, Alt: slab thickness), Shift with the moving mouse sets the crosshair, a double
-/// click asks to maximise, arrow keys step slices (Shift: by 10), R resets the view; Ctrl with the
-/// left drag changes window and level in fine steps; a left click sets the crosshair; a click of
-/// the right button asks for a menu. The left button drags the disc of a port along its vessel
-/// (Shift: within the slice), and the crosshair goes with it; by the tip of its arrow it is turned
-/// in the slice.
+/// (Ctrl: zooms, Alt: slab thickness), M goes through the kinds of slab, Shift with the moving
+/// mouse sets the crosshair, a double click asks to maximise, arrow keys step slices (Shift: by
+/// 10), R resets the view; Ctrl with the left drag changes window and level in fine steps; a left
+/// click sets the crosshair; a click of the right button asks for a menu. The left button drags the
+/// disc of a port along its vessel (Shift: within the slice), and the crosshair goes with it; by
+/// the tip of its arrow it is turned in the slice. By a knob of the crosshair it turns the planes
+/// of the other two panes.
 class SliceView : public VtkView {
   Q_OBJECT
 
@@ -43,15 +44,21 @@ class SliceView : public VtkView {
   [[nodiscard]] Eigen::Vector3d cursor() const;
   void setCrosshairVisible(bool visible);
   void setInterpolated(bool on);  ///< between voxels
-  void setSlab(SlabMode mode, double thicknessMm);
-  [[nodiscard]] SlabMode slabMode() const;
-  [[nodiscard]] double slabThicknessMm() const;
+  void setSlab(const Slab& slab);
+  [[nodiscard]] const Slab& slab() const;
   /// The zero level set to outline; it may live on another grid. Null removes it.
   void setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed = false);
   /// What the pane shows, in lines.
   void setCaption(const QString& lines);
   /// What the values under the pointer are of, and their unit; either may be empty.
   void setValueNames(const QString& layer, const QString& unit);
+  /// Over the image; `name`: of its values under the pointer.
+  void setColourLayer(const ColourLayer& layer, const QString& name);
+  /// How the planes of all panes lie.
+  void setTurn(const PlaneTurn& turn);
+  /// Of the crosshair's arms, as last drawn, Qt's pixels.
+  [[nodiscard]] std::vector<QPointF> knobs() const;
+  [[nodiscard]] const SliceScene& scene() const;
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setRoi(std::optional<RoiBox> roi);
   void setPorts(std::vector<PortMark> marks);
@@ -61,8 +68,7 @@ class SliceView : public VtkView {
 
   [[nodiscard]] int slice() const;
   [[nodiscard]] int sliceCount() const;
-  /// Index along the grid axis that the slices are stacked along, clamped. Takes the crosshair
-  /// along: emits cursorMoved() too.
+  /// Clamped. Takes the crosshair along: emits cursorMoved() too.
   void setSlice(int slice);
 
   /// Widget position (Qt's pixels) -> mm LPS on the slice, and back.
@@ -74,7 +80,8 @@ class SliceView : public VtkView {
   void cursorMoved(double x, double y, double z);
   void windowLevelChanged(double window, double level);  ///< by the user
   void sliceChanged(int slice);                          ///< for whatever reason
-  void slabChanged(double thicknessMm);                  ///< by the user; 0: slab off
+  void slabChanged(const Slab& slab);                    ///< by the user
+  void turnChanged(const PlaneTurn& turn);               ///< by the user; to be set in all panes
   void seedPicked(double x, double y, double z);
   void cutPicked(double x, double y, double z);
   /// `port` is empty off the ports.
@@ -105,14 +112,11 @@ class SliceView : public VtkView {
   void moveCrosshair(const QPointF& position);
   void stepSlices(int towardsHead);
   void stepSlab(int steps);
+  void chooseSlab(const Slab& slab);
   void dragContrast(const QPointF& moved, bool fine);
   /// What is under the pressed position, as the pane shows it; nothing outside the image.
   [[nodiscard]] std::optional<Eigen::Vector3d> picked() const;
   void hover();
-  /// While the tool lets ports be grabbed.
-  [[nodiscard]] std::optional<PortHit> portAt(const QPointF& position) const;
-  [[nodiscard]] QString nameOf(const PortHit& hit) const;
-  bool grabPort(const QPointF& position);
   void dragPort(const QPointF& position, bool free);
   void showPointer(const QPointF& position);
 

@@ -46,10 +46,20 @@ Json toJson(const CaseSource& source) {
 }
 
 Json toJson(const CaseView& view) {
-  Json json = {{"layer", view.layer},  {"windowLevels", view.windowLevels},
-               {"slab", view.slab},    {"slabThicknessMm", view.slabThicknessMm},
-               {"shown", view.shown},  {"mesh", view.mesh},
-               {"colour", view.colour}};
+  Json slabs = Json::object();
+  for (const auto& [pane, slab] : view.slabs)
+    slabs[pane] = {{"mode", slab.mode}, {"thicknessMm", slab.thicknessMm}};
+  Json json = {{"layer", view.layer}, {"windowLevels", view.windowLevels},
+               {"slabs", slabs},      {"shown", view.shown},
+               {"mesh", view.mesh},   {"colour", view.colour}};
+  if (!view.overlay.empty()) {
+    json["overlay"] = view.overlay;
+    json["overlayOpacity"] = view.overlayOpacity;
+  }
+  if (view.planes)
+    json["planes"] = {{"patientAxes", view.planes->patientAxes},
+                      {"turns", view.planes->turns},
+                      {"pivotMm", view.planes->pivotMm}};
   if (view.crosshairLps) json["crosshairMm"] = toJson(*view.crosshairLps);
   return json;
 }
@@ -78,15 +88,38 @@ void take(T& value, const Json& json, const char* key) {
   if (json.contains(key)) value = json.at(key).get<T>();
 }
 
+std::map<std::string, CaseView::Slab> slabsFrom(const Json& json) {
+  std::map<std::string, CaseView::Slab> slabs;
+  if (json.contains("slabs")) {
+    for (const auto& [pane, slab] : json.at("slabs").items())
+      slabs[pane] = {slab.at("mode").get<std::string>(), slab.at("thicknessMm").get<double>()};
+    return slabs;
+  }
+  // Cases of version 0.2 have one for all panes.
+  CaseView::Slab all;
+  take(all.mode, json, "slab");
+  take(all.thicknessMm, json, "slabThicknessMm");
+  if (!all.mode.empty()) slabs = {{"sagittal", all}, {"coronal", all}, {"axial", all}};
+  return slabs;
+}
+
 CaseView viewFrom(const Json& json) {
   CaseView view;
   take(view.layer, json, "layer");
   take(view.windowLevels, json, "windowLevels");
-  take(view.slab, json, "slab");
-  take(view.slabThicknessMm, json, "slabThicknessMm");
+  view.slabs = slabsFrom(json);
   take(view.shown, json, "shown");
   take(view.mesh, json, "mesh");
   take(view.colour, json, "colour");
+  take(view.overlay, json, "overlay");
+  take(view.overlayOpacity, json, "overlayOpacity");
+  if (json.contains("planes")) {
+    const Json& planes = json.at("planes");
+    view.planes.emplace();
+    take(view.planes->patientAxes, planes, "patientAxes");
+    take(view.planes->turns, planes, "turns");
+    take(view.planes->pivotMm, planes, "pivotMm");
+  }
   if (json.contains("crosshairMm")) view.crosshairLps = vectorFrom(json.at("crosshairMm"));
   return view;
 }

@@ -31,8 +31,25 @@ struct CaseSource {
 struct CaseView {
   std::string layer;
   std::map<std::string, std::array<double, 2>> windowLevels;  ///< by layer
-  std::string slab;
-  double slabThicknessMm = 10.0;
+  struct Slab {
+    std::string mode;
+    double thicknessMm = 10.0;
+
+    bool operator==(const Slab&) const = default;
+  };
+  std::map<std::string, Slab> slabs;  ///< by pane: "sagittal", "coronal", "axial"
+  std::string overlay;                ///< a layer in colour over the one shown; empty: none
+  double overlayOpacity = 0.5;
+  /// How the slice planes lie; empty where they lie along the image.
+  struct Planes {
+    bool patientAxes = false;
+    /// By pane: the rows of the rotation from where its plane began.
+    std::map<std::string, std::array<double, 9>> turns;
+    std::array<double, 3> pivotMm{0.0, 0.0, 0.0};  ///< LPS
+
+    bool operator==(const Planes&) const = default;
+  };
+  std::optional<Planes> planes;
   std::optional<Eigen::Vector3d> crosshairLps;
   std::map<std::string, bool> shown;  ///< "contours", "surface", ...
   std::string mesh, colour;

@@ -94,15 +94,20 @@ void SliceOverlay::setTexts(const Texts& texts) {
   constexpr std::array<const char*, 3> rising{"L", "P", "S"};
   constexpr std::array<const char*, 3> falling{"R", "A", "I"};
   const auto plane = static_cast<std::size_t>(texts.plane);
-  parts_->upperLeft->SetInput(
-      formatted("%s %d/%d\n%s %.1f mm", planeName(texts.plane), texts.slice + 1, texts.count,
-                texts.alongMm >= 0.0 ? rising[plane] : falling[plane], std::abs(texts.alongMm))
-          .c_str());
+  const std::string where =
+      texts.turnedDeg > 0.05
+          ? formatted("turned by %.0f°", texts.turnedDeg)
+          : formatted("%s %.1f mm", texts.alongMm >= 0.0 ? rising[plane] : falling[plane],
+                      std::abs(texts.alongMm));
+  parts_->upperLeft->SetInput(formatted("%s %d/%d\n%s%s", planeName(texts.plane), texts.slice + 1,
+                                        texts.count, where.c_str(),
+                                        texts.patientAxes ? "\nPatient axes" : "")
+                                  .c_str());
   constexpr std::array<const char*, 4> slabs{"", "MIP", "MinIP", "Mean"};
   const std::string slab =
-      texts.slabMode != SlabMode::None
-          ? formatted("%s %.1f mm\n", slabs[static_cast<std::size_t>(texts.slabMode)],
-                      texts.slabThicknessMm)
+      texts.slab.mode != SlabMode::None
+          ? formatted("%s %.1f mm\n", slabs[static_cast<std::size_t>(texts.slab.mode)],
+                      texts.slab.thicknessMm)
           : std::string();
   parts_->upperRight->SetInput((slab + texts.caption).c_str());
   const std::string contrast = formatted("W %.4g  L %.4g", texts.window, texts.level);

@@ -30,9 +30,10 @@ class SliceOverlay {
   struct Texts {
     int plane = 2;  ///< 0 sagittal, 1 coronal, 2 axial
     int slice = 0, count = 0;
-    double alongMm = 0.0;  ///< position of the slice's middle along the plane's axis, LPS
-    SlabMode slabMode = SlabMode::None;
-    double slabThicknessMm = 0.0;
+    bool patientAxes = false;
+    double turnedDeg = 0.0;  ///< from where the plane began; 0: not at all
+    double alongMm = 0.0;    ///< position of the slice's middle along the plane's axis, LPS
+    Slab slab;
     double window = 0.0, level = 0.0;
     std::string caption;  ///< lines, upper right
     std::string pointer;  ///< lines, lower left above window and level; may be empty

@@ -13,31 +13,6 @@ namespace {
 
 std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
 
-/// Strides in memory of the three grid axes.
-std::array<std::ptrdiff_t, 3> strides(const Geometry& g) {
-  return {1, g.size[0], static_cast<std::ptrdiff_t>(g.size[0]) * g.size[1]};
-}
-
-/// Combines one slice into `values`; `combine(old, value)` is inlined per mode.
-template <class Combine>
-void addSlice(const Volume<float>& image, const PaneAxes& axes, int slice,
-              std::vector<float>& values, Combine combine) {
-  const Geometry& g = image.geometry;
-  const std::array<std::ptrdiff_t, 3> stride = strides(g);
-  const int width = g.size[at(axes.right)];
-  const int height = g.size[at(axes.up)];
-  const std::ptrdiff_t step = axes.rightFlipped ? -stride[at(axes.right)] : stride[at(axes.right)];
-  float* target = values.data();
-  for (int row = 0; row < height; ++row) {
-    const std::ptrdiff_t upIndex = axes.upFlipped ? height - 1 - row : row;
-    const std::ptrdiff_t rightIndex = axes.rightFlipped ? width - 1 : 0;
-    const float* source = image.voxels.data() + slice * stride[at(axes.across)] +
-                          upIndex * stride[at(axes.up)] + rightIndex * stride[at(axes.right)];
-    for (int column = 0; column < width; ++column, ++target, source += step)
-      *target = combine(*target, *source);
-  }
-}
-
 /// Trilinear value; NaN outside the outermost voxel centres (with a rounding tolerance).
 float sample(const Volume<float>& volume, const Eigen::Vector3d& index) {
   constexpr double tolerance = 1e-6;
@@ -157,38 +132,6 @@ Eigen::Vector3d SlicePlane::fromLps(const Eigen::Vector3d& lps) const {
   return {right * pixelWidth_, up * pixelHeight_, index[axes_.across] - slice_};
 }
 
-std::array<int, 2> slabSlices(const Geometry& geometry, const PaneAxes& axes, int slice,
-                              double thicknessMm) {
-  const int available = geometry.size[at(axes.across)];
-  const double wanted = std::round(thicknessMm / geometry.spacing[axes.across]);
-  const int count = static_cast<int>(std::clamp(wanted, 1.0, 2.0 * available));
-  const int first = slice - (count - 1) / 2;
-  return {std::max(0, first), std::min(available - 1, first + count - 1)};
-}
-
-void rasteriseSlab(const Volume<float>& image, const PaneAxes& axes, SlabMode mode, int first,
-                   int last, std::vector<float>& values) {
-  const Geometry& g = image.geometry;
-  values.resize(static_cast<std::size_t>(g.size[at(axes.right)]) *
-                static_cast<std::size_t>(g.size[at(axes.up)]));
-  addSlice(image, axes, first, values, [](float, float value) { return value; });
-  for (int slice = first + 1; slice <= last; ++slice) switch (mode) {
-      case SlabMode::None:
-        break;
-      case SlabMode::Mip:
-        addSlice(image, axes, slice, values, [](float a, float b) { return std::max(a, b); });
-        break;
-      case SlabMode::MinIp:
-        addSlice(image, axes, slice, values, [](float a, float b) { return std::min(a, b); });
-        break;
-      case SlabMode::Mean:
-        addSlice(image, axes, slice, values, [](float a, float b) { return a + b; });
-        break;
-    }
-  if (mode == SlabMode::Mean)
-    for (float& value : values) value /= static_cast<float>(last - first + 1);
-}
-
 std::vector<std::array<Eigen::Vector2d, 2>> zeroContour(const Volume<float>& phi,
                                                         const SlicePlane& plane) {
   std::vector<std::array<Eigen::Vector2d, 2>> segments;
@@ -232,6 +175,18 @@ std::vector<Eigen::Vector2d> boxSection(const RoiBox& box, const SlicePlane& pla
     polygon = std::move(clipped);
   }
   return polygon;
+}
+
+std::optional<RoiBox> boxBetween(RoiBox box, const RoiBox& whole, int plane,
+                                 const Eigen::Vector3d& corner, const Eigen::Vector3d& other) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == plane) continue;
+    const std::size_t a = at(axis);
+    box[a] = std::clamp(std::min(corner[axis], other[axis]), whole[a], whole[a + 3]);
+    box[a + 3] = std::clamp(std::max(corner[axis], other[axis]), whole[a], whole[a + 3]);
+    if (!(box[a + 3] > box[a])) return std::nullopt;
+  }
+  return box;
 }
 
 RoiBox volumeBox(const Geometry& geometry) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/image/volume.h"
@@ -11,6 +12,15 @@
 namespace angiomesh {
 
 enum class SlabMode { None, Mip, MinIp, Mean };
+constexpr int kSlabModeCount = 4;
+
+/// What a slice pane projects.
+struct Slab {
+  SlabMode mode = SlabMode::None;
+  double thicknessMm = 10.0;  ///< of the next one, too, while there is none
+
+  bool operator==(const Slab&) const = default;
+};
 
 /// x0, y0, z0, x1, y1, z1 in mm LPS, each lower bound first.
 using RoiBox = std::array<double, 6>;
@@ -37,15 +47,6 @@ class SlicePlane {
   double pixelWidth_ = 1.0, pixelHeight_ = 1.0;
 };
 
-/// First and last slice of a slab of `thicknessMm` around `slice`, inside the grid: the number of
-/// slices nearest to the thickness, at least one.
-std::array<int, 2> slabSlices(const Geometry& geometry, const PaneAxes& axes, int slice,
-                              double thicknessMm);
-
-/// The values of slices first..last, combined by `mode`, in screen order: rows from the bottom.
-void rasteriseSlab(const Volume<float>& image, const PaneAxes& axes, SlabMode mode, int first,
-                   int last, std::vector<float>& values);
-
 /// The zero level set of `phi` (any grid of the same patient space, interpolated trilinearly) in
 /// the plane, as separate line segments in the plane's mm. Nothing is drawn outside phi's grid.
 std::vector<std::array<Eigen::Vector2d, 2>> zeroContour(const Volume<float>& phi,
@@ -53,6 +54,11 @@ std::vector<std::array<Eigen::Vector2d, 2>> zeroContour(const Volume<float>& phi
 
 /// Where a box of patient space cuts the plane: a convex polygon, empty when it does not.
 std::vector<Eigen::Vector2d> boxSection(const RoiBox& box, const SlicePlane& plane);
+
+/// `box` between two corners that were drawn on a pane of `plane` (0 sagittal, 1 coronal, 2 axial),
+/// whose depth it keeps, within `whole`. Nothing where nothing would be left.
+std::optional<RoiBox> boxBetween(RoiBox box, const RoiBox& whole, int plane,
+                                 const Eigen::Vector3d& corner, const Eigen::Vector3d& other);
 
 /// The box of the voxels' outer faces: bounds of the whole volume in patient space.
 RoiBox volumeBox(const Geometry& geometry);

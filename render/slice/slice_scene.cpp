@@ -5,11 +5,6 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
-#include <vtkFloatArray.h>
-#include <vtkImageData.h>
-#include <vtkImageProperty.h>
-#include <vtkImageSlice.h>
-#include <vtkImageSliceMapper.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -22,10 +17,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "render/slice/crosshair_arms.h"
+#include "render/slice/slice_cast.h"
 #include "render/slice/slice_layer.h"
 #include "render/slice/slice_marks.h"
 #include "render/slice/slice_overlay.h"
+#include "render/slice/slice_viewport.h"
 
 namespace angiomesh {
 
@@ -34,46 +33,56 @@ namespace {
 /// Depths of the flat scene's layers, towards the viewer.
 constexpr double roiDepth = 1.0, contourDepth = 2.0, portDepth = 2.5, crosshairDepth = 3.0,
                  seedDepth = 4.0;
-constexpr double gripPixels = 8.0;  // design pixels around a port's lines
+constexpr double gripPixels = 8.0;     // design pixels around a port's lines and an arm's knob
+constexpr double letterPixels = 30.0;  // the crosshair ends before the letters on the edges
+
+int sliceCountOf(const PaneGrid& pane) {
+  return pane.grid.size[static_cast<std::size_t>(pane.axes.across)];
+}
+
+int nearestSlice(const PaneGrid& pane, const Eigen::Vector3d& lps) {
+  const double index = pane.grid.toIndex(lps)[pane.axes.across];
+  return static_cast<int>(
+      std::clamp(std::round(index), 0.0, std::max(0.0, sliceCountOf(pane) - 1.0)));
+}
 
 }  // namespace
 
 struct SliceScene::Parts {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkImageData> pixels;
-  vtkNew<vtkImageSlice> imageProp;
+  SlicePixels pixels{renderer};
+  SliceViewport view{renderer};
   std::vector<std::unique_ptr<SliceLayer>> contourLayers;
-  SliceLayer crosshair, roiLine, seedDots;
+  SliceLayer roiLine, seedDots;
+  CrosshairArms crosshair{renderer};
   SliceMarks ports{renderer};
   std::unique_ptr<SliceOverlay> overlay;
   vtkNew<vtkCallbackCommand> beforeFrame;
 
   std::shared_ptr<const Volume<float>> image;
   SliceOverlay::Texts texts;
-  std::vector<float> values;  // shown pixels, screen order
   std::vector<ContourLayer> contours;
   std::vector<Eigen::Vector3d> seeds;
   std::optional<RoiBox> roi;
-  PaneAxes axes;
+  PlaneTurn turn;
+  PaneGrid pane;
   SlicePlane plane;
   int planeNumber = 2, slice = 0;
-  SlabMode slabMode = SlabMode::None;
-  double slabThickness = 0.0, pixelRatio = 1.0;
+  Slab slab;
+  double pixelRatio = 1.0;
   bool windowLevelSet = false, crosshairVisible = true;
   Eigen::Vector3d cursor{0.0, 0.0, 0.0};
-  // Centre of the view and mm per display pixel; a fitted view follows the pane's size.
-  Eigen::Vector2d centre{0.0, 0.0};
-  double mmPerPixel = 1.0;
-  bool fitted = true;
-  std::array<int, 2> lastSize{0, 0};
 
   Parts();
   ~Parts() { renderer->RemoveObserver(beforeFrame); }
-  [[nodiscard]] Eigen::Vector2d size() const;
-  [[nodiscard]] Eigen::Vector2d toScene(double displayX, double displayY);
-  [[nodiscard]] std::array<int, 2> slab() const;
-  void followSize();
-  void fit();
+  [[nodiscard]] Eigen::Vector2d toScene(double displayX, double displayY) {
+    view.followSize(plane);
+    return view.toScene(displayX, displayY);
+  }
+  [[nodiscard]] std::array<Eigen::Vector2d, 2> arms() const;
+  [[nodiscard]] double gripMm() const { return gripPixels * pixelRatio * view.mmPerPixel(); }
+  void layOut();
+  [[nodiscard]] std::array<int, 2> slabRange() const;
   void prepareFrame();
   void showSlice();
   void showContours();
@@ -88,20 +97,9 @@ SliceScene::Parts::Parts() {
   renderer->SetBackground(0.0, 0.0, 0.0);
   renderer->GetActiveCamera()->ParallelProjectionOn();
 
-  vtkNew<vtkImageSliceMapper> mapper;
-  mapper->SetInputData(pixels);
-  mapper->BorderOn();
-  mapper->SetOrientationToZ();
-  imageProp->SetMapper(mapper);
-  imageProp->GetProperty()->SetInterpolationTypeToLinear();
-  imageProp->VisibilityOff();
-  renderer->AddViewProp(imageProp);
-
   roiLine.colour(0.35, 0.80, 1.0);
-  crosshair.colour(0.95, 0.85, 0.25);
-  crosshair.actor->GetProperty()->SetOpacity(0.6);
   seedDots.actor->GetProperty()->RenderPointsAsSpheresOn();
-  for (SliceLayer* layer : {&roiLine, &crosshair, &seedDots}) {
+  for (SliceLayer* layer : {&roiLine, &seedDots}) {
     layer->actor->VisibilityOff();
     renderer->AddActor(layer->actor);
   }
@@ -115,67 +113,31 @@ SliceScene::Parts::Parts() {
   renderer->AddObserver(vtkCommand::StartEvent, beforeFrame);
 }
 
-Eigen::Vector2d SliceScene::Parts::size() const {
-  if (renderer->GetRenderWindow() == nullptr) return {1.0, 1.0};
-  const int* s = renderer->GetSize();
-  return {std::max(1, s[0]), std::max(1, s[1])};
+std::array<int, 2> SliceScene::Parts::slabRange() const {
+  if (slab.mode == SlabMode::None) return {slice, slice};
+  return slabSlices(pane.grid, pane.axes, slice, slab.thicknessMm);
 }
 
-Eigen::Vector2d SliceScene::Parts::toScene(double displayX, double displayY) {
-  followSize();
-  const int* origin = renderer->GetRenderWindow() != nullptr ? renderer->GetOrigin() : nullptr;
-  const Eigen::Vector2d corner =
-      origin != nullptr ? Eigen::Vector2d(origin[0], origin[1]) : Eigen::Vector2d(0.0, 0.0);
-  return centre + mmPerPixel * (Eigen::Vector2d(displayX, displayY) - corner - 0.5 * size());
-}
-
-std::array<int, 2> SliceScene::Parts::slab() const {
-  if (slabMode == SlabMode::None) return {slice, slice};
-  return slabSlices(image->geometry, axes, slice, slabThickness);
-}
-
-void SliceScene::Parts::fit() {
-  fitted = true;
-  if (!image) return;
-  const Eigen::Vector2d pane = size();
-  lastSize = {static_cast<int>(pane[0]), static_cast<int>(pane[1])};
-  const Eigen::Vector2d pixel(plane.pixelWidthMm(), plane.pixelHeightMm());
-  const Eigen::Vector2d extent(pixel[0] * plane.width(), pixel[1] * plane.height());
-  centre = 0.5 * (extent - pixel);
-  mmPerPixel = extent.cwiseQuotient(pane).maxCoeff();
-}
-
-void SliceScene::Parts::followSize() {
-  const Eigen::Vector2d pane = size();
-  if (fitted &&
-      (static_cast<int>(pane[0]) != lastSize[0] || static_cast<int>(pane[1]) != lastSize[1]))
-    fit();
+/// Finds the grid of the slices, and in it the slice of the crosshair.
+void SliceScene::Parts::layOut() {
+  pane = paneGrid(image->geometry, planeNumber, turn);
+  slice = nearestSlice(pane, cursor);
 }
 
 void SliceScene::Parts::prepareFrame() {
-  followSize();
-  const Eigen::Vector2d pane = size();
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetFocalPoint(centre[0], centre[1], 0.0);
-  camera->SetPosition(centre[0], centre[1], 100.0);
-  camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetParallelScale(0.5 * pane[1] * mmPerPixel);
-  camera->SetClippingRange(50.0, 150.0);
-  overlay->setScale(mmPerPixel, static_cast<int>(pane[0]), static_cast<int>(pane[1]), pixelRatio);
+  view.followSize(plane);
+  view.apply();
+  const Eigen::Vector2d size = view.size();
+  overlay->setScale(view.mmPerPixel(), static_cast<int>(size[0]), static_cast<int>(size[1]),
+                    pixelRatio);
   showCrosshair();
 }
 
 void SliceScene::Parts::showSlice() {
   if (!image) return;
-  plane = SlicePlane(image->geometry, axes, slice);
-  const std::array<int, 2> range = slab();
-  rasteriseSlab(*image, axes, slabMode, range[0], range[1], values);
-  vtkNew<vtkFloatArray> array;
-  array->SetArray(values.data(), static_cast<vtkIdType>(values.size()), 1);
-  pixels->SetDimensions(plane.width(), plane.height(), 1);
-  pixels->SetSpacing(plane.pixelWidthMm(), plane.pixelHeightMm(), 1.0);
-  pixels->GetPointData()->SetScalars(array);
-  pixels->Modified();
+  plane = SlicePlane(pane.grid, pane.axes, slice);
+  const std::array<int, 2> range = slabRange();
+  pixels.show(pane, plane, slab.mode, slice, range[0], range[1]);
   showContours();
   showPorts();
   showSeeds();
@@ -205,30 +167,37 @@ void SliceScene::Parts::showContours() {
   }
 }
 
+/// Along which the two other planes cut this one.
+std::array<Eigen::Vector2d, 2> SliceScene::Parts::arms() const {
+  const std::array<Eigen::Vector3d, 3> normals = planeNormals(image->geometry, turn);
+  const auto number = [](int n) { return static_cast<std::size_t>(n); };
+  std::array<Eigen::Vector2d, 2> along;
+  for (int k = 0; k < 2; ++k) {
+    const Eigen::Vector3d line =
+        normals[number(planeNumber)].cross(normals[number((planeNumber + 1 + k) % 3)]);
+    along[number(k)] =
+        Eigen::Vector2d(line.dot(pane.axes.rightLps), line.dot(pane.axes.upLps)).normalized();
+  }
+  return along;
+}
+
 void SliceScene::Parts::showCrosshair() {
-  const bool visible = image && crosshairVisible;
-  crosshair.actor->SetVisibility(visible);
-  if (!visible) return;
-  const Eigen::Vector2d c = plane.fromLps(cursor).head<2>();
-  // The lines end before the letters on the edges.
+  if (!image || !crosshairVisible) {
+    crosshair.hide();
+    return;
+  }
   const Eigen::Vector2d half =
-      mmPerPixel * (0.5 * size().array() - 30.0 * pixelRatio).max(0.0).matrix();
-  const Eigen::Vector2d low = centre - half;
-  const Eigen::Vector2d high = centre + half;
-  const double gap = 10.0 * pixelRatio * mmPerPixel;  // the spot itself stays visible
-  crosshair.setSegments(
-      {{Eigen::Vector2d(std::min(low[0], c[0] - gap), c[1]), {c[0] - gap, c[1]}},
-       {Eigen::Vector2d(c[0] + gap, c[1]), {std::max(high[0], c[0] + gap), c[1]}},
-       {Eigen::Vector2d(c[0], std::min(low[1], c[1] - gap)), {c[0], c[1] - gap}},
-       {Eigen::Vector2d(c[0], c[1] + gap), {c[0], std::max(high[1], c[1] + gap)}}},
-      crosshairDepth);
+      view.mmPerPixel() * (0.5 * view.size().array() - letterPixels * pixelRatio).max(0.0).matrix();
+  crosshair.show(plane.fromLps(cursor).head<2>(), arms(),
+                 {view.centre() - half, view.centre() + half, view.mmPerPixel(), pixelRatio},
+                 crosshairDepth);
 }
 
 void SliceScene::Parts::showSeeds() {
   const bool visible = image && !seeds.empty();
   seedDots.actor->SetVisibility(visible);
   if (!visible) return;
-  const std::array<int, 2> range = slab();
+  const std::array<int, 2> range = slabRange();
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> dots;
   vtkNew<vtkUnsignedCharArray> colours;
@@ -262,17 +231,19 @@ void SliceScene::Parts::showRoi() {
 void SliceScene::Parts::showTexts() {
   overlay->setVisible(image != nullptr);
   if (!image) return;
+  const PaneAxes& axes = pane.axes;
   overlay->setLetters(axes);
   const Eigen::Vector2d middle(0.5 * (plane.width() - 1) * plane.pixelWidthMm(),
                                0.5 * (plane.height() - 1) * plane.pixelHeightMm());
   texts.plane = axes.plane;
   texts.slice = slice;
-  texts.count = image->geometry.size[static_cast<std::size_t>(axes.across)];
+  texts.count = sliceCountOf(pane);
+  texts.patientAxes = turn.patientAxes;
+  texts.turnedDeg = pane.turnedDeg;
   texts.alongMm = plane.toLps(middle)[axes.plane];
-  texts.slabMode = slabMode;
-  texts.slabThicknessMm = slabThickness;
-  texts.window = imageProp->GetProperty()->GetColorWindow();
-  texts.level = imageProp->GetProperty()->GetColorLevel();
+  texts.slab = slab;
+  texts.window = pixels.window();
+  texts.level = pixels.level();
   overlay->setTexts(texts);
 }
 
@@ -285,7 +256,7 @@ void SliceScene::setImage(std::shared_ptr<const Volume<float>> image) {
   Parts& p = *parts_;
   const bool sameGrid = image && p.image && image->geometry == p.image->geometry;
   p.image = std::move(image);
-  p.imageProp->SetVisibility(p.image != nullptr);
+  p.pixels.setImage(p.image);
   if (!p.image) {
     p.showContours();
     p.showPorts();
@@ -296,8 +267,7 @@ void SliceScene::setImage(std::shared_ptr<const Volume<float>> image) {
   }
   if (!p.windowLevelSet) {
     const std::array<double, 2> range = displayRange(*p.image, 0.01, 0.998);
-    p.imageProp->GetProperty()->SetColorWindow(range[1] - range[0]);
-    p.imageProp->GetProperty()->SetColorLevel(0.5 * (range[0] + range[1]));
+    p.pixels.setWindowLevel(range[1] - range[0], 0.5 * (range[0] + range[1]));
   }
   if (!sameGrid) {
     const Index3& size = p.image->geometry.size;
@@ -314,31 +284,80 @@ void SliceScene::setPlane(int plane) {
   Parts& p = *parts_;
   p.planeNumber = std::clamp(plane, 0, 2);
   if (!p.image) {
-    p.axes.plane = p.planeNumber;
+    p.pane.axes.plane = p.planeNumber;
     return;
   }
-  p.axes = paneAxes(p.image->geometry, p.planeNumber);
-  p.slice = sliceAt(p.cursor);
+  p.layOut();
   p.showSlice();
-  p.fit();
+  fit();
 }
 
-const PaneAxes& SliceScene::axes() const { return parts_->axes; }
+const PaneAxes& SliceScene::axes() const { return parts_->pane.axes; }
+const Geometry& SliceScene::grid() const { return parts_->pane.grid; }
+const SlicePlane& SliceScene::plane() const { return parts_->plane; }
+const SlicePixels& SliceScene::pixels() const { return parts_->pixels; }
+
+void SliceScene::setTurn(const PlaneTurn& turn) {
+  Parts& p = *parts_;
+  const PlaneTurn before = std::exchange(p.turn, turn);
+  if (turn == before || !p.image) return;
+  const bool stays = turn.patientAxes == before.patientAxes &&
+                     turn.turns[static_cast<std::size_t>(p.planeNumber)] ==
+                         before.turns[static_cast<std::size_t>(p.planeNumber)] &&
+                     (p.pane.native || turn.pivotLps == before.pivotLps);
+  if (stays) return;
+  // The crosshair stays where it is seen.
+  const Eigen::Vector2d from = p.plane.fromLps(p.cursor).head<2>();
+  p.layOut();
+  p.showSlice();
+  if (p.view.fitted() && (turn.patientAxes != before.patientAxes || !turn.turned()))
+    fit();
+  else
+    p.view.moveBy(p.plane.fromLps(p.cursor).head<2>() - from);
+}
+
+const PlaneTurn& SliceScene::turn() const { return parts_->turn; }
+
+bool SliceScene::knobAt(double displayX, double displayY) const {
+  Parts& p = *parts_;
+  return p.image && p.crosshairVisible &&
+         p.crosshair.knobAt(p.toScene(displayX, displayY), p.gripMm());
+}
+
+std::vector<Eigen::Vector2d> SliceScene::knobs() const {
+  std::vector<Eigen::Vector2d> knobs;
+  for (const Eigen::Vector2d& knob : parts_->crosshair.knobs())
+    knobs.push_back((knob - parts_->toScene(0.0, 0.0)) / parts_->view.mmPerPixel());
+  return knobs;
+}
+
+double SliceScene::angleAt(double displayX, double displayY) const {
+  Parts& p = *parts_;
+  const Eigen::Vector2d way = p.toScene(displayX, displayY) - p.plane.fromLps(p.cursor).head<2>();
+  return std::atan2(way.y(), way.x());
+}
+
+PlaneTurn SliceScene::turnedBy(const PlaneTurn& from, double radians) const {
+  const PaneAxes& axes = parts_->pane.axes;
+  return from.turnedBy(parts_->planeNumber, radians, axes.rightLps.cross(axes.upLps).normalized(),
+                       parts_->cursor);
+}
+
+void SliceScene::setColourLayer(const ColourLayer& layer) {
+  parts_->pixels.setOverlay(layer);
+  parts_->showSlice();
+}
 
 void SliceScene::setWindowLevel(double window, double level) {
   parts_->windowLevelSet = true;
-  parts_->imageProp->GetProperty()->SetColorWindow(window);
-  parts_->imageProp->GetProperty()->SetColorLevel(level);
+  parts_->pixels.setWindowLevel(window, level);
   parts_->showTexts();
 }
 
-double SliceScene::window() const { return parts_->imageProp->GetProperty()->GetColorWindow(); }
-double SliceScene::level() const { return parts_->imageProp->GetProperty()->GetColorLevel(); }
+double SliceScene::window() const { return parts_->pixels.window(); }
+double SliceScene::level() const { return parts_->pixels.level(); }
 
-void SliceScene::setInterpolated(bool on) {
-  parts_->imageProp->GetProperty()->SetInterpolationType(on ? VTK_LINEAR_INTERPOLATION
-                                                            : VTK_NEAREST_INTERPOLATION);
-}
+void SliceScene::setInterpolated(bool on) { parts_->pixels.setInterpolated(on); }
 
 void SliceScene::setSlice(int slice) {
   const int clamped = std::clamp(slice, 0, std::max(0, sliceCount() - 1));
@@ -349,19 +368,14 @@ void SliceScene::setSlice(int slice) {
 
 int SliceScene::slice() const { return parts_->slice; }
 
-int SliceScene::sliceCount() const {
-  return parts_->image ? parts_->image->geometry.size[static_cast<std::size_t>(parts_->axes.across)]
-                       : 0;
-}
+int SliceScene::sliceCount() const { return parts_->image ? sliceCountOf(parts_->pane) : 0; }
 
-void SliceScene::setSlab(SlabMode mode, double thicknessMm) {
-  parts_->slabMode = mode;
-  parts_->slabThickness = std::max(0.0, thicknessMm);
+void SliceScene::setSlab(const Slab& slab) {
+  parts_->slab = slab;
   parts_->showSlice();
 }
 
-SlabMode SliceScene::slabMode() const { return parts_->slabMode; }
-double SliceScene::slabThicknessMm() const { return parts_->slabThickness; }
+const Slab& SliceScene::slab() const { return parts_->slab; }
 
 void SliceScene::setCursor(const Eigen::Vector3d& lps) { parts_->cursor = lps; }
 Eigen::Vector3d SliceScene::cursor() const { return parts_->cursor; }
@@ -386,7 +400,7 @@ const std::vector<PortMark>& SliceScene::ports() const { return parts_->ports.ma
 
 std::optional<PortHit> SliceScene::portAt(double displayX, double displayY) const {
   Parts& p = *parts_;
-  return p.ports.at(p.toScene(displayX, displayY), gripPixels * p.pixelRatio * p.mmPerPixel);
+  return p.ports.at(p.toScene(displayX, displayY), p.gripMm());
 }
 
 PortDrag SliceScene::grabPort(const PortHit& hit, double displayX, double displayY) const {
@@ -419,30 +433,23 @@ void SliceScene::setRoi(const std::optional<RoiBox>& roi) {
 
 const std::optional<RoiBox>& SliceScene::roi() const { return parts_->roi; }
 
-void SliceScene::fit() { parts_->fit(); }
+void SliceScene::fit() {
+  if (parts_->image) parts_->view.fit(parts_->plane);
+}
 
 void SliceScene::zoom(double factor, double displayX, double displayY) {
-  Parts& p = *parts_;
-  const Eigen::Vector2d fixed = p.toScene(displayX, displayY);
-  const double wanted = p.mmPerPixel / factor;
-  // From a hundredth of a pixel's size to a thousand volumes: beyond, numbers lose their meaning.
-  const double smallest = 0.001 * std::min(p.plane.pixelWidthMm(), p.plane.pixelHeightMm());
-  const double changed = std::clamp(wanted, smallest, 1e5 * smallest);
-  p.centre = fixed + (p.centre - fixed) * (changed / p.mmPerPixel);
-  p.mmPerPixel = changed;
-  p.fitted = false;
+  parts_->view.followSize(parts_->plane);
+  parts_->view.zoom(factor, displayX, displayY, parts_->plane);
 }
 
 void SliceScene::pan(double displayDx, double displayDy) {
-  parts_->followSize();
-  parts_->centre -= parts_->mmPerPixel * Eigen::Vector2d(displayDx, displayDy);
-  parts_->fitted = false;
+  parts_->view.followSize(parts_->plane);
+  parts_->view.pan(displayDx, displayDy);
 }
 
 void SliceScene::setPixelRatio(double ratio) {
-  parts_->mmPerPixel *= parts_->pixelRatio / ratio;
+  parts_->view.scaleBy(parts_->pixelRatio / ratio);
   parts_->pixelRatio = ratio;
-  parts_->crosshair.actor->GetProperty()->SetLineWidth(static_cast<float>(ratio));
   parts_->showSlice();
 }
 
@@ -453,40 +460,15 @@ Eigen::Vector3d SliceScene::lpsAt(double displayX, double displayY) const {
 Eigen::Vector2d SliceScene::displayAt(const Eigen::Vector3d& lps) const {
   Parts& p = *parts_;
   const Eigen::Vector2d origin = p.toScene(0.0, 0.0);
-  return (p.plane.fromLps(lps).head<2>() - origin) / p.mmPerPixel;
+  return (p.plane.fromLps(lps).head<2>() - origin) / p.view.mmPerPixel();
 }
 
 int SliceScene::sliceAt(const Eigen::Vector3d& lps) const {
-  if (!parts_->image) return 0;
-  const double index = parts_->image->geometry.toIndex(lps)[parts_->axes.across];
-  return static_cast<int>(std::clamp(std::round(index), 0.0, std::max(0.0, sliceCount() - 1.0)));
+  return parts_->image ? nearestSlice(parts_->pane, lps) : 0;
 }
 
 std::optional<SliceScene::Probe> SliceScene::probe(const Eigen::Vector3d& lps) const {
-  const Parts& p = *parts_;
-  if (!p.image) return std::nullopt;
-  const Eigen::Vector3d xy = p.plane.fromLps(lps);
-  const double column = std::round(xy[0] / p.plane.pixelWidthMm());
-  const double row = std::round(xy[1] / p.plane.pixelHeightMm());
-  if (!(column >= 0.0 && row >= 0.0 && column < p.plane.width() && row < p.plane.height()))
-    return std::nullopt;
-  const auto c = static_cast<int>(column);
-  const auto r = static_cast<int>(row);
-  Probe probe;
-  probe.value = p.values[static_cast<std::size_t>(r) * static_cast<std::size_t>(p.plane.width()) +
-                         static_cast<std::size_t>(c)];
-  Index3& voxel = probe.voxel;
-  voxel[static_cast<std::size_t>(p.axes.across)] = p.slice;
-  voxel[static_cast<std::size_t>(p.axes.right)] = p.axes.rightFlipped ? p.plane.width() - 1 - c : c;
-  voxel[static_cast<std::size_t>(p.axes.up)] = p.axes.upFlipped ? p.plane.height() - 1 - r : r;
-  // A projection shows the voxel that holds the extreme value: that is the one to name (and pick).
-  if (p.slabMode == SlabMode::Mip || p.slabMode == SlabMode::MinIp) {
-    const std::array<int, 2> range = p.slab();
-    int& along = voxel[static_cast<std::size_t>(p.axes.across)];
-    for (along = range[0]; along < range[1]; ++along)
-      if (p.image->at(voxel[0], voxel[1], voxel[2]) == probe.value) break;
-  }
-  return probe;
+  return parts_->pixels.probe(lps);
 }
 
 }  // namespace angiomesh

@@ -12,6 +12,8 @@
 #include "render/marks/port_drag.h"
 #include "render/marks/port_mark.h"
 #include "render/slice/pane_axes.h"
+#include "render/slice/pane_grid.h"
+#include "render/slice/slice_pixels.h"
 #include "render/slice/slice_raster.h"
 
 class vtkRenderer;
@@ -25,7 +27,8 @@ struct ContourLayer {
   double opacity = 1.0;
 };
 
-/// One slice pane: the image's native voxels along one grid axis, with overlays. The scene is flat:
+/// One slice pane: the image's native voxels along one grid axis, or values between them in a plane
+/// that is turned, with overlays. The scene is flat:
 /// its world is the slice in mm, so that no direction matrix ever reaches the renderer. Display
 /// coordinates are pixels of the window from the lower left corner, as VTK counts them.
 class SliceScene {
@@ -41,8 +44,26 @@ class SliceScene {
   /// layer of the same grid) keeps slice, zoom and pan.
   void setImage(std::shared_ptr<const Volume<float>> image);
   [[nodiscard]] const std::shared_ptr<const Volume<float>>& image() const;
-  void setPlane(int plane);  ///< 0 sagittal, 1 coronal, 2 axial
-  [[nodiscard]] const PaneAxes& axes() const;
+  void setPlane(int plane);                    ///< 0 sagittal, 1 coronal, 2 axial
+  [[nodiscard]] const PaneAxes& axes() const;  ///< in grid()
+  /// That the slices are of: the image's, unless the planes are turned or along the patient's axes.
+  [[nodiscard]] const Geometry& grid() const;
+  [[nodiscard]] const SlicePlane& plane() const;
+  [[nodiscard]] const SlicePixels& pixels() const;
+
+  /// How all three planes lie. The crosshair stays where it is seen.
+  void setTurn(const PlaneTurn& turn);
+  [[nodiscard]] const PlaneTurn& turn() const;
+  /// Whether one of the crosshair's knobs, which turn the other planes, lies at a display position.
+  [[nodiscard]] bool knobAt(double displayX, double displayY) const;
+  [[nodiscard]] std::vector<Eigen::Vector2d> knobs() const;  ///< their display positions
+  /// Of a display position around the crosshair, radians, anticlockwise.
+  [[nodiscard]] double angleAt(double displayX, double displayY) const;
+  /// `from` with the other planes turned about the crosshair, anticlockwise in this pane.
+  [[nodiscard]] PlaneTurn turnedBy(const PlaneTurn& from, double radians) const;
+
+  /// Over the image.
+  void setColourLayer(const ColourLayer& layer);
 
   void setWindowLevel(double window, double level);
   [[nodiscard]] double window() const;
@@ -54,10 +75,9 @@ class SliceScene {
   [[nodiscard]] int slice() const;
   [[nodiscard]] int sliceCount() const;
 
-  /// A slab of the given thickness around the slice; it stays on while scrolling.
-  void setSlab(SlabMode mode, double thicknessMm);
-  [[nodiscard]] SlabMode slabMode() const;
-  [[nodiscard]] double slabThicknessMm() const;
+  /// Around the slice; it stays on while scrolling.
+  void setSlab(const Slab& slab);
+  [[nodiscard]] const Slab& slab() const;
 
   void setCursor(const Eigen::Vector3d& lps);  ///< the crosshair; does not change the slice
   [[nodiscard]] Eigen::Vector3d cursor() const;
@@ -91,12 +111,10 @@ class SliceScene {
   [[nodiscard]] Eigen::Vector2d displayAt(const Eigen::Vector3d& lps) const;
   /// The slice nearest to `lps`, clamped.
   [[nodiscard]] int sliceAt(const Eigen::Vector3d& lps) const;
-  /// The value shown at the pixel nearest to `lps`, and its voxel: in a MIP or MinIP slab the one
-  /// that holds the extreme value, else that of the slice. Nothing outside the image.
-  struct Probe {
-    float value = 0.0F;
-    Index3 voxel{0, 0, 0};
-  };
+  /// The value shown at the pixel nearest to `lps`, and where it comes from: in a MIP or MinIP slab
+  /// the place of the extreme value, else that in the slice, with the nearest voxel. Nothing
+  /// outside the image.
+  using Probe = SlicePixels::Probe;
   [[nodiscard]] std::optional<Probe> probe(const Eigen::Vector3d& lps) const;
 
  private:

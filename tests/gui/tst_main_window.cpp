@@ -362,8 +362,8 @@ class TestMainWindow : public QObject {
     thickness->selectAll();
     QTest::keyClicks(thickness, "6");
     QTest::keyClick(thickness, Qt::Key_Return);
-    QVERIFY(c.window->views().slice(0)->slabMode() == SlabMode::Mip);
-    QCOMPARE(c.window->views().slice(0)->slabThicknessMm(), 6.0);
+    for (int plane = 0; plane < 3; ++plane)
+      QVERIFY((c.window->views().slice(plane)->slab() == Slab{SlabMode::Mip, 6.0}));
   }
 
   void contoursAndSurfaceAreSwitched() {

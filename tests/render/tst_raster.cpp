@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/slice/pane_axes.h"
+#include "render/slice/slice_cast.h"
 #include "render/slice/slice_overlay.h"
 #include "render/slice/slice_raster.h"
 
@@ -107,7 +108,7 @@ class TestRaster : public QObject {
         const PaneAxes axes = paneAxes(image.geometry, plane);
         const SlicePlane slice(image.geometry, axes, 6);
         std::vector<float> values;
-        rasteriseSlab(image, axes, SlabMode::None, 6, 6, values);
+        castSlab(image, image.geometry, axes, SlabMode::None, 6, 6, values);
         QCOMPARE(values.size(), static_cast<std::size_t>(slice.width() * slice.height()));
         for (int row = 0; row < slice.height(); row += 3)
           for (int column = 0; column < slice.width(); column += 3) {
@@ -134,7 +135,7 @@ class TestRaster : public QObject {
                                  std::lround(xy[0] / slice.pixelWidthMm()));
     const auto shown = [&](SlabMode mode, int first, int last) {
       std::vector<float> values;
-      rasteriseSlab(image, axes, mode, first, last, values);
+      castSlab(image, image.geometry, axes, mode, first, last, values);
       return values[pixel];
     };
     QCOMPARE(shown(SlabMode::None, 8, 8), 10.0F);

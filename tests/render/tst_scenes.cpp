@@ -174,7 +174,7 @@ class TestScenes : public QObject {
     pane.scene.setImage(image);
     pane.scene.setSlice(18);
     QCOMPARE(Frame(pane.window).centreWhere(white)[2], 0.0);
-    pane.scene.setSlab(SlabMode::Mip, 20.0);
+    pane.scene.setSlab({SlabMode::Mip, 20.0});
     const Frame frame(pane.window);
     QVERIFY(frame.centreWhere(white)[2] > 30.0);
     const Eigen::Vector3d lps = image->geometry.toPhysical({20, 20, 18});

@@ -104,7 +104,7 @@ class TestSliceView : public QObject {
     connect(view.get(), &SliceView::windowLevelChanged, view.get(), [&](double w, double l) {
       view->setWindowLevel(w, l);
       view->setTool(Tool::Navigate);
-      view->setSlab(SlabMode::None, 0.0);
+      view->setSlab({});
       view->setRoi(std::nullopt);
     });
     QSignalSpy changed(view.get(), &SliceView::windowLevelChanged);
@@ -182,15 +182,16 @@ class TestSliceView : public QObject {
     QSignalSpy changed(view.get(), &SliceView::slabChanged);
     wheel(*view, {50, 50}, {120, 0}, Qt::AltModifier);  // Alt turns the wheel sideways
     QCOMPARE(changed.count(), 1);
-    QCOMPARE(view->slabMode(), SlabMode::Mip);
-    QVERIFY(std::abs(changed.last()[0].toDouble() - 2.4) < 1e-9);
+    QVERIFY(changed.last()[0].value<Slab>() == view->slab());
+    QCOMPARE(view->slab().mode, SlabMode::Mip);
+    QVERIFY(std::abs(view->slab().thicknessMm - 2.4) < 1e-9);
     wheel(*view, {50, 50}, {0, 120}, Qt::AltModifier);
-    QVERIFY(std::abs(view->slabThicknessMm() - 3.6) < 1e-9);
+    QVERIFY(std::abs(view->slab().thicknessMm - 3.6) < 1e-9);
     wheel(*view, {50, 50}, {0, 120});
-    QCOMPARE(view->slabMode(), SlabMode::Mip);  // stays on while scrolling
+    QCOMPARE(view->slab().mode, SlabMode::Mip);  // stays on while scrolling
     wheel(*view, {50, 50}, {0, -240}, Qt::AltModifier);
-    QCOMPARE(view->slabMode(), SlabMode::None);
-    QCOMPARE(changed.last()[0].toDouble(), 0.0);
+    QCOMPARE(view->slab().mode, SlabMode::None);
+    QVERIFY(changed.last()[0].value<Slab>() == view->slab());
   }
 
   void shiftMoveSetsTheCrosshair() {
@@ -259,7 +260,7 @@ class TestSliceView : public QObject {
     const auto view = sliceView(2);
     view->setImage(image);
     view->setSlice(22);
-    view->setSlab(SlabMode::Mip, 12.0);
+    view->setSlab({SlabMode::Mip, 12.0});
     view->setTool(Tool::PickSeed);
     QSignalSpy picked(view.get(), &SliceView::seedPicked);
     const QPointF at = view->positionOf(image->geometry.toPhysical({24, 19, 22}));

@@ -40,8 +40,11 @@ SavedCase sampleDocument(std::uint64_t seed = 1) {
   document.params = randomParameters(seed);
   document.view.layer = "vesselness";
   document.view.windowLevels = {{"source", {300.0, 120.0}}, {"vesselness", {0.5, 0.25}}};
-  document.view.slab = "mip";
-  document.view.slabThicknessMm = 7.5;
+  document.view.slabs = {{"axial", {"mip", 7.5}}, {"coronal", {"none", 4.0}}};
+  document.view.overlay = "speed";
+  document.view.overlayOpacity = 0.25;
+  document.view.planes = CaseView::Planes{
+      true, {{"axial", {0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0}}}, {1.0 / 3.0, -2.0, 5.5}};
   document.view.crosshairLps = Eigen::Vector3d(1.5, -2.25, 0.1);
   document.view.shown = {{"contours", true}, {"surface", false}};
   document.view.mesh = "exported";
@@ -58,8 +61,10 @@ void verifyEqual(const SavedCase& a, const SavedCase& b) {
   QCOMPARE(parametersToJson(a.params), parametersToJson(b.params));
   QCOMPARE(a.view.layer, b.view.layer);
   QVERIFY(a.view.windowLevels == b.view.windowLevels);
-  QCOMPARE(a.view.slab, b.view.slab);
-  QCOMPARE(a.view.slabThicknessMm, b.view.slabThicknessMm);
+  QVERIFY(a.view.slabs == b.view.slabs);
+  QCOMPARE(a.view.overlay, b.view.overlay);
+  QCOMPARE(a.view.overlayOpacity, b.view.overlayOpacity);
+  QVERIFY(a.view.planes == b.view.planes);
   QVERIFY(a.view.crosshairLps == b.view.crosshairLps);
   QVERIFY(a.view.shown == b.view.shown);
   QCOMPARE(a.view.mesh, b.view.mesh);
@@ -141,7 +146,8 @@ class TestCaseFile : public QObject {
     QCOMPARE(document.params.thresholds.xi, 33.25);
     QCOMPARE(document.params.segmentation.keep, KeepComponents::Largest);
     QCOMPARE(document.params.seeds.points, (std::vector<double>{1.0, -2.5, 3.0}));
-    QCOMPARE(document.view.slab, std::string("mip"));
+    for (const char* pane : {"sagittal", "coronal", "axial"})
+      QVERIFY((document.view.slabs.at(pane) == CaseView::Slab{"mip", 7.5}));
     QCOMPARE(document.view.crosshairLps->x(), 1.5);
     const std::vector<JournalStep> steps = readJournal(sample, document.saves);
     QCOMPARE(steps.size(), std::size_t(2));

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/view/slice_grip.h"
+
+namespace angiomesh {
+
+std::optional<PortHit> SliceGrip::portAt(const Eigen::Vector2d& at) const {
+  const bool grabs = tool_ == Tool::Navigate || tool_ == Tool::CutVessel;
+  return grabs ? scene_.portAt(at[0], at[1]) : std::nullopt;
+}
+
+QString SliceGrip::nameOf(const std::optional<PortHit>& hit) const {
+  return hit ? QString::fromStdString(scene_.ports()[hit->mark].name) : QString();
+}
+
+bool SliceGrip::takePort(const Eigen::Vector2d& at) {
+  const std::optional<PortHit> hit = portAt(at);
+  if (!hit) return false;
+  drag_ = scene_.grabPort(*hit, at[0], at[1]);
+  port_ = nameOf(hit);
+  return true;
+}
+
+CutPlane SliceGrip::portMoved(const Eigen::Vector2d& at, bool free) {
+  return drag_->moved(scene_.rayAt(at[0], at[1]), free);
+}
+
+bool SliceGrip::knobAt(const Eigen::Vector2d& at) const {
+  return tool_ == Tool::Navigate && scene_.knobAt(at[0], at[1]);
+}
+
+bool SliceGrip::takeKnob(const Eigen::Vector2d& at) {
+  if (!knobAt(at)) return false;
+  turnBefore_ = scene_.turn();
+  angleBefore_ = scene_.angleAt(at[0], at[1]);
+  return true;
+}
+
+PlaneTurn SliceGrip::knobMoved(const Eigen::Vector2d& at) const {
+  return scene_.turnedBy(turnBefore_, scene_.angleAt(at[0], at[1]) - angleBefore_);
+}
+
+}  // namespace angiomesh

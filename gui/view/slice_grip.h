@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <QString>
+#include <optional>
+
+#include "gui/model/mouse_tool.h"
+#include "render/slice/slice_scene.h"
+
+namespace angiomesh {
+
+/// What the left button can take hold of in a slice pane: the ports, and the knobs of the
+/// crosshair. Places are display positions.
+class SliceGrip {
+ public:
+  explicit SliceGrip(SliceScene& scene) : scene_(scene) {}
+
+  void setTool(Tool tool) { tool_ = tool; }
+
+  /// While the tool lets ports be grabbed.
+  [[nodiscard]] std::optional<PortHit> portAt(const Eigen::Vector2d& at) const;
+  [[nodiscard]] QString nameOf(const std::optional<PortHit>& hit) const;  ///< empty off the ports
+  bool takePort(const Eigen::Vector2d& at);
+  [[nodiscard]] const QString& port() const { return port_; }
+  [[nodiscard]] CutPlane portMoved(const Eigen::Vector2d& at, bool free);
+  [[nodiscard]] bool turnsPort() const { return drag_->grip() == PortDrag::Grip::Turn; }
+
+  [[nodiscard]] bool knobAt(const Eigen::Vector2d& at) const;
+  bool takeKnob(const Eigen::Vector2d& at);
+  [[nodiscard]] PlaneTurn knobMoved(const Eigen::Vector2d& at) const;
+
+ private:
+  SliceScene& scene_;
+  Tool tool_ = Tool::Navigate;
+  std::optional<PortDrag> drag_;
+  QString port_;
+  PlaneTurn turnBefore_;
+  double angleBefore_ = 0.0;
+};
+
+}  // namespace angiomesh
