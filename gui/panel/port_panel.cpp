@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/panel/port_panel.h"
 
-#include <QAction>
-#include <QGridLayout>
 #include <QHeaderView>
 #include <QIcon>
 #include <QLabel>
@@ -10,10 +8,10 @@
 #include <QPixmap>
 #include <QSignalBlocker>
 #include <QTableWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/model/case_ports.h"
+#include "gui/panel/action_buttons.h"
 #include "gui/panel/named.h"
 
 namespace angiomesh {
@@ -100,16 +98,7 @@ void PortPanel::buildTable() {
 }
 
 void PortPanel::addButtons(const QList<QAction*>& actions, int perRow) {
-  auto* grid = new QGridLayout;
-  grid->setSpacing(3);
-  for (int i = 0; i < actions.size(); ++i) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(actions[i]);
-    button->setObjectName(actions[i]->objectName() + "Button");
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    grid->addWidget(button, i / perRow, i % perRow);
-  }
-  column_->addLayout(grid);
+  addActionButtons(this, column_, actions, perRow);
 }
 
 void PortPanel::edit(const QString& name) {
