@@ -14,12 +14,15 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QUrl>
 #include <algorithm>
 
 #include "gui/case_dialogs.h"
 #include "gui/central_area.h"
 #include "gui/dialog/help_dialogs.h"
+#include "gui/measure_menu.h"
+#include "gui/model/case_measures.h"
 #include "gui/model/case_ports.h"
 #include "gui/model/case_review.h"
 #include "gui/model/mesh_inspection.h"
@@ -29,6 +32,7 @@
 #include "gui/panel/evolution_panel.h"
 #include "gui/panel/inspector_panel.h"
 #include "gui/panel/log_panel.h"
+#include "gui/panel/measure_panel.h"
 #include "gui/panel/named.h"
 #include "gui/panel/pipeline_panel.h"
 #include "gui/panel/port_panel.h"
@@ -60,6 +64,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       state_(new ViewState(*models_, this)),
       ports_(new CasePorts(*models_, options_.makeRunner, this)),
       review_(new CaseReviewModel(*models_, options_.makeRunner, this)),
+      measures_(new CaseMeasures(*models_, options_.makeRunner, this)),
       inspection_(new MeshInspection(*models_, *state_, options_.makeRunner, this)),
       views_(new ViewGrid(*models_, *state_, *ports_, *inspection_, options_.makeRunner, this)),
       centre_(new CentralArea(*models_, views_, this)),
@@ -78,6 +83,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   buildMenus();
   centre_->addActionsOf(this);
   workspaces_->addTo(tools_->buildToolBars());
+  measureMenu_->addTo(findChild<QToolBar*>("paneBar"));
   tools_->addIcons();
   buildStatusBar();
   connect(&models_->files, &CaseFiles::caseChanged, this, &MainWindow::refreshTitle);
@@ -125,6 +131,9 @@ MainWindow::~MainWindow() {
   review_->disconnect();
   delete review_;
   review_ = nullptr;
+  measures_->disconnect();
+  delete measures_;
+  measures_ = nullptr;
   pictures_->disconnect();
   delete pictures_;
   pictures_ = nullptr;
@@ -156,6 +165,10 @@ void MainWindow::buildDocks() {
   splitDockWidget(log, plot, Qt::Horizontal);
   why_ = new WhyPanel(*models_, *views_, options_.makeRunner, this);
   QDockWidget* why = dock("whyDock", tr("Why here?"), Qt::RightDockWidgetArea, why_);
+  measurePanel_ = new MeasurePanel(*measures_, this);
+  QDockWidget* measures =
+      dock("measureDock", tr("Measurements"), Qt::RightDockWidgetArea, measurePanel_);
+  tabifyDockWidget(ports, measures);
   tabifyDockWidget(ports, why);
   tabifyDockWidget(ports, dock("reviewDock", tr("Review"), Qt::RightDockWidgetArea,
                                new ReviewPanel(*review_, *views_, this)));
@@ -192,6 +205,8 @@ void MainWindow::buildMenus() {
   buildReviewMenu();
   auto* paneMenu = new PaneMenu(*state_, this);
   connect(portMenu_, &PortMenu::menuMade, paneMenu, &PaneMenu::addTo);
+  measureMenu_ = new MeasureMenu(this, *models_, *state_, *measures_, *measurePanel_, *views_,
+                                 options_.chooser);
   QMenu* view = menuBar()->addMenu(tr("&View"));
   workspaces_->addTo(view);
   view->addSeparator();

@@ -18,10 +18,13 @@ namespace angiomesh {
 
 struct CaseModels;
 class CaseDialogs;
+class CaseMeasures;
 class CasePorts;
 class CaseReviewModel;
 class MeshInspection;
 class CentralArea;
+class MeasureMenu;
+class MeasurePanel;
 class Pictures;
 class PortMenu;
 class PortPanel;
@@ -54,6 +57,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ViewState& viewState() { return *state_; }
   [[nodiscard]] CasePorts& ports() { return *ports_; }
   [[nodiscard]] CaseReviewModel& review() { return *review_; }
+  [[nodiscard]] CaseMeasures& measures() { return *measures_; }
   [[nodiscard]] ViewGrid& views() { return *views_; }
   [[nodiscard]] Workspaces& workspaces() { return *workspaces_; }
 
@@ -94,6 +98,7 @@ class MainWindow : public QMainWindow {
   CasePorts* ports_;
   CaseReviewModel* review_;
   MeshInspection* inspection_;
+  CaseMeasures* measures_;
   WhyPanel* why_ = nullptr;
   ViewGrid* views_;
   CentralArea* centre_;
@@ -103,6 +108,8 @@ class MainWindow : public QMainWindow {
   Workspaces* workspaces_;
   PortMenu* portMenu_ = nullptr;
   PortPanel* portPanel_ = nullptr;
+  MeasureMenu* measureMenu_ = nullptr;
+  MeasurePanel* measurePanel_ = nullptr;
   QMenu* recent_ = nullptr;
   QLabel* hover_ = nullptr;
   QLabel* work_ = nullptr;

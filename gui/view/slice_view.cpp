@@ -14,6 +14,7 @@
 
 #include "core/base/formatted.h"
 #include "gui/view/slice_grip.h"
+#include "render/slice/slice_measures.h"
 
 namespace angiomesh {
 
@@ -30,6 +31,7 @@ constexpr double clickDistance = 3.0;           // Qt pixels: a shorter way is a
 struct SliceView::State {
   SliceScene scene;
   SliceGrip grip{scene};
+  SliceMeasures measures{scene};
   Tool tool = Tool::Navigate;
   MouseScheme scheme = MouseScheme::Radiology;
   Drag drag = Drag::None;
@@ -183,6 +185,11 @@ void SliceView::setPorts(std::vector<PortMark> marks) {
   requestRender();
 }
 
+void SliceView::setMeasures(std::vector<MeasureMark> marks) {
+  state_->measures.set(std::move(marks));
+  requestRender();
+}
+
 void SliceView::setTool(Tool tool) {
   if (tool == state_->tool) return;  // a drag under way goes on
   if (state_->drag == Drag::Roi) setRoi(state_->roiBefore);
@@ -233,7 +240,10 @@ void SliceView::pictureBegins() {
   hover();
 }
 
-void SliceView::pixelRatioChanged(double ratio) { state_->scene.setPixelRatio(ratio); }
+void SliceView::pixelRatioChanged(double ratio) {
+  state_->scene.setPixelRatio(ratio);
+  state_->measures.setPixelRatio(ratio);
+}
 
 void SliceView::moveCrosshair(const QPointF& position) {
   if (!state_->scene.image()) return;
@@ -374,6 +384,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   if (ended == Drag::Contrast && s.tool == Tool::Navigate) moveCrosshair(s.pressed);
   if (ended == Drag::Contrast && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
   if (ended == Drag::Contrast && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
+  if (ended == Drag::Contrast && measuredBy(s.tool)) Q_EMIT measurePicked(p[0], p[1], p[2]);
   if (ended == Drag::Zoom)
     Q_EMIT menuRequested(event->globalPosition().toPoint(), p,
                          s.grip.nameOf(s.grip.portAt(toDisplay(s.pressed))));

@@ -12,6 +12,7 @@
 #include "gui/model/mouse_tool.h"
 #include "gui/model/window_presets.h"
 #include "gui/view/vtk_view.h"
+#include "render/marks/measure_mark.h"
 #include "render/slice/slice_scene.h"
 
 namespace angiomesh {
@@ -62,6 +63,7 @@ class SliceView : public VtkView {
   void setSeeds(std::vector<Eigen::Vector3d> lps);
   void setRoi(std::optional<RoiBox> roi);
   void setPorts(std::vector<PortMark> marks);
+  void setMeasures(std::vector<MeasureMark> marks);
   void setTool(Tool tool);
   void setScheme(MouseScheme scheme);
   void resetView();
@@ -84,6 +86,7 @@ class SliceView : public VtkView {
   void turnChanged(const PlaneTurn& turn);               ///< by the user; to be set in all panes
   void seedPicked(double x, double y, double z);
   void cutPicked(double x, double y, double z);
+  void measurePicked(double x, double y, double z);
   /// `port` is empty off the ports.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                      const QString& port);

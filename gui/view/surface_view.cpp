@@ -161,6 +161,11 @@ void SurfaceView::setPorts(std::vector<PortMark> marks) {
   requestRender();
 }
 
+void SurfaceView::setMeasures(const std::vector<MeasureMark>& marks) {
+  state_->scene.setMeasures(marks);
+  requestRender();
+}
+
 void SurfaceView::setSeeds(std::vector<Eigen::Vector3d> lps) {
   if (lps == state_->seeds) return;
   state_->seeds = lps;
@@ -253,7 +258,7 @@ void SurfaceView::showGrip(const QPointF& position) {
   const auto hit = state_->scene.gripAt(at[0], at[1]);
   if (hit)
     setCursor(hit->grip == PortDrag::Grip::Arrow ? Qt::PointingHandCursor : Qt::SizeAllCursor);
-  else if (tool_ == Tool::CutVessel)
+  else if (tool_ == Tool::CutVessel || measuredBy(tool_))
     setCursor(Qt::CrossCursor);
   else
     unsetCursor();
@@ -302,7 +307,8 @@ void SurfaceView::clicked(const QMouseEvent& event) {
   State& s = *state_;
   s.mayBeClick = false;
   const Eigen::Vector2d at = toDisplay(s.pressed);
-  const bool picks = tool_ == Tool::CutVessel || tool_ == Tool::Navigate;
+  const bool picks =
+      tool_ == Tool::CutVessel || tool_ == Tool::Navigate || measuredBy(tool_).has_value();
   if (event.button() != Qt::RightButton && !(event.button() == Qt::LeftButton && picks)) return;
   const auto port = s.scene.portAt(at[0], at[1]);
   const std::optional<Eigen::Vector3d> place = s.scene.surfaceAt(at[0], at[1]);
@@ -314,6 +320,8 @@ void SurfaceView::clicked(const QMouseEvent& event) {
     const Eigen::Vector3d& p = *place;
     if (tool_ == Tool::CutVessel)
       Q_EMIT cutPicked(p[0], p[1], p[2]);
+    else if (measuredBy(tool_))
+      Q_EMIT measurePicked(p[0], p[1], p[2]);
     else
       Q_EMIT placePicked(p[0], p[1], p[2]);
   }

@@ -24,6 +24,7 @@
 #include <map>
 #include <numbers>
 
+#include "render/marks/measure_marks.h"
 #include "render/marks/surface_pick.h"
 #include "render/stage/colour_bar.h"
 #include "render/stage/direction_cube.h"
@@ -61,6 +62,7 @@ struct SurfaceScene::Parts {
   SurfaceActor surface{{0.84, 0.27, 0.21}};
   PortMarks ports{renderer};
   TriangleMarks marked;
+  MeasureMarks measures{renderer};
   std::shared_ptr<const TriMesh> mesh;
   bool meshVisible = true;
   ColourBar colourBar{renderer};
@@ -344,6 +346,10 @@ void SurfaceScene::setPatchColours(std::vector<std::array<double, 3>> colours) {
 
 void SurfaceScene::setPorts(std::vector<PortMark> marks) { parts_->ports.set(std::move(marks)); }
 
+void SurfaceScene::setMeasures(const std::vector<MeasureMark>& marks) {
+  parts_->measures.show(drawnInSpace(marks));
+}
+
 const std::vector<PortMark>& SurfaceScene::ports() const { return parts_->ports.marks(); }
 
 ViewRay SurfaceScene::rayAt(double displayX, double displayY) const {
@@ -461,6 +467,7 @@ void SurfaceScene::takeCameraOf(const SurfaceScene& other) {
 
 void SurfaceScene::setPixelRatio(double ratio) {
   parts_->pixelRatio = ratio;
+  parts_->measures.setPixelRatio(ratio);
   parts_->seedActor->GetProperty()->SetPointSize(static_cast<float>(9.0 * ratio));
   parts_->marked.setPixelRatio(ratio);
   parts_->roiActor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * ratio));

@@ -10,6 +10,7 @@
 
 #include "core/image/volume.h"
 #include "core/mesh/tri_mesh.h"
+#include "render/marks/measure_mark.h"
 #include "render/marks/port_marks.h"
 #include "render/slice/slice_scene.h"
 #include "render/surface/surface_actor.h"
@@ -68,6 +69,7 @@ class SurfaceScene {
   /// Of the patches 1.. of the surface, shown where it has no other colours.
   void setPatchColours(std::vector<std::array<double, 3>> colours);
   void setPorts(std::vector<PortMark> marks);
+  void setMeasures(const std::vector<MeasureMark>& marks);
   [[nodiscard]] const std::vector<PortMark>& ports() const;
 
   /// Display positions are pixels of the window from the lower left corner.

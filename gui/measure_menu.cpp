@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/measure_menu.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <array>
+#include <utility>
+
+#include "gui/model/measurement_text.h"
+#include "gui/panel/named.h"
+#include "gui/view/slice_view.h"
+#include "gui/view/surface_view.h"
+#include "gui/window_actions.h"
+
+namespace angiomesh {
+
+namespace {
+
+constexpr int kButtonsPerRow = 4;
+/// Of a vessel, to be seen around a measurement.
+constexpr double kRadiiAround = 8.0;
+
+struct ToolEntry {
+  MeasurementKind kind;
+  const char* action;
+  const char* title;
+  Qt::Key key;
+};
+
+/// In the order of MeasurementKind.
+constexpr std::array<ToolEntry, kMeasurementKinds> kTools{
+    {{MeasurementKind::Distance, "toolDistance", QT_TRANSLATE_NOOP("MeasureMenu", "Distance"),
+      Qt::Key_F2},
+     {MeasurementKind::Section, "toolSection", QT_TRANSLATE_NOOP("MeasureMenu", "Section"),
+      Qt::Key_F3},
+     {MeasurementKind::Profile, "toolProfile",
+      QT_TRANSLATE_NOOP("MeasureMenu", "Diameter along a branch"), Qt::Key_F4},
+     {MeasurementKind::Stenosis, "toolStenosis", QT_TRANSLATE_NOOP("MeasureMenu", "Stenosis"),
+      Qt::Key_F5}}};
+
+void addSection(MeasureMark& mark, const CrossSection& section) {
+  mark.outlines.push_back(section.outline);
+  mark.diameters.push_back(section.narrowest);
+  mark.diameters.push_back(section.widest);
+}
+
+MeasureMark markOf(const Measurement& m) {
+  MeasureMark mark;
+  mark.label = m.name;
+  mark.labelLps = m.places.back();
+  if (m.kind == MeasurementKind::Distance) {
+    mark.lines.push_back({m.places[0], m.places[1]});
+    mark.points = m.places;
+    mark.label = measurementValue(m).toStdString();
+  }
+  for (const CrossSection& section : m.sections) addSection(mark, section);
+  for (std::size_t i = 1; i < m.profile.size(); ++i)
+    mark.lines.push_back({m.profile[i - 1].pointLps, m.profile[i].pointLps});
+  if (!m.sections.empty()) mark.labelLps = m.sections.front().widest[1];
+  return mark;
+}
+
+}  // namespace
+
+std::vector<MeasureMark> measureMarks(const CaseMeasures& measures) {
+  std::vector<MeasureMark> marks;
+  for (const Measurement& m : measures.all()) {
+    marks.push_back(markOf(m));
+    marks.back().selected = &m == measures.selected();
+    marks.back().dimmed = measures.isEarlier(m);
+  }
+  if (!measures.picked().empty()) {
+    marks.emplace_back();
+    marks.back().points = measures.picked();
+    marks.back().selected = true;
+  }
+  return marks;
+}
+
+MeasureMenu::MeasureMenu(QMainWindow* window, CaseModels& models, ViewState& state,
+                         CaseMeasures& measures, MeasurePanel& panel, ViewGrid& views,
+                         PathChooser chooser)
+    : QObject(window),
+      window_(window),
+      models_(models),
+      state_(state),
+      measures_(measures),
+      panel_(panel),
+      views_(views),
+      chooser_(std::move(chooser)),
+      menu_(window->menuBar()->addMenu(tr("M&easure"))) {
+  buildTools();
+  menu_->addSeparator();
+  buildEdits();
+  connectPanes();
+  connect(&measures_, &CaseMeasures::changed, this, &MeasureMenu::refresh);
+  connect(&models_.files, &CaseFiles::caseChanged, this, &MeasureMenu::refresh);
+  connect(&state_, &ViewState::changed, this, &MeasureMenu::follow);
+  refresh();
+  follow();
+}
+
+void MeasureMenu::buildTools() {
+  QActionGroup* tools = actionOf(window_, "toolNavigate")->actionGroup();
+  QList<QAction*> buttons;
+  for (const ToolEntry& entry : kTools) {
+    const QKeySequence keys(Qt::SHIFT | entry.key);
+    QAction* action =
+        addMenuToggle(window_, menu_, entry.action, tr(entry.title), keys,
+                      [this, kind = entry.kind](bool) { state_.setTool(toolFor(kind)); });
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(measurementHint(entry.kind, 0),
+                                                     keys.toString(QKeySequence::NativeText)));
+    action->setIconText(measurementTitle(entry.kind));
+    tools->addAction(action);
+    buttons << action;
+  }
+  panel_.addButtons(buttons, kButtonsPerRow);
+}
+
+void MeasureMenu::buildEdits() {
+  // A copy of the name: the edit makes the measurements anew.
+  const auto onSelected = [this](auto edit) {
+    return [this, edit] {
+      if (const Measurement* m = measures_.selected()) edit(QString::fromStdString(m->name));
+    };
+  };
+  QAction* again =
+      addMenuAction(window_, menu_, "measureAgain", tr("Measure again"), {},
+                    onSelected([this](const QString& name) { measures_.measureAgain(name); }));
+  again->setToolTip(tr("At the same places, on the wall that is shown"));
+  QAction* rename = addMenuAction(window_, menu_, "renameMeasurement", tr("Rename"), {},
+                                  onSelected([this](const QString& name) { panel_.edit(name); }));
+  QAction* remove =
+      addMenuAction(window_, menu_, "deleteMeasurement", tr("Delete"), {},
+                    onSelected([this](const QString& name) { measures_.remove(name); }));
+  menu_->addSeparator();
+  QAction* table = addMenuAction(window_, menu_, "exportMeasurements", tr("Export as CSV…"), {},
+                                 [this] { exportTable(); });
+  panel_.addButtons({again, rename, remove, table}, kButtonsPerRow);
+}
+
+void MeasureMenu::addTo(QToolBar* bar) {
+  // Not the menu's own action: its icon would stand in the menu bar.
+  auto* entry = named(new QAction(tr("Measure"), window_), "measureMenu");
+  entry->setMenu(menu_);
+  const QList<QAction*> all = bar->actions();
+  const qsizetype after = all.indexOf(actionOf(window_, "toolCut")) + 1;
+  bar->insertAction(after < all.size() ? all[after] : nullptr, entry);
+  if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(entry)))
+    button->setPopupMode(QToolButton::InstantPopup);
+}
+
+void MeasureMenu::connectPanes() {
+  const auto link = [this](auto* view) {
+    using View = std::remove_pointer_t<decltype(view)>;
+    connect(view, &View::measurePicked, this, [this](double x, double y, double z) {
+      if (const auto kind = measuredBy(state_.tool())) measures_.pick(*kind, {x, y, z});
+    });
+  };
+  for (int plane = 0; plane < 3; ++plane) link(views_.slice(plane));
+  link(views_.surface());
+  connect(&measures_, &CaseMeasures::goTo, this, [this](double x, double y, double z, double mm) {
+    views_.setCrosshair({x, y, z});
+    views_.surface()->lookAt({x, y, z}, kRadiiAround * mm);
+  });
+  connect(&panel_, &MeasurePanel::placePicked, this, [this](double x, double y, double z) {
+    views_.setCrosshair({x, y, z});
+  });
+}
+
+void MeasureMenu::refresh() {
+  const bool any = models_.document.hasCase();
+  const Measurement* selected = measures_.selected();
+  enableActions(window_, {"toolDistance"}, any);
+  enableActions(window_, {"toolSection", "toolProfile", "toolStenosis"}, measures_.ready());
+  enableActions(window_, {"renameMeasurement", "deleteMeasurement"}, selected != nullptr);
+  enableActions(window_, {"measureAgain"}, selected && !selected->key.empty() && measures_.ready());
+  enableActions(window_, {"exportMeasurements"}, any && !measures_.all().empty());
+  showMarks();
+}
+
+/// The tool of the panes, where it measures.
+void MeasureMenu::follow() {
+  for (const ToolEntry& entry : kTools)
+    actionOf(window_, entry.action)->setChecked(state_.tool() == toolFor(entry.kind));
+  if (std::exchange(tool_, state_.tool()) == state_.tool()) return;
+  if (const auto kind = measuredBy(tool_)) {
+    auto* dock = window_->findChild<QDockWidget*>("measureDock");
+    dock->show();
+    dock->raise();
+    measures_.prepare(*kind);
+  } else {
+    measures_.forgetPicked();
+  }
+}
+
+void MeasureMenu::showMarks() {
+  std::vector<MeasureMark> marks = measureMarks(measures_);
+  if (marks == shown_) return;
+  shown_ = std::move(marks);
+  for (int plane = 0; plane < 3; ++plane) views_.slice(plane)->setMeasures(shown_);
+  views_.surface()->setMeasures(shown_);
+}
+
+void MeasureMenu::exportTable() {
+  QString path = chooser_.save(window_, QStringLiteral("measurements.csv"),
+                               tr("Comma-separated values (*.csv)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) path += QStringLiteral(".csv");
+  measures_.exportTable(path);
+}
+
+}  // namespace angiomesh

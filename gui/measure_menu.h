@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "gui/dialog/export_dialog.h"
+#include "gui/model/case_measures.h"
+#include "gui/model/view_state.h"
+#include "gui/panel/measure_panel.h"
+#include "gui/panel/view_grid.h"
+#include "render/marks/measure_mark.h"
+
+class QMainWindow;
+class QToolBar;
+
+namespace angiomesh {
+
+/// The menu of measurements, whose tools are buttons of their panel too, and what of them is seen
+/// and picked in the panes.
+class MeasureMenu : public QObject {
+  Q_OBJECT
+
+ public:
+  MeasureMenu(QMainWindow* window, CaseModels& models, ViewState& state, CaseMeasures& measures,
+              MeasurePanel& panel, ViewGrid& views, PathChooser chooser);
+
+  /// Puts the menu behind the other tools of a bar.
+  void addTo(QToolBar* bar);
+
+ private:
+  void buildTools();
+  void buildEdits();
+  void connectPanes();
+  void refresh();
+  void follow();
+  void showMarks();
+  void exportTable();
+
+  QMainWindow* window_;
+  CaseModels& models_;
+  ViewState& state_;
+  CaseMeasures& measures_;
+  MeasurePanel& panel_;
+  ViewGrid& views_;
+  PathChooser chooser_;
+  QMenu* menu_;
+  Tool tool_ = Tool::Navigate;
+  std::vector<MeasureMark> shown_;
+};
+
+/// The marks of all measurements, and of places picked so far.
+std::vector<MeasureMark> measureMarks(const CaseMeasures& measures);
+
+}  // namespace angiomesh
