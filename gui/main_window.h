@@ -97,8 +97,8 @@ class MainWindow : public QMainWindow {
   ViewState* state_;
   CasePorts* ports_;
   CaseReviewModel* review_;
-  MeshInspection* inspection_;
   CaseMeasures* measures_;
+  MeshInspection* inspection_;
   WhyPanel* why_ = nullptr;
   ViewGrid* views_;
   CentralArea* centre_;

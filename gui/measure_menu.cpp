@@ -12,7 +12,7 @@
 #include <array>
 #include <utility>
 
-#include "gui/model/measurement_text.h"
+#include "gui/findings/measurement_text.h"
 #include "gui/panel/named.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"

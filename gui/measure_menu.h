@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gui/dialog/export_dialog.h"
-#include "gui/model/case_measures.h"
+#include "gui/findings/case_measures.h"
 #include "gui/model/view_state.h"
 #include "gui/panel/measure_panel.h"
 #include "gui/panel/view_grid.h"

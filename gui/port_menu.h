@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "gui/dialog/export_dialog.h"
-#include "gui/model/case_ports.h"
+#include "gui/findings/case_ports.h"
 #include "gui/panel/port_panel.h"
 #include "gui/panel/view_grid.h"
 

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "gui/model/case_measures.h"
-#include "gui/model/measurement_text.h"
+#include "gui/findings/case_measures.h"
+#include "gui/findings/measurement_text.h"
 #include "gui/panel/action_buttons.h"
 #include "gui/panel/named.h"
 #include "gui/panel/profile_plot.h"

@@ -10,7 +10,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "gui/model/case_ports.h"
+#include "gui/findings/case_ports.h"
 #include "gui/panel/action_buttons.h"
 #include "gui/panel/named.h"
 

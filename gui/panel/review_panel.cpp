@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/formatted.h"
-#include "gui/model/case_review.h"
+#include "gui/findings/case_review.h"
 #include "gui/panel/named.h"
 #include "gui/panel/view_grid.h"
 

@@ -9,8 +9,8 @@
 #include <initializer_list>
 #include <type_traits>
 
-#include "gui/model/case_ports.h"
-#include "gui/model/mesh_inspection.h"
+#include "gui/findings/case_ports.h"
+#include "gui/findings/mesh_inspection.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/named.h"

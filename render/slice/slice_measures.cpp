@@ -109,14 +109,14 @@ struct SliceMeasures::Parts {
 
 void SliceMeasures::Parts::follow() {
   const std::shared_ptr<const Volume<float>>& image = scene.image();
-  const double slab = scene.slabMode() == SlabMode::None ? 0.0 : scene.slabThicknessMm();
-  const bool same = fresh && image && grid == image->geometry && plane == scene.axes().plane &&
+  const double slab = scene.slab().mode == SlabMode::None ? 0.0 : scene.slab().thicknessMm;
+  const bool same = fresh && image && grid == scene.grid() && plane == scene.axes().plane &&
                     slice == scene.slice() && slabMm == slab;
   if (same) return;
   fresh = image != nullptr;
   std::vector<DrawnMeasure> drawn;
   if (image) {
-    grid = image->geometry;
+    grid = scene.grid();
     plane = scene.axes().plane;
     slice = scene.slice();
     slabMm = slab;

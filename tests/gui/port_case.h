@@ -6,7 +6,7 @@
 #include <QTableWidget>
 
 #include "core/cuts/cuts.h"
-#include "gui/model/case_ports.h"
+#include "gui/findings/case_ports.h"
 #include "window_case.h"
 
 namespace angiomesh::test {

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "gui/panel/histogram_widget.h"
+#include "gui/inspector/histogram_widget.h"
 #include "io/mesh/mesh_io.h"
 #include "io/volume/image_write.h"
 #include "window_case.h"

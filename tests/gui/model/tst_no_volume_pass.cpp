@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/parameters/field.h"
+#include "gui/findings/case_ports.h"
 #include "gui/model/case_models.h"
-#include "gui/model/case_ports.h"
 #include "tests/gui/small_case.h"
 
 using namespace angiomesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/port_rows.h"
+#include "gui/findings/port_rows.h"
 
 #include <QCoreApplication>
 #include <algorithm>

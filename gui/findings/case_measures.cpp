@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/case_measures.h"
+#include "gui/findings/case_measures.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "gui/model/measurement_text.h"
+#include "gui/findings/measurement_text.h"
 
 namespace angiomesh {
 

@@ -11,7 +11,7 @@
 #include "io/scan/image_io.h"
 #include "io/vessel/ports_file.h"
 #include "io/volume/image_write.h"
-#include "port_case.h"
+#include "tests/gui/port_case.h"
 
 using namespace angiomesh;
 using angiomesh::test::cutAt;

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "gui/findings/port_rows.h"
 #include "gui/job/port_job.h"
 #include "gui/model/case_models.h"
 #include "gui/model/kept_numbers.h"
-#include "gui/model/port_rows.h"
 
 namespace angiomesh {
 

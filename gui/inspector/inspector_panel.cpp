@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/inspector_panel.h"
+#include "gui/inspector/inspector_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -14,16 +14,16 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "gui/model/mesh_inspection.h"
+#include "gui/findings/mesh_inspection.h"
+#include "gui/inspector/gate_list.h"
+#include "gui/inspector/histogram_widget.h"
+#include "gui/inspector/quality_grid.h"
+#include "gui/inspector/worst_list.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/dimmed.h"
-#include "gui/panel/gate_list.h"
-#include "gui/panel/histogram_widget.h"
 #include "gui/panel/named.h"
-#include "gui/panel/quality_grid.h"
 #include "gui/panel/surface_note.h"
-#include "gui/panel/worst_list.h"
 
 namespace angiomesh {
 

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "port_case.h"
+#include "tests/gui/port_case.h"
 
 using namespace angiomesh;
 using angiomesh::test::kPatienceMs;

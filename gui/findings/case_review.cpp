@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/case_review.h"
+#include "gui/findings/case_review.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/worst_list.h"
+#include "gui/inspector/worst_list.h"
 
 #include <QHeaderView>
 #include <QSignalBlocker>
 
 #include "core/base/formatted.h"
-#include "gui/model/mesh_inspection.h"
+#include "gui/findings/mesh_inspection.h"
 #include "gui/model/step_text.h"
 
 namespace angiomesh {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/quality_grid.h"
+#include "gui/inspector/quality_grid.h"
 
 #include <QCoreApplication>
 #include <QHeaderView>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/port_edits.h"
+#include "gui/findings/port_edits.h"
 
 #include <cmath>
 

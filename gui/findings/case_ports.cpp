@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/case_ports.h"
+#include "gui/findings/case_ports.h"
 
 #include <algorithm>
 #include <set>
@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/openings/port_colour.h"
-#include "gui/model/port_edits.h"
+#include "gui/findings/port_edits.h"
 #include "io/vessel/ports_file.h"
 
 namespace angiomesh {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/mesh_inspection.h"
+#include "gui/findings/mesh_inspection.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/gate_list.h"
+#include "gui/inspector/gate_list.h"
 
 #include <QCoreApplication>
 #include <QLabel>

@@ -10,10 +10,10 @@
 
 #include "core/base/formatted.h"
 #include "core/quality/quality_gates.h"
-#include "gui/panel/histogram_widget.h"
-#include "gui/panel/quality_grid.h"
-#include "gui/panel/worst_list.h"
-#include "window_case.h"
+#include "gui/inspector/histogram_widget.h"
+#include "gui/inspector/quality_grid.h"
+#include "gui/inspector/worst_list.h"
+#include "tests/gui/window_case.h"
 
 using namespace angiomesh;
 using namespace angiomesh::test;

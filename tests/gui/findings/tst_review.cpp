@@ -9,8 +9,8 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-#include "gui/model/case_review.h"
-#include "window_case.h"
+#include "gui/findings/case_review.h"
+#include "tests/gui/window_case.h"
 
 using namespace angiomesh;
 using angiomesh::test::WindowCase;

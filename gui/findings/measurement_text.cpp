@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/model/measurement_text.h"
+#include "gui/findings/measurement_text.h"
 
 #include <QLocale>
 #include <algorithm>
 
 #include "core/measure/vessel_profile.h"
-#include "gui/model/case_measures.h"
+#include "gui/findings/case_measures.h"
 
 namespace angiomesh {
 

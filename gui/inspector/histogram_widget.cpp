@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/histogram_widget.h"
+#include "gui/inspector/histogram_widget.h"
 
 #include <QMouseEvent>
 #include <QPainter>

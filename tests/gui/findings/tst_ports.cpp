@@ -11,7 +11,7 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "port_case.h"
+#include "tests/gui/port_case.h"
 
 using namespace angiomesh;
 using angiomesh::test::coil;

@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "core/measure/vessel_profile.h"
-#include "gui/model/case_measures.h"
+#include "gui/findings/case_measures.h"
 #include "gui/panel/profile_plot.h"
 #include "io/vessel/measurements_file.h"
-#include "port_case.h"
-#include "study_case.h"
+#include "tests/gui/port_case.h"
+#include "tests/gui/study_case.h"
 
 using namespace angiomesh;
 using angiomesh::test::insideOf;
