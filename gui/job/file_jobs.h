@@ -103,10 +103,10 @@ enum class ExportKind { Mesh, OpenFoam, Ports, Mask };
 
 /// Files beside an exported mesh.
 struct ExportExtras {
-  bool report = false;   ///< NAME.report.json
-  bool ports = false;    ///< NAME.ports.json
-  bool patches = false;  ///< a file of each patch, see writePatchFiles()
-  CaseReview review;     ///< goes into the report
+  bool report = false;     ///< NAME.report.json
+  bool ports = false;      ///< NAME.ports.json
+  bool patches = false;    ///< a file of each patch, see writePatchFiles()
+  CaseReview review = {};  ///< goes into the report
 };
 
 /// What an export writes.

@@ -4,7 +4,7 @@
 
 #include "fresh_window.h"
 #include "gui/action_icon.h"
-#include "gui/panel/plot_widget.h"
+#include "gui/panel/evolution_panel.h"
 #include "gui/theme.h"
 
 using namespace angiomesh;
