@@ -134,9 +134,9 @@ class TestMeasureMarks : public QObject {
     QVERIFY(cyanOf(window) > 100);
     scene.setSlice(13);
     QCOMPARE(cyanOf(window), 0);
-    scene.setSlab(SlabMode::Mip, 16.0);
+    scene.setSlab({SlabMode::Mip, 16.0});
     QVERIFY(cyanOf(window) > 100);
-    scene.setSlab(SlabMode::None, 0.0);
+    scene.setSlab({});
     scene.setSlice(10);
     QVERIFY(cyanOf(window) > 100);
     measures.set({});
