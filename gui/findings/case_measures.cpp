@@ -154,7 +154,8 @@ void CaseMeasures::startNext() {
 
 void CaseMeasures::finish(MeasureJob& job) {
   if (job.ground.phi == ground_.phi) ground_ = job.ground;
-  if (!job.cancelled) {
+  // Also where it had been measured by then: the case that it is of is gone.
+  if (!job.progress.cancelled()) {
     if (job.error.empty())
       note(std::move(job.measurement),
            job.again ? tr("measure again") : editText(job.measurement.kind));

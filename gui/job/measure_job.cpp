@@ -16,7 +16,7 @@ void MeasureJob::execute() noexcept {
   try {
     measure();
   } catch (const Cancelled&) {
-    cancelled = true;
+    // Nobody waits for it any more.
   } catch (const std::exception& failure) {
     error = failure.what();
   }

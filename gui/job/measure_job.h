@@ -31,8 +31,7 @@ struct MeasureJob {
   void execute() noexcept;
 
   // After execute():
-  bool cancelled = false;
-  std::string error;  ///< empty: it is measured
+  std::string error;  ///< empty: it is measured, or was cancelled
 
  private:
   void measure();

@@ -10,6 +10,7 @@
 
 #include "core/measure/vessel_profile.h"
 #include "gui/findings/case_measures.h"
+#include "gui/job/job_runner.h"
 #include "gui/panel/profile_plot.h"
 #include "io/vessel/measurements_file.h"
 #include "tests/gui/port_case.h"
@@ -35,6 +36,22 @@ Source narrowedTube() {
   params.stenosisPercent = 50.0;
   return makeSource(makePhantom(params).image, "narrowed");
 }
+
+/// In line, but as if it were still at work for as long as it is held.
+struct HeldRunner final : JobRunner {
+  explicit HeldRunner(const bool& hold) : hold_(hold) {}
+  void start(std::function<void()> work) override {
+    work();
+    held_ = hold_;
+  }
+  [[nodiscard]] bool running() const override { return held_; }
+  void wait() override {}
+  void release() { held_ = false; }
+
+ private:
+  const bool& hold_;
+  bool held_ = false;
+};
 
 /// A window in which vessels are segmented, or only shown.
 struct MeasureCase : WindowCase {
@@ -289,10 +306,30 @@ class TestMeasurements : public QObject {
     c.measures().pick(MeasurementKind::Profile, c.inside(0.5));
     QVERIFY(c.measures().busy());
     QTRY_COMPARE_WITH_TIMEOUT(c.measures().all().size(), std::size_t(2), kPatienceMs);
-    // A case that is left takes its measuring with it.
-    c.measures().pick(MeasurementKind::Section, c.inside(0.4));
+  }
+
+  /// Even if it has been measured when the case is left, and only not been looked at.
+  void whatIsMeasuredOfACaseThatIsLeftIsDropped() {
+    std::vector<HeldRunner*> runners;
+    bool hold = false;
+    MeasureCase c(twoTubes(), true, [&]() -> std::unique_ptr<JobRunner> {
+      auto runner = std::make_unique<HeldRunner>(hold);
+      runners.push_back(runner.get());
+      return runner;
+    });
+    const Eigen::Vector3d place = c.inside(0.5);
+    c.measures().pick(MeasurementKind::Section, place);
+    QCOMPARE(c.measures().all().size(), std::size_t(1));
+    hold = true;
+    c.measures().pick(MeasurementKind::Section, place);
+    QVERIFY(c.measures().busy());
+    hold = false;
     c.models().files.take(twoTubes());
-    QTRY_VERIFY_WITH_TIMEOUT(!c.models().files.loading() && !c.measures().busy(), kPatienceMs);
+    QVERIFY(c.measures().all().empty());
+    for (HeldRunner* runner : runners)
+      if (runner->running()) runner->release();
+    c.models().timer.poll();
+    QVERIFY(!c.measures().busy());
     QVERIFY(c.measures().all().empty());
   }
 };
