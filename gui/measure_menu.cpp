@@ -22,9 +22,7 @@ namespace angiomesh {
 
 namespace {
 
-constexpr int kButtonsPerRow = 4;
-/// Of a vessel, to be seen around a measurement.
-constexpr double kRadiiAround = 8.0;
+constexpr int kToolsPerRow = 4, kEditsPerRow = 2;
 
 struct ToolEntry {
   MeasurementKind kind;
@@ -120,7 +118,7 @@ void MeasureMenu::buildTools() {
     tools->addAction(action);
     buttons << action;
   }
-  panel_.addButtons(buttons, kButtonsPerRow);
+  panel_.addButtons(buttons, kToolsPerRow);
 }
 
 void MeasureMenu::buildEdits() {
@@ -142,7 +140,7 @@ void MeasureMenu::buildEdits() {
   menu_->addSeparator();
   QAction* table = addMenuAction(window_, menu_, "exportMeasurements", tr("Export as CSV…"), {},
                                  [this] { exportTable(); });
-  panel_.addButtons({again, rename, remove, table}, kButtonsPerRow);
+  panel_.addButtons({again, rename, remove, table}, kEditsPerRow);
 }
 
 void MeasureMenu::addTo(QToolBar* bar) {
@@ -165,10 +163,7 @@ void MeasureMenu::connectPanes() {
   };
   for (int plane = 0; plane < 3; ++plane) link(views_.slice(plane));
   link(views_.surface());
-  connect(&measures_, &CaseMeasures::goTo, this, [this](double x, double y, double z, double mm) {
-    views_.setCrosshair({x, y, z});
-    views_.surface()->lookAt({x, y, z}, kRadiiAround * mm);
-  });
+  connect(&measures_, &CaseMeasures::goTo, &views_, &ViewGrid::goTo);
   connect(&panel_, &MeasurePanel::placePicked, this, [this](double x, double y, double z) {
     views_.setCrosshair({x, y, z});
   });
