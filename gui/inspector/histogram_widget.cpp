@@ -173,7 +173,7 @@ void HistogramWidget::paintScales(QPainter& painter, const QRectF& area, double 
   const QFontMetrics metrics = painter.fontMetrics();
   const QColor text = palette().color(QPalette::Text);
   const QColor line = faded(text, 60);
-  const double step = niceStep(top, 3.0);
+  const double step = niceStep(top, 4.0);
   for (double share = 0.0; share <= top * 1.0001; share += step) {
     const double y = area.bottom() - share / top * area.height();
     painter.setPen(line);
@@ -209,7 +209,10 @@ void HistogramWidget::paintLimits(QPainter& painter, const QRectF& area) const {
   double free = 0.0;  // where the next name has room
   for (const BandLimit& limit : bandLimits(*measured_->measure)) {
     if (limit.at < measured_->from || limit.at > measured_->to) continue;
-    const double x = xOf(limit.at);
+    // Between bars, where these are whole numbers.
+    const TriangleMeasure& measure = *measured_->measure;
+    const double beside = measure.digits > 0 ? 0.0 : measure.lessIsBetter() ? 0.5 : -0.5;
+    const double x = xOf(limit.at + beside);
     painter.setPen(QPen(palette().color(QPalette::Text), limit.gate.empty() ? 1.0 : 1.6,
                         limit.gate.empty() ? Qt::DotLine : Qt::DashLine));
     painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom()));

@@ -33,14 +33,25 @@ constexpr int kLeastWidth = 360;
 /// Room kept for the hints, so that what is below stays where it is.
 constexpr int kHintLines = 3;
 
-QString bandTitle(const std::vector<BandLimit>& limits, std::size_t band, const QString& unit) {
+/// A limit belongs to the better side.
+QString bandTitle(const TriangleMeasure& measure, const std::vector<BandLimit>& limits,
+                  std::size_t band) {
+  if (limits.empty()) return InspectorPanel::tr("all");
   const auto at = [&](std::size_t i) { return QString::number(limits[i].at, 'g', 4); };
-  const QString range = limits.empty() ? InspectorPanel::tr("all")
-                        : band == 0    ? InspectorPanel::tr("below %1").arg(at(0))
-                        : band == limits.size()
-                            ? InspectorPanel::tr("from %1").arg(at(band - 1))
-                            : InspectorPanel::tr("%1 to %2").arg(at(band - 1), at(band));
-  return limits.empty() || unit.isEmpty() ? range : range + ' ' + unit;
+  const bool less = measure.lessIsBetter();
+  const bool oneNumber = measure.digits == 0 && band > 0 && band < limits.size() &&
+                         limits[band].at - limits[band - 1].at == 1.0;
+  QString range;
+  if (band == 0)
+    range = (less ? InspectorPanel::tr("up to %1") : InspectorPanel::tr("below %1")).arg(at(0));
+  else if (band == limits.size())
+    range =
+        (less ? InspectorPanel::tr("above %1") : InspectorPanel::tr("from %1")).arg(at(band - 1));
+  else
+    range = oneNumber ? at(less ? band : band - 1)
+                      : InspectorPanel::tr("%1 to %2").arg(at(band - 1), at(band));
+  const QString unit = unitText(measure.unit);
+  return unit.isEmpty() ? range : range + ' ' + unit;
 }
 
 /// The per cent of each band and mesh, as a table.
@@ -50,11 +61,11 @@ QString bandTable(const MeasuredMeshes& measured) {
   for (int i = 0; i < kMeshKindCount; ++i)
     if (measured.of(static_cast<MeshKind>(i)).mesh)
       html += QStringLiteral("<td align='right'>&nbsp;%1</td>")
-                  .arg(meshTitle(static_cast<MeshKind>(i)).toHtmlEscaped());
+                  .arg(meshTitle(static_cast<MeshKind>(i)).toHtmlEscaped().replace(' ', "<br>"));
   html += QStringLiteral("</tr>");
   for (std::size_t band = 0; band <= limits.size(); ++band) {
     html += QStringLiteral("<tr><td>%1</td>")
-                .arg(bandTitle(limits, band, unitText(measured.measure->unit)).toHtmlEscaped());
+                .arg(bandTitle(*measured.measure, limits, band).toHtmlEscaped());
     for (const MeasuredMeshes::Of& mesh : measured.meshes)
       if (mesh.mesh)
         html += QStringLiteral("<td align='right'>%1 %</td>").arg(mesh.bands[band], 0, 'f', 2);
@@ -150,6 +161,7 @@ QWidget* InspectorPanel::trianglesTab() {
   spreadColumn->addWidget(histogram_, 1);
   bands_ = named(new QLabel(spread), "bands");
   bands_->setTextFormat(Qt::RichText);
+  bands_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   spreadColumn->addWidget(bands_);
   auto* worst = new QWidget(splitter);
   auto* worstColumn = new QVBoxLayout(worst);

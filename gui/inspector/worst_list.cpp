@@ -10,6 +10,12 @@
 
 namespace angiomesh {
 
+namespace {
+
+constexpr int kLeastRows = 5;
+
+}  // namespace
+
 WorstList::WorstList(MeshInspection& inspection, CaseModels& models, ViewState& state,
                      QWidget* parent)
     : QTableWidget(0, 2, parent), inspection_(inspection), models_(models), state_(state) {
@@ -20,6 +26,8 @@ WorstList::WorstList(MeshInspection& inspection, CaseModels& models, ViewState& 
   setAlternatingRowColors(true);
   horizontalHeader()->setStretchLastSection(true);
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  setMinimumHeight(horizontalHeader()->sizeHint().height() +
+                   kLeastRows * verticalHeader()->defaultSectionSize());
   setToolTip(tr("Choose a row to go there in 3D and in the slices; the arrow keys go on."));
   const auto go = [this](int row) {
     if (row >= 0) inspection_.goToWorst(static_cast<std::size_t>(row));

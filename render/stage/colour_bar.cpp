@@ -40,12 +40,12 @@ ColourBar::ColourBar(vtkRenderer* renderer) {
   bar_->SetOrientationToHorizontal();
   bar_->SetNumberOfLabels(5);
   bar_->SetLabelFormat("%.3g");
-  bar_->SetPosition(0.25, 0.02);
+  bar_->SetPosition(0.25, 0.10);
   bar_->SetWidth(0.65);
   bar_->SetHeight(0.11);
   bar_->SetBarRatio(0.3);
   title_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  title_->GetPositionCoordinate()->SetValue(0.575, 0.14);
+  title_->GetPositionCoordinate()->SetValue(0.575, 0.22);
   title_->GetTextProperty()->SetJustificationToCentered();
   title_->VisibilityOff();
   renderer->AddViewProp(title_);

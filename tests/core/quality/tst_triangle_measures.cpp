@@ -99,6 +99,12 @@ class TestTriangleMeasures : public QObject {
     // Two of a cube's corners have 3 triangles in shapes::cube(), the others 5.
     const auto cube = measureValences(shapes::cube());
     QVERIFY(cube && cube->least == 3 && cube->most == 5 && cube->regularPercent == 75.0);
+    // At the corners of an octahedron there are 4.
+    const TriMesh octahedron{
+        {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+        {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}};
+    const auto four = measureValences(octahedron);
+    QVERIFY(four && four->least == 4 && four->most == 4 && four->regularPercent == 0.0);
     // On open rims nothing is to be even: of a fan of five round a vertex only that counts.
     TriMesh fan{{{0, 0, 0}}, {}};
     for (std::uint32_t i = 0; i < 5; ++i) {

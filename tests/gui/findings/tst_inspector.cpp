@@ -145,6 +145,10 @@ class TestInspector : public QObject {
       const QString text = c.text("bands");
       QCOMPARE(text.count("%"), 3 * static_cast<qsizetype>(bandLimits(measure).size() + 1));
     }
+    // The numbers of the whole mesh: of 6 and one more or fewer, of two, and of all others.
+    c.choose(c.find<QComboBox>("meshColour"), 6);
+    for (const char* band : {">up to 1<", ">2<", ">above 2<"})
+      QVERIFY2(c.text("bands").contains(band), band);
     c.choose(c.find<QComboBox>("meshColour"), 1);
     QVERIFY2(c.text("bands").contains("15 to 30 °"), qPrintable(c.text("bands")));
   }
