@@ -21,27 +21,30 @@ QString mark(bool good) { return good ? QStringLiteral("✓") : QStringLiteral("
 
 QString translated(const char* text) { return QCoreApplication::translate("QualityGate", text); }
 
-/// A row of the table: passed or not, what, how much, how much it is to be; and below why and what
-/// to do.
+/// A row of the table: passed or not, what, how much, how much it is to be.
 QString rowOf(const GateCheck& check) {
   const QualityMeasure& measure = *check.measure;
   const QString value = check.value ? QString::fromStdString(valueText(measure, *check.value)) +
                                           ' ' + unitText(measure.unit)
                                     : QStringLiteral("–");
   const QString weight = check.passed ? QString() : QStringLiteral(" style='font-weight:600'");
-  QString html =
-      QStringLiteral(
-          "<tr%1><td>%2&nbsp;</td><td>%3&nbsp;</td><td align='right'>%4&nbsp;</td>"
-          "<td>%5</td></tr>")
-          .arg(weight, mark(check.passed),
-               QCoreApplication::translate("QualityMeasure", measure.label).toHtmlEscaped(),
-               value.toHtmlEscaped(),
-               QString::fromStdString(limitText(check)).replace("deg", QStringLiteral("°")));
-  if (!check.passed)
-    html += QStringLiteral("<tr><td></td><td colspan='3'>%1 %2</td></tr>")
-                .arg(translated(check.limit->why).toHtmlEscaped(),
-                     translated(fixText(check.limit->fix)).toHtmlEscaped());
-  return html;
+  const QString asked = QString::fromStdString(limitText(check))
+                            .replace("deg", QStringLiteral("°"))
+                            .replace(' ', QStringLiteral("&nbsp;"));
+  return QStringLiteral(
+             "<tr%1><td>%2&nbsp;</td><td>%3&nbsp;</td><td align='right'>%4&nbsp;</td>"
+             "<td>%5</td></tr>")
+      .arg(weight, mark(check.passed),
+           QCoreApplication::translate("QualityMeasure", measure.label)
+               .toHtmlEscaped()
+               .replace(' ', QStringLiteral("&nbsp;")),
+           value.toHtmlEscaped().replace(' ', QStringLiteral("&nbsp;")), asked);
+}
+
+/// Why it matters that rows above miss their thresholds, and what to do.
+QString reasonOf(const GateCheck& check, GateFix fix) {
+  return QStringLiteral("<tr><td></td><td colspan='3'>%1 %2</td></tr>")
+      .arg(translated(check.limit->why).toHtmlEscaped(), translated(fixText(fix)).toHtmlEscaped());
 }
 
 }  // namespace
@@ -100,6 +103,14 @@ void GateList::addFixes(QVBoxLayout* column) {
   column->addWidget(then_);
 }
 
+GateFix GateList::fixOf(const GateCheck& check) const {
+  const Parameters* made = models_.results.meshParameters();
+  const bool cubes = state_.meshKind() == MeshKind::MarchingCubes ||
+                     (made && made->surface.method == SurfaceMethod::MarchingCubes);
+  // The triangles of marching cubes are as large as its cells, whatever rho is.
+  return cubes && check.limit->fix == GateFix::SmallerRho ? GateFix::MeshAnew : check.limit->fix;
+}
+
 bool GateList::canApply(GateFix fix) const {
   const Parameters& params = models_.document.parameters();
   switch (fix) {
@@ -155,9 +166,18 @@ void GateList::refresh() {
         (failed == 0 ? tr("<b>%1</b>: passes").arg(name)
                      : tr("<b>%1</b>: fails, %2 of %3").arg(name).arg(failed).arg(checks.size())));
     QString rows;
-    for (const bool passed : {false, true})
-      for (const GateCheck& check : checks)
-        if (check.passed == passed) rows += rowOf(check);
+    const GateCheck* missed = nullptr;
+    for (const GateCheck& check : checks) {
+      if (check.passed) continue;
+      // One reason for all that share it.
+      if (missed && QLatin1String(missed->limit->why) != QLatin1String(check.limit->why))
+        rows += reasonOf(*missed, fixOf(*missed));
+      rows += rowOf(check);
+      missed = &check;
+    }
+    if (missed) rows += reasonOf(*missed, fixOf(*missed));
+    for (const GateCheck& check : checks)
+      if (check.passed) rows += rowOf(check);
     part.rows->setText("<b>" + name + "</b><table>" + rows + "</table>");
   }
   refreshFixes(quality);
@@ -169,7 +189,7 @@ void GateList::refreshFixes(const MeshQuality* quality) {
     for (const Part& part : parts_)
       if (quality)
         for (const GateCheck& check : checkGate(*part.gate, *quality))
-          helps = helps || (!check.passed && check.limit->fix == fix.fix);
+          helps = helps || (!check.passed && fixOf(check) == fix.fix);
     fix.button->setVisible(helps);
     fix.button->setEnabled(canApply(fix.fix));
   }

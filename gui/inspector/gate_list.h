@@ -36,6 +36,8 @@ class GateList : public QWidget {
   void addFixes(QVBoxLayout* column);
   void refresh();
   void refreshFixes(const MeshQuality* quality);
+  /// What helps the mesh shown.
+  [[nodiscard]] GateFix fixOf(const GateCheck& check) const;
   /// Whether its parameter can still be changed that way.
   [[nodiscard]] bool canApply(GateFix fix) const;
   void apply(GateFix fix);
