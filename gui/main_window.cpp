@@ -203,13 +203,16 @@ void MainWindow::buildMenus() {
   tools_->buildToolMenu();
   portMenu_ = new PortMenu(this, *models_, *ports_, *portPanel_, *views_, options_.chooser);
   buildReviewMenu();
-  auto* paneMenu = new PaneMenu(*state_, this);
-  connect(portMenu_, &PortMenu::menuMade, paneMenu, &PaneMenu::addTo);
+  auto* parts = new PartEdits(*models_, options_.makeRunner, this);
+  auto* paneMenu = new PaneMenu(this, *state_, *views_, *parts);
+  connect(portMenu_, &PortMenu::menuMade, paneMenu,
+          qOverload<QMenu*, const std::optional<Eigen::Vector3d>&, int>(&PaneMenu::addTo));
   measureMenu_ = new MeasureMenu(this, *models_, *state_, *measures_, *measurePanel_, *views_,
                                  options_.chooser);
   QMenu* view = menuBar()->addMenu(tr("&View"));
   workspaces_->addTo(view);
   view->addSeparator();
+  paneMenu->addTo(view);
   tools_->addTo(view);
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   addMenuAction(this, help, "shortcuts", tr("Shortcuts"), QKeySequence(Qt::Key_F1),

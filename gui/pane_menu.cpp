@@ -5,12 +5,16 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMainWindow>
 #include <QMenu>
 #include <QWidgetAction>
 #include <array>
 
 #include "gui/panel/named.h"
+#include "gui/panel/surface_feed.h"
 #include "gui/panel/view_grid.h"
+#include "gui/view/surface_view.h"
+#include "gui/window_actions.h"
 
 namespace angiomesh {
 
@@ -20,12 +24,42 @@ constexpr double kThinnestSlabMm = 0.1;
 
 }  // namespace
 
-PaneMenu::PaneMenu(ViewState& state, QObject* parent) : QObject(parent), state_(state) {}
+PaneMenu::PaneMenu(QMainWindow* window, ViewState& state, ViewGrid& views, PartEdits& parts)
+    : QObject(window), window_(window), state_(state), views_(views), parts_(parts) {}
 
-void PaneMenu::addTo(QMenu* menu, const std::optional<Eigen::Vector3d>&, int plane) {
-  if (plane == ViewGrid::kNoSlice) return;
+void PaneMenu::addTo(QMenu* viewMenu) {
+  QAction* back = addMenuAction(window_, viewMenu, "showParts", tr("Show hidden parts"),
+                                QKeySequence(tr("Ctrl+Shift+H")),
+                                [this] { views_.surfaceFeed()->showAllParts(); });
+  const auto refresh = [this, back] { back->setEnabled(views_.surfaceFeed()->hidesParts()); };
+  connect(views_.surfaceFeed(), &SurfaceFeed::arrived, this, refresh);
+  refresh();
+}
+
+void PaneMenu::addParts(QMenu* menu, const std::optional<Eigen::Vector3d>& place) {
+  const std::optional<std::size_t> triangle = views_.surface()->clickedTriangle();
+  QAction* hide = menu->addAction(tr("Hide this part"), this,
+                                  [this, triangle] { views_.surfaceFeed()->hidePart(*triangle); });
+  hide->setObjectName("hidePart");
+  hide->setEnabled(place && triangle && views_.surfaceFeed()->settled());
+  QAction* keep =
+      menu->addAction(tr("Keep only this part"), this, [this, place] { parts_.keepOnly(*place); });
+  keep->setObjectName("keepPart");
+  keep->setToolTip(tr("Ticks all other parts off"));
+  QAction* remove =
+      menu->addAction(tr("Remove this part"), this, [this, place] { parts_.remove(*place); });
+  remove->setObjectName("removePart");
+  remove->setToolTip(tr("Ticks it off"));
+  for (QAction* action : {keep, remove}) action->setEnabled(place && parts_.ready());
+  menu->addAction(actionOf(window_, "showParts"));
+}
+
+void PaneMenu::addTo(QMenu* menu, const std::optional<Eigen::Vector3d>& place, int plane) {
   menu->addSeparator();
-  addSlab(menu, plane);
+  if (plane == ViewGrid::kNoSlice)
+    addParts(menu, place);
+  else
+    addSlab(menu, plane);
 }
 
 void PaneMenu::addSlab(QMenu* menu, int plane) {

@@ -3,26 +3,38 @@
 
 #include <QObject>
 
+#include "gui/model/part_edits.h"
 #include "gui/model/view_state.h"
 
+class QMainWindow;
 class QMenu;
 
 namespace angiomesh {
 
-/// What the right-click menu of a pane says of how that pane is looked at.
+class ViewGrid;
+
+/// What the right-click menu of a pane has for that pane: its slab, or the part of the surface that
+/// was clicked.
 class PaneMenu : public QObject {
   Q_OBJECT
 
  public:
-  explicit PaneMenu(ViewState& state, QObject* parent = nullptr);
+  PaneMenu(QMainWindow* window, ViewState& state, ViewGrid& views, PartEdits& parts);
+
+  /// The entry that brings hidden parts back.
+  void addTo(QMenu* viewMenu);
 
   /// See PortMenu::menuMade().
   void addTo(QMenu* menu, const std::optional<Eigen::Vector3d>& place, int plane);
 
  private:
+  void addParts(QMenu* menu, const std::optional<Eigen::Vector3d>& place);
   void addSlab(QMenu* menu, int plane);
 
+  QMainWindow* window_;
   ViewState& state_;
+  ViewGrid& views_;
+  PartEdits& parts_;
 };
 
 }  // namespace angiomesh

@@ -49,6 +49,8 @@ void PaneTools::addTo(QMenu* view) {
         window_, overlays, kActions[i], layerTitle(layer), QKeySequence(QLatin1String(kKeys[i])),
         [this, layer](bool on) { state_.setOverlay(on ? std::optional(layer) : std::nullopt); });
   }
+  addMenuToggle(window_, view, "slices3d", tr("Slices in 3D"), QKeySequence(tr("Ctrl+Shift+D")),
+                [this](bool on) { state_.setSlices3d(on); });
   addPlanes(view->addMenu(tr("Slice planes")));
 }
 
@@ -90,6 +92,7 @@ void PaneTools::refresh() {
   opacity_->setEnabled(any && row > 0);
   for (std::size_t i = 0; i < kActions.size(); ++i)
     actionOf(window_, kActions[i])->setChecked(row == static_cast<int>(i) + 1);
+  actionOf(window_, "slices3d")->setChecked(state_.slices3d());
   actionOf(window_, "patientAxes")->setChecked(state_.turn().patientAxes);
   enableActions(window_, {"patientAxes", "overlayVesselness", "overlaySpeed"}, any);
   enableActions(window_, {"resetTurn"}, any && state_.turn().turned());

@@ -105,10 +105,9 @@ void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& 
       dock->raise();
     });
     why->setEnabled(place.has_value());
-    menu->addSeparator();
-    menu->addAction(actionOf(window_, "windowMenu"));
   }
   Q_EMIT menuMade(menu, place, plane);
+  if (plane != ViewGrid::kNoSlice) menu->addAction(actionOf(window_, "windowMenu"));
   menu->popup(global);
 }
 

@@ -55,6 +55,7 @@ WindowMenu::WindowMenu(QMainWindow* window, QMenu* parent, CaseModels& models, V
                                     });
     action->setIconText(tr("Window: %1").arg(title));
   }
+  others_ = named(menu->addMenu(tr("Other windows of the file")), "otherWindows");
   menu->addSeparator();
   addMenuAction(window, menu, "setWindow", tr("Set window and level…"), QKeySequence(Qt::Key_W),
                 [this] { showDialog(); });
@@ -71,7 +72,31 @@ void WindowMenu::refresh() {
     action->setEnabled(window.has_value());
     action->setChecked(window == state_.windowLevel());
   }
+  refreshOthers();
   enableActions(window_, {"setWindow", "resetWindow"}, models_.document.hasCase());
+}
+
+void WindowMenu::refreshOthers() {
+  const auto windows = state_.otherFileWindows();
+  if (windows != listed_) {
+    listed_ = windows;
+    others_->clear();
+    for (const auto& [window, name] : windows) {
+      const QString numbers = tr("%1 / %2").arg(window.first).arg(window.second);
+      const QString text =
+          name.empty() ? numbers : tr("%1 (%2)").arg(QString::fromStdString(name), numbers);
+      QAction* action = others_->addAction(QString(text).replace('&', QLatin1String("&&")));
+      action->setCheckable(true);
+      connect(action, &QAction::triggered, this, [this, window = window] {
+        state_.setWindowLevel(window.first, window.second);
+        refresh();
+      });
+    }
+  }
+  for (std::size_t i = 0; i < listed_.size(); ++i)
+    others_->actions()[static_cast<qsizetype>(i)]->setChecked(listed_[i].first ==
+                                                              state_.windowLevel());
+  others_->menuAction()->setEnabled(!listed_.empty());
 }
 
 void WindowMenu::showDialog() {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QObject>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "gui/model/view_state.h"
 
@@ -20,11 +23,14 @@ class WindowMenu : public QObject {
 
  private:
   void refresh();
+  void refreshOthers();
   void showDialog();
 
   QMainWindow* window_;
   CaseModels& models_;
   ViewState& state_;
+  QMenu* others_;
+  std::vector<std::pair<WindowLevel, std::string>> listed_;  ///< in others_
 };
 
 }  // namespace angiomesh

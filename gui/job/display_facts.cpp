@@ -2,7 +2,6 @@
 #include "gui/job/display_facts.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "render/slice/slice_raster.h"
 
@@ -24,9 +23,14 @@ DisplayFacts displayFacts(const Volume<float>& image, const InputInfo& info) {
   facts.modality = info.modality;
   const auto extremes = valueRange(image);
   facts.values = {extremes[0], extremes[1]};
-  if (!info.windows.empty()) {
-    const auto ends = info.windows.front().range();
-    facts.fileWindow = windowBetween(ends[0], ends[1]);
+  for (const DisplayWindow& stated : info.windows) {
+    const auto ends = stated.range();
+    const std::optional<WindowLevel> window = windowBetween(ends[0], ends[1]);
+    if (!window) continue;
+    if (!facts.fileWindow)
+      facts.fileWindow = window;
+    else
+      facts.otherFileWindows.emplace_back(*window, stated.name);
   }
   // All voxels where parameters are suggested from them; else a sample is good enough, and is had
   // without a sorted copy of a large volume.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/image/volume.h"
 #include "io/volume/loaded_image.h"
@@ -20,6 +21,8 @@ struct DisplayFacts {
   std::string modality;                    ///< InputInfo::modality
   std::array<double, 2> values{0.0, 1.0};  ///< least and greatest
   std::optional<WindowLevel> fileWindow;   ///< the first one that the file states
+  /// The others, with what the file calls them, which may be nothing.
+  std::vector<std::pair<WindowLevel, std::string>> otherFileWindows;
   WindowLevel percentileWindow{1.0, 0.5};  ///< from the 1st to the 99.8th percentile
 
   /// To begin with.

@@ -286,6 +286,27 @@ void ResultModel::setComponentTicked(int index, bool ticked) {
   document_.change(after, ticked ? tr("tick a part on") : tr("tick a part off"));
 }
 
+std::vector<Eigen::Vector3d> ResultModel::innerPoints() const {
+  std::vector<Eigen::Vector3d> points;
+  if (!meshRun_ || !meshRun_->surface) return points;
+  for (const SegmentComponent& component : meshRun_->surface->components)
+    points.push_back(component.innerPointLps);
+  return points;
+}
+
+void ResultModel::keepOnlyComponent(int index) {
+  const std::vector<ComponentRow> rows = components();
+  const std::vector<Eigen::Vector3d> points = innerPoints();
+  if (index < 0 || index >= static_cast<int>(rows.size())) return;
+  Parameters after = document_.parameters();
+  after.segmentation.drop.clear();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<int>(i) != index && !rows[i].byRule)
+      after.segmentation.drop.insert(after.segmentation.drop.end(), points[i].begin(),
+                                     points[i].end());
+  document_.change(after, tr("keep only one part"));
+}
+
 std::shared_ptr<const TriMesh> ResultModel::mesh(MeshKind kind) const {
   if (!meshRun_) return nullptr;
   switch (kind) {

@@ -103,6 +103,9 @@ class ResultModel : public QObject {
   [[nodiscard]] std::shared_ptr<ReasonJob> groundsOfSegmentation() const;
   [[nodiscard]] std::vector<ComponentRow> components() const;
   void setComponentTicked(int index, bool ticked);
+  /// Ticks all others off, and that one on.
+  void keepOnlyComponent(int index);
+  [[nodiscard]] std::vector<Eigen::Vector3d> innerPoints() const;  ///< of components()
 
   // The meshes.
   /// The surface of an earlier front or of the evolving one; null where neither is shown.

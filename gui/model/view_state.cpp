@@ -109,7 +109,8 @@ CaseView ViewState::caseView() const {
   if (turn_ != PlaneTurn()) view.planes = planesOf(turn_);
   view.shown = {{"contours", contours_},         {"mip", mip_},
                 {"surface", surface_},           {"edges", edges_},
-                {"interpolated", interpolated_}, {"comparison", comparison_}};
+                {"interpolated", interpolated_}, {"comparison", comparison_},
+                {"slices3d", slices3d_}};
   view.mesh = wordOf(meshKind_, kMeshes);
   view.colour = meshColour_ ? meshColour_->key : kPlain;
   return view;
@@ -146,6 +147,7 @@ void ViewState::take(const CaseView& view) {
   takeShown(edges_, "edges");
   takeShown(interpolated_, "interpolated");
   takeShown(comparison_, "comparison");
+  takeShown(slices3d_, "slices3d");
   fromWord(meshKind_, view.mesh, kMeshes);
   if (view.colour == kPlain) meshColour_ = nullptr;
   for (const TriangleMeasure& measure : triangleMeasures())
@@ -183,6 +185,12 @@ std::optional<WindowLevel> ViewState::presetWindow(WindowPreset preset) const {
   if (!models_.document.hasCase() || (layer_ != Layer::Source && layer_ != Layer::Preprocessed))
     return std::nullopt;
   return angiomesh::presetWindow(preset, models_.document.display());
+}
+
+std::vector<std::pair<WindowLevel, std::string>> ViewState::otherFileWindows() const {
+  if (!models_.document.hasCase() || (layer_ != Layer::Source && layer_ != Layer::Preprocessed))
+    return {};
+  return models_.document.display().otherFileWindows;
 }
 
 void ViewState::setPresetWindow(WindowPreset preset) {

@@ -5,7 +5,10 @@
 #include <QObject>
 #include <array>
 #include <optional>
+#include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "core/quality/triangle_measures.h"
 #include "gui/model/case_models.h"
@@ -39,6 +42,8 @@ class ViewState : public QObject {
   /// Of the layer shown; nothing: it does not suit it.
   [[nodiscard]] std::optional<WindowLevel> presetWindow(WindowPreset preset) const;
   void setPresetWindow(WindowPreset preset);
+  /// The windows of the file beside WindowPreset::File, where they suit the layer.
+  [[nodiscard]] std::vector<std::pair<WindowLevel, std::string>> otherFileWindows() const;
 
   /// Of a slice pane: 0 sagittal, 1 coronal, 2 axial.
   [[nodiscard]] const Slab& slab(int plane) const {
@@ -68,6 +73,9 @@ class ViewState : public QObject {
   void setMip(bool on) { set(mip_, on); }
   [[nodiscard]] bool surface() const { return surface_; }
   void setSurface(bool on) { set(surface_, on); }
+  /// Of the panes, in 3D.
+  [[nodiscard]] bool slices3d() const { return slices3d_; }
+  void setSlices3d(bool on) { set(slices3d_, on); }
   [[nodiscard]] bool edges() const { return edges_; }
   void setEdges(bool on) { set(edges_, on); }
 
@@ -119,6 +127,7 @@ class ViewState : public QObject {
   std::optional<Layer> overlay_;
   double overlayOpacity_ = 0.5;
   bool contours_ = true, mip_ = true, surface_ = true, edges_ = false;
+  bool slices3d_ = false;
   bool interpolated_ = true;
   Tool tool_ = Tool::Navigate;
   MouseScheme scheme_ = MouseScheme::Radiology;

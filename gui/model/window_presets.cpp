@@ -36,11 +36,13 @@ WindowLevel WindowLimits::bounded(const WindowLevel& wanted) const {
 WindowLimits imageLimits(const DisplayFacts& facts) {
   WindowLimits limits{facts.values[0], facts.values[1], facts.percentileWindow.first};
   if (!(limits.greatest > limits.least)) limits.greatest = limits.least + 1.0;
-  if (facts.fileWindow) {
-    const auto [window, level] = *facts.fileWindow;
+  const auto include = [&limits](const WindowLevel& stated) {
+    const auto [window, level] = stated;
     limits.least = std::min(limits.least, level - 0.5 * window);
     limits.greatest = std::max(limits.greatest, level + 0.5 * window);
-  }
+  };
+  if (facts.fileWindow) include(*facts.fileWindow);
+  for (const auto& [window, name] : facts.otherFileWindows) include(window);
   limits.usual = std::min(limits.usual, limits.greatest - limits.least);
   return limits;
 }

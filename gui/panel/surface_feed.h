@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <memory>
+#include <vector>
 
 #include "gui/job/job_slot.h"
 #include "gui/view/surface_view.h"
@@ -13,6 +14,7 @@ namespace angiomesh {
 struct DrawJob {
   std::shared_ptr<const TriMesh> mesh;
   bool passing = false;
+  std::vector<std::size_t> hidden;  ///< see drawnMesh()
 
   void execute() noexcept;
 
@@ -33,6 +35,10 @@ class SurfaceFeed : public QObject {
   /// shown though the next one has come already
   void show(std::shared_ptr<const TriMesh> mesh, bool passing);
   [[nodiscard]] const std::shared_ptr<const TriMesh>& shown() const { return shown_; }
+  /// Leaves the connected part that a triangle belongs to out, until another mesh comes.
+  void hidePart(std::size_t triangle);
+  void showAllParts();
+  [[nodiscard]] bool hidesParts() const { return !hidden_.empty(); }
   /// Whether the pane shows what was asked for last.
   [[nodiscard]] bool settled() const { return shown_ == wanted_; }
 
@@ -46,6 +52,7 @@ class SurfaceFeed : public QObject {
   SurfaceView& view_;
   std::shared_ptr<const TriMesh> wanted_, shown_;
   bool passing_ = false;  ///< of wanted_
+  std::vector<std::size_t> hidden_;
   JobSlot<DrawJob> slot_;
 };
 

@@ -138,6 +138,7 @@ void ViewGrid::connectSlice(SliceView* view) {
     }
     Q_EMIT crosshairMoved();
   });
+  connect(view, &VtkView::renderRequested, this, &ViewGrid::showSlices3d);
   connect(view, &SliceView::windowLevelChanged, &state_, &ViewState::setWindowLevel);
   connect(view, &SliceView::slabChanged, &state_,
           [this, view](const Slab& slab) { state_.setSlab(planeOf(view), slab); });
@@ -289,10 +290,16 @@ void ViewGrid::refreshImage() {
     view->setTool(state_.tool());
     view->setScheme(state_.scheme());
   }
+  showSlices3d();
   surface_->setTool(state_.tool());
   surface_->setMipVisible(state_.mip());
   surface_->setSurfaceVisible(state_.surface());
   surface_->setEdgesVisible(state_.edges());
+}
+
+void ViewGrid::showSlices3d() {
+  const auto all = std::initializer_list<const SliceView*>{slices_[0], slices_[1], slices_[2]};
+  surface_->setSlices(state_.slices3d() ? std::vector(all) : std::vector<const SliceView*>());
 }
 
 ColourLayer ViewGrid::overlayLayer() const {
@@ -409,7 +416,10 @@ void ViewGrid::refreshCaptions() {
   const QString contour = shownPhi_ ? contourText(results, models_.runs).text : QString();
   for (SliceView* view : slices_) view->setCaption(lines({layer, overlay, contour}));
   const QString projection = state_.mip() ? tr("MIP: %1").arg(layer) : QString();
-  surface_->setCaption(lines({projection, state_.surface() ? surfaceText_.text : QString()}),
+  const QString slices = state_.slices3d() ? tr("Slices: %1").arg(layer) : QString();
+  const QString hidden = surfaceFeed_->hidesParts() ? tr("Some parts hidden") : QString();
+  surface_->setCaption(lines({projection, slices, state_.slices3d() ? overlay : QString(), hidden,
+                              state_.surface() ? surfaceText_.text : QString()}),
                        surfaceText_.stale);
   const ShownText mesh = meshText(results);
   comparison_->setCaption(lines({mesh.text, meshTitle(MeshKind::MarchingCubes)}), mesh.stale);

@@ -42,6 +42,8 @@ class ViewGrid : public QWidget {
     return slices_[static_cast<std::size_t>(plane)];
   }
   [[nodiscard]] SurfaceView* surface() const { return surface_; }
+  /// Shows the surface in 3D, with parts left out of it.
+  [[nodiscard]] SurfaceFeed* surfaceFeed() const { return surfaceFeed_; }
   /// Marching cubes beside the mesh shown; hidden unless ViewState::comparison().
   [[nodiscard]] SurfaceView* comparison() const { return comparison_; }
 
@@ -91,6 +93,7 @@ class ViewGrid : public QWidget {
   void connectSlice(SliceView* view);
   void refreshAll();
   void refreshImage();
+  void showSlices3d();
   [[nodiscard]] ColourLayer overlayLayer() const;
   void refreshSegmentation();
   void refreshSurface();

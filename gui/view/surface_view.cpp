@@ -54,6 +54,7 @@ struct SurfaceView::State {
   QString grabbed;
   QPointF pressed;
   bool mayBeClick = false;
+  std::optional<std::size_t> clicked;  // triangle
 };
 
 SurfaceView::SurfaceView(QWidget* parent) : VtkView(parent), state_(std::make_unique<State>()) {
@@ -110,6 +111,14 @@ void SurfaceView::setBusy(bool busy) {
   if (std::exchange(state_->busy, busy) == busy) return;
   if (!busy) state_->refine.start();
 }
+
+void SurfaceView::setSlices(const std::vector<const SliceView*>& views) {
+  std::vector<const SliceScene*> scenes;
+  for (const SliceView* view : views) scenes.push_back(&view->scene());
+  if (state_->scene.setSlices(scenes)) requestRender();
+}
+
+std::optional<std::size_t> SurfaceView::clickedTriangle() const { return state_->clicked; }
 
 void SurfaceView::setSurfaceVisible(bool visible) {
   if (std::exchange(state_->surfaceVisible, visible) == visible) return;
@@ -311,7 +320,9 @@ void SurfaceView::clicked(const QMouseEvent& event) {
       tool_ == Tool::CutVessel || tool_ == Tool::Navigate || measuredBy(tool_).has_value();
   if (event.button() != Qt::RightButton && !(event.button() == Qt::LeftButton && picks)) return;
   const auto port = s.scene.portAt(at[0], at[1]);
-  const std::optional<Eigen::Vector3d> place = s.scene.surfaceAt(at[0], at[1]);
+  const std::optional<SurfaceHit> hit = s.scene.hitAt(at[0], at[1]);
+  const auto place = hit ? std::optional(hit->place) : std::nullopt;
+  s.clicked = hit ? std::optional(hit->triangle) : std::nullopt;
   if (event.button() == Qt::RightButton) {
     Q_EMIT menuRequested(
         event.globalPosition().toPoint(), place,

@@ -43,6 +43,10 @@ class SurfaceView : public VtkView {
   void setDrawnSurface(std::shared_ptr<const DrawnMesh> mesh);
   /// While something else needs the processor all frames are quick ones.
   void setBusy(bool busy);
+  /// The slices of other panes where they lie; none hides them.
+  void setSlices(const std::vector<const SliceView*>& views);
+  /// What the menu that is asked for was asked on: a triangle of the surface.
+  [[nodiscard]] std::optional<std::size_t> clickedTriangle() const;
   void setSurfaceVisible(bool visible);
   void setEdgesVisible(bool visible);
   /// What the pane shows, in lines; dimmed: the surface is out of date.

@@ -143,7 +143,10 @@ VtkView::~VtkView() {
 vtkRenderWindow* VtkView::renderWindow() const { return bridge_->window; }
 vtkRenderWindowInteractor* VtkView::interactor() const { return bridge_->interactor; }
 
-void VtkView::requestRender() { update(); }
+void VtkView::requestRender() {
+  update();
+  Q_EMIT renderRequested();
+}
 
 void VtkView::pixelRatioChanged(double) {}
 

@@ -31,6 +31,7 @@ class VtkView : public QOpenGLWidget {
 
  Q_SIGNALS:
   void rendered();  ///< after each frame
+  void renderRequested();
   void maximiseRequested();
 
  protected:

@@ -68,10 +68,12 @@ double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
   return (p - a - t * ab).norm();
 }
 
-std::optional<Vector3d> firstHit(const TriMesh& mesh, const ViewRay& ray) {
+std::optional<SurfaceHit> firstHit(const TriMesh& mesh, const ViewRay& ray) {
   // Moeller & Trumbore 1997, "Fast, minimum storage ray-triangle intersection".
   double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& triangle : mesh.triangles) {
+  SurfaceHit hit;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& triangle = mesh.triangles[i];
     const Vector3d& a = mesh.points[triangle[0]];
     const Vector3d ab = mesh.points[triangle[1]] - a, ac = mesh.points[triangle[2]] - a;
     const Vector3d p = ray.direction.cross(ac);
@@ -84,10 +86,13 @@ std::optional<Vector3d> firstHit(const TriMesh& mesh, const ViewRay& ray) {
     const double v = ray.direction.dot(q) / determinant;
     if (v < 0.0 || u + v > 1.0) continue;
     const double t = ac.dot(q) / determinant;
-    if (t > 0.0) nearest = std::min(nearest, t);
+    if (!(t > 0.0 && t < nearest)) continue;
+    nearest = t;
+    hit.triangle = i;
   }
   if (!std::isfinite(nearest)) return std::nullopt;
-  return ray.from + nearest * ray.direction;
+  hit.place = ray.from + nearest * ray.direction;
+  return hit;
 }
 
 }  // namespace angiomesh

@@ -24,7 +24,11 @@ double mmPerPixelAt(vtkRenderer* renderer, const Eigen::Vector3d& point);
 double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                          const Eigen::Vector2d& b);
 
+struct SurfaceHit {
+  Eigen::Vector3d place{0.0, 0.0, 0.0};  ///< mm LPS
+  std::size_t triangle = 0;
+};
 /// Where a line of sight first meets a mesh, from either side.
-std::optional<Eigen::Vector3d> firstHit(const TriMesh& mesh, const ViewRay& ray);
+std::optional<SurfaceHit> firstHit(const TriMesh& mesh, const ViewRay& ray);
 
 }  // namespace angiomesh

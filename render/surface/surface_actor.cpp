@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/mesh/coarse_mesh.h"
+#include "core/mesh/mesh_edges.h"
 #include "render/stage/conversion.h"
 
 namespace angiomesh {
@@ -27,28 +28,61 @@ struct Polygons {
 };
 
 struct DrawnMesh {
-  std::shared_ptr<const TriMesh> mesh;
+  std::shared_ptr<const TriMesh> mesh, visible;
   Polygons full;
   Polygons coarse;  // without data where there are few triangles
   bool patches = false;
 };
 
+namespace {
+
+void hide(DrawnMesh& drawn, const std::vector<std::size_t>& hidden) {
+  const TriMesh& mesh = *drawn.mesh;
+  const MeshComponents parts = meshComponents(mesh);
+  std::vector<bool> gone(parts.count, false);
+  for (const std::size_t triangle : hidden)
+    if (triangle < parts.label.size()) gone[parts.label[triangle]] = true;
+  auto visible = std::make_shared<TriMesh>();
+  visible->points = mesh.points;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (gone[parts.label[i]]) continue;
+    visible->triangles.push_back(mesh.triangles[i]);
+    if (!mesh.patch.empty()) visible->patch.push_back(mesh.patch[i]);
+    drawn.full.from.push_back(static_cast<std::uint32_t>(i));
+  }
+  drawn.visible = std::move(visible);
+}
+
+}  // namespace
+
 std::shared_ptr<const DrawnMesh> drawnMesh(std::shared_ptr<const TriMesh> mesh,
-                                           std::size_t coarseTriangles) {
+                                           std::size_t coarseTriangles,
+                                           const std::vector<std::size_t>& hidden) {
   auto drawn = std::make_shared<DrawnMesh>();
   drawn->mesh = std::move(mesh);
   if (!drawn->mesh || drawn->mesh->triangles.empty()) return drawn;
   const TriMesh& full = *drawn->mesh;
-  drawn->full.data = toPolyData(full);
+  drawn->visible = drawn->mesh;
+  if (!hidden.empty()) hide(*drawn, hidden);
+  if (drawn->visible->triangles.empty()) return drawn;
+  drawn->full.data = toPolyData(*drawn->visible);
   drawn->patches = std::any_of(full.patch.begin(), full.patch.end(), [](auto n) { return n != 0; });
-  if (coarseTriangles > 0 && full.triangles.size() > coarseTriangles) {
-    CoarseMesh coarse = coarseMesh(full, coarseTriangles);
+  if (coarseTriangles > 0 && drawn->visible->triangles.size() > coarseTriangles) {
+    CoarseMesh coarse = coarseMesh(*drawn->visible, coarseTriangles);
+    if (!drawn->full.from.empty())
+      for (std::uint32_t& triangle : coarse.from) triangle = drawn->full.from[triangle];
     drawn->coarse = {toPolyData(coarse.mesh), std::move(coarse.from)};
   }
   return drawn;
 }
 
 const std::shared_ptr<const TriMesh>& meshOf(const DrawnMesh& drawn) { return drawn.mesh; }
+
+const std::shared_ptr<const TriMesh>& visibleMesh(const DrawnMesh& drawn) { return drawn.visible; }
+
+std::size_t originalTriangle(const DrawnMesh& drawn, std::size_t visible) {
+  return drawn.full.from.empty() ? visible : drawn.full.from[visible];
+}
 
 struct SurfaceActor::Parts {
   vtkNew<vtkActor> actor;
@@ -119,7 +153,7 @@ void SurfaceActor::Parts::update() {
 }
 
 void SurfaceActor::Parts::choose() {
-  actor->SetVisibility(visible && triangles() > 0);
+  actor->SetVisibility(visible && drawn && drawn->full.data);
   const bool few = coarse && triangles() > 0 && drawn->coarse.data;
   actor->SetMapper(few ? coarseMapper : fullMapper);
   actor->GetProperty()->SetEdgeVisibility(edges && !few);

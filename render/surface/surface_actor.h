@@ -16,11 +16,17 @@ namespace angiomesh {
 /// A mesh as it is drawn. Making it takes a while, and any thread may.
 struct DrawnMesh;
 /// @param mesh may be null   @param coarseTriangles more than these are drawn by some as many while
-/// the actor is coarse; 0: never
+/// the actor is coarse; 0: never   @param hidden one triangle each of the connected parts that are
+/// not drawn
 std::shared_ptr<const DrawnMesh> drawnMesh(std::shared_ptr<const TriMesh> mesh,
-                                           std::size_t coarseTriangles = 0);
-/// What it was made of.
+                                           std::size_t coarseTriangles = 0,
+                                           const std::vector<std::size_t>& hidden = {});
+/// What it was made of. May be null.
 const std::shared_ptr<const TriMesh>& meshOf(const DrawnMesh& drawn);
+/// What is drawn: the mesh without the hidden parts. May be null.
+const std::shared_ptr<const TriMesh>& visibleMesh(const DrawnMesh& drawn);
+/// The triangle of the whole mesh that one of visibleMesh() is.
+std::size_t originalTriangle(const DrawnMesh& drawn, std::size_t visible);
 
 /// A triangle mesh as a lit actor, in one colour or coloured per triangle.
 class SurfaceActor {

@@ -25,11 +25,11 @@
 #include <numbers>
 
 #include "render/marks/measure_marks.h"
-#include "render/marks/surface_pick.h"
 #include "render/stage/colour_bar.h"
 #include "render/stage/direction_cube.h"
 #include "render/stage/stage.h"
 #include "render/surface/projection_volume.h"
+#include "render/surface/slice_quads.h"
 #include "render/surface/surface_actor.h"
 #include "render/surface/triangle_marks.h"
 
@@ -63,7 +63,8 @@ struct SurfaceScene::Parts {
   PortMarks ports{renderer};
   TriangleMarks marked;
   MeasureMarks measures{renderer};
-  std::shared_ptr<const TriMesh> mesh;
+  std::shared_ptr<const DrawnMesh> drawn;
+  SliceQuads slices{renderer};
   bool meshVisible = true;
   ColourBar colourBar{renderer};
   vtkNew<vtkTextActor> caption;
@@ -299,8 +300,9 @@ void SurfaceScene::setSurface(std::shared_ptr<const TriMesh> mesh) {
 }
 
 void SurfaceScene::setDrawnSurface(std::shared_ptr<const DrawnMesh> mesh) {
-  if (meshOf(*mesh) != parts_->mesh) parts_->marked.clear();
-  parts_->mesh = meshOf(*mesh);
+  const bool other = !parts_->drawn || meshOf(*mesh) != meshOf(*parts_->drawn);
+  if (other) parts_->marked.clear();
+  parts_->drawn = mesh;
   parts_->surface.setMesh(std::move(mesh));
   parts_->showColourBar();
   parts_->fitOnce();
@@ -334,8 +336,8 @@ void SurfaceScene::clearSurfaceColours() {
 }
 
 void SurfaceScene::setMarked(const std::vector<std::uint32_t>& triangles) {
-  if (parts_->mesh)
-    parts_->marked.set(*parts_->mesh, triangles);
+  if (parts_->drawn && meshOf(*parts_->drawn))
+    parts_->marked.set(*meshOf(*parts_->drawn), triangles);
   else
     parts_->marked.clear();
 }
@@ -357,8 +359,20 @@ ViewRay SurfaceScene::rayAt(double displayX, double displayY) const {
 }
 
 std::optional<Eigen::Vector3d> SurfaceScene::surfaceAt(double displayX, double displayY) const {
-  if (!parts_->mesh || !parts_->meshVisible) return std::nullopt;
-  return firstHit(*parts_->mesh, rayAt(displayX, displayY));
+  const std::optional<SurfaceHit> hit = hitAt(displayX, displayY);
+  return hit ? std::optional(hit->place) : std::nullopt;
+}
+
+std::optional<SurfaceHit> SurfaceScene::hitAt(double displayX, double displayY) const {
+  const Parts& p = *parts_;
+  if (!p.drawn || !visibleMesh(*p.drawn) || !p.meshVisible) return std::nullopt;
+  std::optional<SurfaceHit> hit = firstHit(*visibleMesh(*p.drawn), rayAt(displayX, displayY));
+  if (hit) hit->triangle = originalTriangle(*p.drawn, hit->triangle);
+  return hit;
+}
+
+bool SurfaceScene::setSlices(const std::vector<const SliceScene*>& scenes) {
+  return parts_->slices.show(scenes);
 }
 
 std::optional<PortHit> SurfaceScene::portAt(double displayX, double displayY) const {

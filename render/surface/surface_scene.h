@@ -12,6 +12,7 @@
 #include "core/mesh/tri_mesh.h"
 #include "render/marks/measure_mark.h"
 #include "render/marks/port_marks.h"
+#include "render/marks/surface_pick.h"
 #include "render/slice/slice_scene.h"
 #include "render/surface/surface_actor.h"
 
@@ -50,6 +51,8 @@ class SurfaceScene {
   /// A large surface by fewer triangles where OpenGL runs in software; setInteractive() does so,
   /// too.
   void setSurfaceCoarse(bool coarse);
+  /// The slices of other panes where they lie. @returns whether anything has changed
+  bool setSlices(const std::vector<const SliceScene*>& scenes);
   void setSurfaceVisible(bool visible);
   void setEdgesVisible(bool visible);
   /// As what is out of date.
@@ -76,6 +79,8 @@ class SurfaceScene {
   [[nodiscard]] ViewRay rayAt(double displayX, double displayY) const;
   /// Where the visible surface lies under a display position.
   [[nodiscard]] std::optional<Eigen::Vector3d> surfaceAt(double displayX, double displayY) const;
+  /// The same with the triangle, of the whole mesh.
+  [[nodiscard]] std::optional<SurfaceHit> hitAt(double displayX, double displayY) const;
   /// The movable port under a display position, unless the surface hides it.
   [[nodiscard]] std::optional<PortHit> portAt(double displayX, double displayY) const;
   /// The same whatever hides it, and fast.

@@ -83,6 +83,36 @@ class TestWindowPresets : public QObject {
     QVERIFY(action(c, "windowFile")->isChecked());
   }
 
+  void allWindowsOfTheFileAreOffered() {
+    const Folder folder;
+    saveSeries(folder.path(), [](Slice& slice) {
+      slice.rescaled = true;
+      slice.intercept = kIntercept;
+      slice.edit = [](DcmDataset& data) {
+        putText(data, DCM_Modality, "CT");
+        putText(data, DCM_WindowCenter, "300\\40\\-600");
+        putText(data, DCM_WindowWidth, "600\\401\\1501");
+        putText(data, DCM_WindowCenterWidthExplanation, "FIRST\\SOFT & THIN\\LUNG");
+      };
+      return true;
+    });
+    WindowCase c;
+    QVERIFY(!c.find<QMenu>("otherWindows")->menuAction()->isEnabled());
+    c.window->open(QString::fromStdString(folder.path().string()));
+    QTRY_VERIFY(c.models().document.hasCase() && !c.models().files.loading());
+    QCOMPARE(shown(c), kFile);
+    auto* others = c.find<QMenu>("otherWindows");
+    QVERIFY(others->menuAction()->isEnabled());
+    QCOMPARE(others->actions().size(), 2);
+    QCOMPARE(others->actions()[0]->text(), QString("SOFT && THIN (400 / 39.5)"));
+    others->actions()[1]->trigger();
+    QCOMPARE(shown(c), WindowLevel(1500.0, -600.5));
+    QVERIFY(others->actions()[1]->isChecked() && !others->actions()[0]->isChecked());
+    QVERIFY(!action(c, "windowFile")->isChecked());
+    c.state().setLayer(Layer::Vesselness);
+    QVERIFY(!others->menuAction()->isEnabled());
+  }
+
   void percentilesLeaveFewVoxelsOut() {
     const Series series("MR", false);
     WindowCase c;
