@@ -208,10 +208,10 @@ QToolBar* ViewTools::buildToolBars() {
   add(work, {"open", "saveCase", "export"});
   add(work, {"undo", "redo"});
   add(work, {"runAll", "cancelRun"});
+  add(work, {"contours", "mip", "surface", "edges"});
   add(panes, {"toolNavigate", "toolSeed", "toolRoi", "toolCut"});
   panes->addSeparator();
   buildChoosers(panes);
-  add(panes, {"contours", "mip", "surface", "edges"});
   return work;
 }
 

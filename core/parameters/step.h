@@ -29,7 +29,7 @@ constexpr std::array<StepFacts, kStepCount> kSteps{{
     {"evolve", "Evolve", 9, 0.1, false, false},
     {"surface", "Surface", 6, 0.5, false, false},
     {"smooth", "Smooth", 5, 0.86, false, false},
-    {"quality", "Quality", 3, 0.9, false, false},
+    {"quality", "Quality", 4, 0.9, false, false},
 }};
 
 constexpr const StepFacts& factsOf(Step step) { return kSteps[static_cast<std::size_t>(step)]; }

@@ -49,7 +49,7 @@ Decades decadesOf(const RunModel& runs, double tolerance) {
 
 ConvergencePlot::ConvergencePlot(CaseModels& models, QWidget* parent)
     : QWidget(parent), models_(models) {
-  setMinimumSize(220, 90);
+  setMinimumSize(140, 90);
   setFocusPolicy(Qt::StrongFocus);
   setToolTip(
       tr("Line: how far the front moves in an iteration, voxels; dots: its change at the checks; "
@@ -207,11 +207,12 @@ EvolutionPanel::EvolutionPanel(CaseModels& models, QWidget* parent)
   auto* column = new QVBoxLayout;
   use_ = named(new QPushButton(tr("Use this front"), this), "useFront");
   use_->setToolTip(tr("Ends the evolution at this iteration (levelset.stopAfter)"));
-  back_ = named(new QPushButton(tr("Back to the last one"), this), "leaveFront");
+  back_ = named(new QPushButton(tr("Back"), this), "leaveFront");
   column->addStretch(1);
   column->addWidget(use_);
   column->addWidget(back_);
   row->addLayout(column);
+  back_->setToolTip(tr("Shows the last front, or the result, again"));
   connect(use_, &QPushButton::clicked, this, &EvolutionPanel::useFront);
   connect(back_, &QPushButton::clicked, this, [this] { models_.results.showFront(nullptr); });
   connect(&models_.results, &ResultModel::resultsChanged, this, &EvolutionPanel::refresh);

@@ -162,7 +162,7 @@ class TestTheme : public QObject {
         w.window->resize(size);
         QTRY_VERIFY((bar->toolButtonStyle() == Qt::ToolButtonTextBesideIcon) == text);
       }
-      QCOMPARE(tools, 18);
+      QCOMPARE(tools, 19);
     }
     QApplication::setFont(usual);
   }
