@@ -26,9 +26,10 @@ class PaneTools : public QObject {
   void addTo(QMenu* viewMenu);
   void addTo(QToolBar* bar);
 
+  void refresh();
+
  private:
   void addPlanes(QMenu* menu);
-  void refresh();
 
   QMainWindow* window_;
   CaseModels& models_;

@@ -255,6 +255,7 @@ void ViewTools::setThickness(double mm) {
 void ViewTools::refresh() {
   const bool any = models_.document.hasCase();
   layer_->setEnabled(any);
+  panes_->refresh();
   slab_->setEnabled(any);
   thickness_->setEnabled(any && anySlab());
   const bool vesselness = models_.results.vesselnessResult() != nullptr;

@@ -186,7 +186,8 @@ void ExportJob::writeMeshFiles() {
   facts_ = checkMeshFile(*request_.mesh, request_.path, request_.options);
   std::filesystem::path beside = request_.path;
   if (request_.report)
-    writeText(beside.replace_extension(".report.json"), runReportJson(*request_.report, {}, request_.extras.review));
+    writeText(beside.replace_extension(".report.json"),
+              runReportJson(*request_.report, {}, request_.extras.review));
   if (request_.extras.ports) {
     beside = request_.path;
     writePorts(request_.ports, beside.replace_extension(".ports.json"));
