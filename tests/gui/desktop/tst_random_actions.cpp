@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTableWidget>
+#include <QTimer>
 #include <QToolButton>
 
 #include "core/base/random.h"
@@ -175,6 +176,12 @@ class TestRandomActions : public QObject {
     c.models().files.take(test::twoTubes());
     QTRY_VERIFY(c.models().document.hasCase());
     Anybody anybody(c, seed);
+    // A button's menu waits for an answer in a loop of its own.
+    QTimer impatient;
+    connect(&impatient, &QTimer::timeout, this, [] {
+      if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+    });
+    impatient.start(50);
     double before = 0.0;
     for (int n = 0; n < actions; ++n) {
       if (n % 20 == 0) {
