@@ -121,6 +121,7 @@ class Anybody {
            qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget) ||
            qobject_cast<QTableWidget*>(widget)))
         widgets << widget;
+    if (widgets.isEmpty()) return "no panel and no tool bar is left";
     QWidget* widget = oneOf(widgets);
     const QString what =
         QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
