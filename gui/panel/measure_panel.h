@@ -6,12 +6,12 @@
 
 class QAction;
 class QLabel;
-class QTableWidget;
 class QVBoxLayout;
 
 namespace angiomesh {
 
 class CaseMeasures;
+class NameTable;
 class ProfilePlot;
 
 /// The measurements of the case: name, kind and value of each, and of the one selected how it came
@@ -32,15 +32,13 @@ class MeasurePanel : public QWidget {
   void placePicked(double x, double y, double z);  ///< in the plot, mm LPS
 
  private:
-  void buildTable();
   void refresh();
   void fill(int row);
   void showSelection();
-  void edited(int row);
 
   CaseMeasures& measures_;
   QVBoxLayout* column_;
-  QTableWidget* table_;
+  NameTable* table_;
   ProfilePlot* plot_;
   QLabel* details_;
   QLabel* notice_;

@@ -6,12 +6,12 @@
 
 class QAction;
 class QLabel;
-class QTableWidget;
 class QVBoxLayout;
 
 namespace angiomesh {
 
 class CasePorts;
+class NameTable;
 
 /// The inlets and outlets: name, diameter, area and what there is to say of each. Names are
 /// edited in place; a click on a row takes the panes there.
@@ -27,15 +27,13 @@ class PortPanel : public QWidget {
   void addButtons(const QList<QAction*>& actions, int perRow);
 
  private:
-  void buildTable();
   void refresh();
   void fill(int row);
   void showSelection();
-  void edited(int row);
 
   CasePorts& ports_;
   QVBoxLayout* column_;
-  QTableWidget* table_;
+  NameTable* table_;
   QLabel* notice_;
 };
 
