@@ -40,8 +40,8 @@ std::string wordOf(T value, const std::array<const char*, N>& words) {
   return words[static_cast<std::size_t>(value)];
 }
 
-CaseView::Planes planesOf(const PlaneTurn& turn) {
-  CaseView::Planes planes;
+CasePlanes planesOf(const PlaneTurn& turn) {
+  CasePlanes planes;
   planes.patientAxes = turn.patientAxes;
   for (std::size_t i = 0; i < kPlanes.size(); ++i) {
     if (!turn.turned(static_cast<int>(i))) continue;
@@ -52,7 +52,7 @@ CaseView::Planes planesOf(const PlaneTurn& turn) {
 }
 
 /// What is no rotation turns nothing.
-PlaneTurn turnFrom(const CaseView::Planes& planes) {
+PlaneTurn turnFrom(const CasePlanes& planes) {
   PlaneTurn turn;
   turn.patientAxes = planes.patientAxes;
   for (std::size_t i = 0; i < kPlanes.size(); ++i) {

@@ -88,15 +88,15 @@ void take(T& value, const Json& json, const char* key) {
   if (json.contains(key)) value = json.at(key).get<T>();
 }
 
-std::map<std::string, CaseView::Slab> slabsFrom(const Json& json) {
-  std::map<std::string, CaseView::Slab> slabs;
+std::map<std::string, CaseSlab> slabsFrom(const Json& json) {
+  std::map<std::string, CaseSlab> slabs;
   if (json.contains("slabs")) {
     for (const auto& [pane, slab] : json.at("slabs").items())
       slabs[pane] = {slab.at("mode").get<std::string>(), slab.at("thicknessMm").get<double>()};
     return slabs;
   }
   // Cases of version 0.2 have one for all panes.
-  CaseView::Slab all;
+  CaseSlab all;
   take(all.mode, json, "slab");
   take(all.thicknessMm, json, "slabThicknessMm");
   if (!all.mode.empty()) slabs = {{"sagittal", all}, {"coronal", all}, {"axial", all}};

@@ -27,29 +27,32 @@ struct CaseSource {
   Geometry grid;
 };
 
+/// A pane's slab.
+struct CaseSlab {
+  std::string mode;
+  double thicknessMm = 10.0;
+
+  bool operator==(const CaseSlab&) const = default;
+};
+
+/// How the slice planes lie.
+struct CasePlanes {
+  bool patientAxes = false;
+  /// By pane: the rows of the rotation from where its plane began.
+  std::map<std::string, std::array<double, 9>> turns;
+  std::array<double, 3> pivotMm{0.0, 0.0, 0.0};  ///< LPS
+
+  bool operator==(const CasePlanes&) const = default;
+};
+
 /// What the window showed and how, in words of its own; absent in cases from elsewhere.
 struct CaseView {
   std::string layer;
   std::map<std::string, std::array<double, 2>> windowLevels;  ///< by layer
-  struct Slab {
-    std::string mode;
-    double thicknessMm = 10.0;
-
-    bool operator==(const Slab&) const = default;
-  };
-  std::map<std::string, Slab> slabs;  ///< by pane: "sagittal", "coronal", "axial"
-  std::string overlay;                ///< a layer in colour over the one shown; empty: none
+  std::map<std::string, CaseSlab> slabs;  ///< by pane: "sagittal", "coronal", "axial"
+  std::string overlay;                    ///< a layer in colour over the one shown; empty: none
   double overlayOpacity = 0.5;
-  /// How the slice planes lie; empty where they lie along the image.
-  struct Planes {
-    bool patientAxes = false;
-    /// By pane: the rows of the rotation from where its plane began.
-    std::map<std::string, std::array<double, 9>> turns;
-    std::array<double, 3> pivotMm{0.0, 0.0, 0.0};  ///< LPS
-
-    bool operator==(const Planes&) const = default;
-  };
-  std::optional<Planes> planes;
+  std::optional<CasePlanes> planes;  ///< empty where they lie along the image
   std::optional<Eigen::Vector3d> crosshairLps;
   std::map<std::string, bool> shown;  ///< "contours", "surface", ...
   std::string mesh, colour;

@@ -43,7 +43,7 @@ SavedCase sampleDocument(std::uint64_t seed = 1) {
   document.view.slabs = {{"axial", {"mip", 7.5}}, {"coronal", {"none", 4.0}}};
   document.view.overlay = "speed";
   document.view.overlayOpacity = 0.25;
-  document.view.planes = CaseView::Planes{
+  document.view.planes = CasePlanes{
       true, {{"axial", {0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0}}}, {1.0 / 3.0, -2.0, 5.5}};
   document.view.crosshairLps = Eigen::Vector3d(1.5, -2.25, 0.1);
   document.view.shown = {{"contours", true}, {"surface", false}};
@@ -147,7 +147,7 @@ class TestCaseFile : public QObject {
     QCOMPARE(document.params.segmentation.keep, KeepComponents::Largest);
     QCOMPARE(document.params.seeds.points, (std::vector<double>{1.0, -2.5, 3.0}));
     for (const char* pane : {"sagittal", "coronal", "axial"})
-      QVERIFY((document.view.slabs.at(pane) == CaseView::Slab{"mip", 7.5}));
+      QVERIFY((document.view.slabs.at(pane) == CaseSlab{"mip", 7.5}));
     QCOMPARE(document.view.crosshairLps->x(), 1.5);
     const std::vector<JournalStep> steps = readJournal(sample, document.saves);
     QCOMPARE(steps.size(), std::size_t(2));
