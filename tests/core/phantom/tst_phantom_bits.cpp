@@ -5,45 +5,36 @@
 #include <string>
 
 #include "core/phantom/phantom.h"
-#include "core/pipeline/source.h"
+#include "tests/core/bytes.h"
 #include "tests/core/phantom_case.h"
 
 using namespace angiomesh;
+using analytic::Bytes;
 
 namespace {
 
-template <class T>
-void append(std::string& bytes, const Volume<T>& volume) {
-  bytes.append(reinterpret_cast<const char*>(volume.voxels.data()),
-               sizeof(T) * volume.voxels.size());
-}
-
-void append(std::string& bytes, const Eigen::Vector3d& point) {
-  bytes.append(reinterpret_cast<const char*>(point.data()), 3 * sizeof(double));
-}
-
 std::string bitsOf(const PhantomParams& params) {
   const Phantom phantom = makePhantom(params);
-  std::string bytes;
-  append(bytes, phantom.image);
-  append(bytes, phantom.truth);
-  append(bytes, phantom.clutter);
+  Bytes bytes;
+  bytes.add(phantom.image);
+  bytes.add(phantom.truth);
+  bytes.add(phantom.clutter);
   for (const CentreLineSegment& line : phantom.centreLines) {
-    append(bytes, line.from);
-    append(bytes, line.to);
-    append(bytes, {line.radiusFromMm, line.radiusToMm, 1.0 * line.parent});
+    bytes.add(line.from);
+    bytes.add(line.to);
+    bytes.add(Eigen::Vector3d(line.radiusFromMm, line.radiusToMm, line.parent));
   }
   for (const ClutterPiece& piece : phantom.pieces) {
-    append(bytes, piece.from);
-    append(bytes, piece.to);
-    append(bytes, {piece.intensity, 1.0 * piece.segment, 1.0 * piece.label});
+    bytes.add(piece.from);
+    bytes.add(piece.to);
+    bytes.add(Eigen::Vector3d(piece.intensity, piece.segment, piece.label));
   }
   const auto distance = phantomDistance(params);
   for (int n = 0; n < 200; ++n) {
     const Eigen::Vector3d at(0.37 * n - 9.0, std::fmod(5.3 * n, 31.0), std::fmod(7.9 * n, 37.0));
-    append(bytes, {distance(at), 0.0, 0.0});
+    bytes.add(Eigen::Vector3d(distance(at), 0.0, 0.0));
   }
-  return textHash(bytes);
+  return bytes.hash();
 }
 
 PhantomParams paramsOf(PhantomKind kind, Index3 size, double radius) {
@@ -104,6 +95,24 @@ class TestPhantomBits : public QObject {
     cluttered.fadePercent = 70.0;
     cluttered.driftPercent = 10.0;
     row("clutter", cluttered, "8b9761bc1e6172a7");
+    cluttered.spacingMm = {0.9, 0.7, 0.8};
+    cluttered.kind = PhantomKind::Tree;
+    cluttered.radiusMin = 0.9;
+    cluttered.radiusMax = 3.0;
+    cluttered.randomSeed = 3;
+    row("a tree in clutter", cluttered, "fb2ec47a802567d4");
+    PhantomParams scanned = paramsOf(PhantomKind::VesselTree, {40, 44, 36}, 2.5);
+    scanned.spacingMm = {0.8, 0.5, 0.6};
+    scanned.psf = {PointSpread::Kind::Mr, 0.6, 1.6};
+    scanned.fadePercent = 50.0;
+    row("as a scanner sees it", scanned, "d4fbbc97a543bfd1");
+    scanned.psf = {PointSpread::Kind::Gaussian, 1.3, 1.0};
+    scanned.kind = PhantomKind::CapsuleTree;
+    scanned.size = {72, 84, 74};
+    scanned.spacingMm = {0.8, 0.5, 0.7};
+    scanned.clutter = true;
+    scanned.randomSeed = 4;
+    row("through a wide Gaussian", scanned, "54ec23f56f1e1912");
   }
   void parametersGiveTheSameBits() {
     QFETCH(PhantomParams, params);

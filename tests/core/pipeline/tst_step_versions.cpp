@@ -1,58 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
-#include <type_traits>
 #include <vector>
 
+#include "core/image/projection.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/parameters/field.h"
 #include "core/phantom/phantom.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/report.h"
 #include "core/quality/quality_table.h"
+#include "tests/core/bytes.h"
 
 using namespace angiomesh;
+using analytic::Bytes;
 
 namespace {
 
-/// The bytes of a result, one after the other.
-class Bytes {
- public:
-  template <class T>
-  void add(const T& value) {
-    static_assert(std::is_arithmetic_v<T>);
-    text_.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  void add(const Eigen::Vector3d& point) {
-    for (const double x : point) add(x);
-  }
-  template <class T>
-  void add(const Volume<T>& volume) {
-    text_.append(reinterpret_cast<const char*>(volume.voxels.data()),
-                 sizeof(T) * volume.voxels.size());
-  }
-  void add(const TriMesh& mesh) {
-    for (const Eigen::Vector3d& point : mesh.points) add(point);
-    for (const auto& triangle : mesh.triangles)
-      for (const std::uint32_t corner : triangle) add(corner);
-  }
-  void add(const std::vector<Port>& ports) {
-    for (const Port& port : ports) {
-      text_ += port.name;
-      add(port.areaMm2);
-      add(port.centreLps);
-      add(port.normalLps);
-    }
-  }
-  void add(const MeshQuality& quality) {
-    for (const QualityMeasure& measure : qualityMeasures())
-      add(measure.value(quality).value_or(-1));
-  }
-  [[nodiscard]] std::string hash() const { return textHash(text_); }
+void addMeasures(Bytes& bytes, const MeshQuality& quality) {
+  for (const QualityMeasure& measure : qualityMeasures())
+    bytes.add(measure.value(quality).value_or(-1));
+}
 
- private:
-  std::string text_;
-};
+void addPorts(Bytes& bytes, const std::vector<Port>& ports) {
+  for (const Port& port : ports) {
+    bytes.add(port.name);
+    bytes.add(port.areaMm2);
+    bytes.add(port.centreLps);
+    bytes.add(port.normalLps);
+  }
+}
 
 std::string hashOf(Step step, const RunResult& run) {
   Bytes bytes;
@@ -78,7 +57,7 @@ std::string hashOf(Step step, const RunResult& run) {
       bytes.add(*run.surface->phi);
       bytes.add(*run.surface->mesh);
       bytes.add(*run.surface->marchingCubes);
-      bytes.add(run.surface->ports);
+      addPorts(bytes, run.surface->ports);
       for (const SegmentComponent& part : run.surface->components) {
         bytes.add(part.volumeMm3);
         if (part.measure) bytes.add(part.measure->lengthMm);
@@ -86,15 +65,25 @@ std::string hashOf(Step step, const RunResult& run) {
       break;
     case Step::Smooth:
       bytes.add(*run.smoothed);
-      bytes.add(run.ports);
+      addPorts(bytes, run.ports);
       break;
     case Step::Quality:
-      bytes.add(run.quality->mesh);
-      bytes.add(run.quality->unsmoothed);
-      bytes.add(run.quality->marchingCubes);
+      addMeasures(bytes, run.quality->mesh);
+      addMeasures(bytes, run.quality->unsmoothed);
+      addMeasures(bytes, run.quality->marchingCubes);
       break;
   }
   return bytes.hash();
+}
+
+/// Of preview.png and of all that report.json says, but what changes with machine and version.
+std::string hashOfFiles(const RunResult& run) {
+  nlohmann::json report = nlohmann::json::parse(runReportJson(run));
+  for (const char* changes :
+       {"version", "key", "threads", "total_seconds", "cpu_seconds", "peak_rss_mb", "stages"})
+    report.erase(changes);
+  const Picture preview = previewPicture(*run.source.image, *run.evolve->phi);
+  return textHash(report.dump() + std::string(preview.rgb.begin(), preview.rgb.end()));
 }
 
 struct Settings {
@@ -120,6 +109,7 @@ struct Case {
   bool mask;  ///< of the phantom, instead of its image
   Step until;
   std::vector<Row> steps;
+  const char* files;  ///< report.json and preview.png
 };
 
 const std::vector<Case>& cases() {
@@ -141,7 +131,8 @@ const std::vector<Case>& cases() {
         {9, "d6289f3a10a0b90a"},
         {6, "120711098e46196e"},
         {5, "5dd957ba8a025700"},
-        {4, "c93902e70e9196e5"}}},
+        {4, "c93902e70e9196e5"}},
+       "8e94fa743b7d9cab"},
       {"inside the volume, ends cut",
        PhantomKind::CapsuleTree,
        {72, 68, 76},
@@ -159,7 +150,8 @@ const std::vector<Case>& cases() {
         {9, "c0a221c8cefec68d"},
         {6, "a7af57dcf6a15e40"},
         {5, "9d8a315762bb1d7d"},
-        {4, "fb098288c4a056f7"}}},
+        {4, "fb098288c4a056f7"}},
+       "25b54ea65a25349b"},
       {"as printed",
        PhantomKind::Helix,
        {48, 44, 52},
@@ -177,7 +169,8 @@ const std::vector<Case>& cases() {
         {9, "7ff37f8cb88ab095"},
         {6, "c31d35188a8b0277"},
         {5, "25ba4db0ea299a05"},
-        {4, "8e17654c061039f0"}}},
+        {4, "8e17654c061039f0"}},
+       "67f91b15cba991ef"},
       {"bounds, remeshed",
        PhantomKind::NeckAneurysm,
        {52, 48, 44},
@@ -195,7 +188,8 @@ const std::vector<Case>& cases() {
         {9, "3bc4e534be102349"},
         {6, "6cb6f3dfa6969bcf"},
         {5, "6bea2b3de8a6038c"},
-        {4, "a12953312c5f0799"}}},
+        {4, "a12953312c5f0799"}},
+       "826462bbee4bbeb8"},
       {"mask, marching cubes",
        PhantomKind::Kissing,
        {40, 44, 48},
@@ -216,7 +210,8 @@ const std::vector<Case>& cases() {
         {9, "8ea12ee3b1406f5a"},
         {6, "14c3bd940b07bbf5"},
         {5, "d2ab9560f4da3310"},
-        {4, "0300342f2d6f8464"}}},
+        {4, "0300342f2d6f8464"}},
+       "954fd66e10c9ac6e"},
       {"dark, Frangi's measure",
        PhantomKind::Torus,
        {36, 44, 40},
@@ -241,7 +236,90 @@ const std::vector<Case>& cases() {
         {9, "faacd1f7e529e159"},
         {6, "8358b1d68b419328"},
         {5, "e1e64009ec0d20cd"},
-        {4, "6b6b38b55ab19584"}}},
+        {4, "6b6b38b55ab19584"}},
+       "a36fc4366eeb7d9f"},
+      {"a tree in noise, cut at the borders",
+       PhantomKind::Tree,
+       {60, 56, 52},
+       {0.5, 0.5, 0.7},
+       3.0,
+       30.0,
+       "angiomesh",
+       {{"ports.cutBorders", "true"}, {"surface.rho", "0.1"}},
+       false,
+       Step::Quality,
+       {{1, "81d8a0d22d991f69"},
+        {2, "52bca21fefba0bd1"},
+        {2, "2b004feaa4e6e8e4"},
+        {2, "a0e86992e21bebf3"},
+        {9, "e9b402d98efa1226"},
+        {6, "435514a202c61d51"},
+        {5, "9319c49ad79637d4"},
+        {4, "4235677eb666cb19"}},
+       "7daf27f78e3a0c9f"},
+      {"a tree, remeshed",
+       PhantomKind::Tree,
+       {68, 72, 76},
+       {0.9, 0.8, 0.8},
+       3.0,
+       15.0,
+       "ct",
+       {{"surface.method", "remesh"},
+        {"surface.rho", "0.3"},
+        {"segmentation.keep", "largest"},
+        {"vesselness.sigmaMaxMm", "1.6"},
+        {"smooth.wallBoundVoxels", "0.2"}},
+       false,
+       Step::Quality,
+       {{1, "554dc0f4abbf3290"},
+        {2, "d29e9eec9f8efb15"},
+        {2, "41f860de164787e3"},
+        {2, "8028f6f85dd93344"},
+        {9, "2713b161fd7a7373"},
+        {6, "035a03e74f6bdc80"},
+        {5, "616a27d5065b9c66"},
+        {4, "72c8083988cf885b"}},
+       "f2b297236940cc13"},
+      {"bent vessels, marching cubes on the wall",
+       PhantomKind::VesselTree,
+       {72, 68, 64},
+       {0.8, 0.8, 0.8},
+       4.0,
+       25.0,
+       "angiomesh",
+       {{"surface.method", "marching-cubes"}, {"surface.cellVoxels", "0.8"}},
+       false,
+       Step::Quality,
+       {{1, "4ddfd706a572f814"},
+        {2, "4ddfd706a572f814"},
+        {2, "abf15b447cc2459c"},
+        {2, "1bfeb16bee80047a"},
+        {9, "106747ce37304e8f"},
+        {6, "39552cbf2af4ca39"},
+        {5, "2536b94c1d4c5bf1"},
+        {4, "879985fb9a32680d"}},
+       "e3ddc7c6fdf74211"},
+      {"a rough mask with handles",
+       PhantomKind::Tree,
+       {52, 48, 56},
+       {0.6, 0.6, 0.8},
+       4.0,
+       50.0,
+       "angiomesh",
+       {{"segmentation.method", "label"},
+        {"segmentation.minLengthMm", "3"},
+        {"surface.border", "open"}},
+       true,
+       Step::Quality,
+       {{1, "85811d6d524e2e34"},
+        {2, "85811d6d524e2e34"},
+        {2, "2d06800538d394c2"},
+        {2, "2d06800538d394c2"},
+        {9, "e2e48213ceed94bc"},
+        {6, "f09876777fce34c4"},
+        {5, "db4ef6ed079973d4"},
+        {4, "6e116f513ba507ca"}},
+       "a407497056279741"},
       {"geodesic active contour",
        PhantomKind::Stenosis,
        {30, 34, 40},
@@ -258,7 +336,8 @@ const std::vector<Case>& cases() {
         {2, "ff515eb2124d9edd"},
         {2, "98c2c0a2b17bfa29"},
         {2, "6668a74556a84072"},
-        {9, "79d5ee1ca5fd280c"}}},
+        {9, "79d5ee1ca5fd280c"}},
+       "ba772ca23d4e8834"},
       {"confidence connected",
        PhantomKind::Cone,
        {30, 34, 40},
@@ -273,7 +352,8 @@ const std::vector<Case>& cases() {
         {2, "920dac00d283a1c5"},
         {2, "9130a6f08c2fb2ef"},
         {2, "bebec23857d89f27"},
-        {9, "dcf1b0b114027a8d"}}},
+        {9, "dcf1b0b114027a8d"}},
+       "341ce95b14b8a801"},
       {"threshold",
        PhantomKind::Aneurysm,
        {40, 44, 38},
@@ -288,7 +368,8 @@ const std::vector<Case>& cases() {
         {2, "cac7f171daad1794"},
         {2, "aec881ff76257037"},
         {2, "5527b1a96f0e4f80"},
-        {9, "e3edec96ae28a168"}}},
+        {9, "e3edec96ae28a168"}},
+       "347770226239b1f2"},
   };
   return all;
 }
@@ -301,10 +382,16 @@ RunResult runOf(const Case& c) {
   params.radius = c.radius;
   params.noiseSigma = c.noise;
   params.axis = Eigen::Vector3d(0.2, 0.3, 1.0);
+  if (c.kind == PhantomKind::Tree) {
+    params.radiusMin = 1.0;
+    params.radiusMax = c.radius;
+    params.volumePercent = 1.5;
+  }
   const Phantom phantom = makePhantom(params);
   Volume<float> image = phantom.image;
   if (c.mask)
-    for (std::size_t i = 0; i < image.voxels.size(); ++i) image.voxels[i] = phantom.truth.voxels[i];
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+      image.voxels[i] = (c.noise > 0.0 ? image.voxels[i] > 140.0F : phantom.truth.voxels[i] != 0);
   RunOptions options;
   options.until = c.until;
   Parameters run = preset(c.preset);
@@ -343,12 +430,19 @@ class TestStepVersions : public QObject {
           s < known.size() && known[s].version == row.version && known[s].hash == hash;
       if (!same && differs.isEmpty()) differs = stepId(step);
     }
+    const std::string files = hashOfFiles(run);
     QVERIFY2(differs.isEmpty(),
              qPrintable(differs +
                         " computes something else: raise its version in "
                         "core/parameters/step.h if it has not been raised, and write "
                         "here: " +
                         now));
+    QVERIFY2(
+        files == cases()[n].files,
+        qPrintable(
+            QString(
+                "report.json or preview.png says something else: where it should, write here: ") +
+            files.c_str()));
   }
 };
 
