@@ -55,7 +55,7 @@ void addMethod(FieldTable& t) {
 
 void addLevelSet(FieldTable& t) {
   t.begin(Step::Evolve, ReadOf::Scans, onlyWith(SegmentationMethod::LevelSet));
-  t.choice("levelset.start", "Start", ANGIOMESH_MEMBER(levelset.start), {"flood", "seeds"},
+  t.choice("levelset.start", "Start from", ANGIOMESH_MEMBER(levelset.start), {"flood", "seeds"},
            "flood: start from everything with v >= b that is connected to a seed; seeds: grow from "
            "the seeds");
   t.integer("levelset.floodLeastVoxels", "Least part without a seed",
@@ -67,15 +67,16 @@ void addLevelSet(FieldTable& t) {
                                                     : "it is used only with levelset.start flood";
       })
       .rises("small parts without a seed are left out");
-  t.real("levelset.gamma", "Image weight γ", ANGIOMESH_MEMBER(levelset.gamma), 0.0, 1.0, "",
+  t.real("levelset.gamma", "Follow the image γ", ANGIOMESH_MEMBER(levelset.gamma), 0.0, 1.0, "",
          "weight of the vesselness term against the curvature term")
       .main()
       .rises("the front follows the image more, and is less smooth");
-  t.real("levelset.d", "Curvature d", ANGIOMESH_MEMBER(levelset.d), 0.0, 5.0, "",
+  t.real("levelset.d", "Reach into thin vessels d", ANGIOMESH_MEMBER(levelset.d), 0.0, 5.0, "",
          "strength of the curvature term")
       .main()
       .rises("the front goes farther into thin vessels");
-  t.boolean("levelset.acrossCrests", "Move on crests", ANGIOMESH_MEMBER(levelset.acrossCrests),
+  t.boolean("levelset.acrossCrests", "Pass one-voxel vessels",
+            ANGIOMESH_MEMBER(levelset.acrossCrests),
             "also move the front in vessels and gaps one voxel wide, where upwind differences "
             "vanish");
   t.real("levelset.stepVoxels", "Step of the front", ANGIOMESH_MEMBER(levelset.stepVoxels), 0.01,
@@ -83,21 +84,20 @@ void addLevelSet(FieldTable& t) {
          "largest step of the front per iteration; near 0.5 it flickers at steep walls, at 1/6 it "
          "comes to rest")
       .rises("it takes fewer iterations, and flickers more about steep walls");
-  t.real("levelset.xi", "Threshold ξ", ANGIOMESH_MEMBER(thresholds.xi), 0.1, 500.0, "",
+  t.real("levelset.xi", "Specificity ξ", ANGIOMESH_MEMBER(thresholds.xi), 0.1, 500.0, "",
          "scales the threshold b")
       .main()
       .logarithmic()
       .ofSpeed()
       .rises("faint vessels are left out");
-  t.real("levelset.b", "Threshold b", ANGIOMESH_MEMBER(thresholds.b), 1e-4, 1.0, "",
+  t.real("levelset.b", "Least vesselness b", ANGIOMESH_MEMBER(thresholds.b), 1e-4, 1.0, "",
          "vesselness at which the front stands still; auto: by bRule")
       .ofSpeed()
       .suggest([](const Parameters& p, const FieldContext& c) {
         return c.b.value_or(0.5 * (p.thresholds.bMin + p.thresholds.bMax));
       })
       .rises("faint vessels are left out");
-  t.choice("levelset.bRule", "Rule for b", ANGIOMESH_MEMBER(thresholds.bRule),
-           {"contrast", "average"},
+  t.choice("levelset.bRule", "b from", ANGIOMESH_MEMBER(thresholds.bRule), {"contrast", "average"},
            "contrast: b = 0.007 xi; average: eq. 3.20, clamped to bMin..bMax")
       .ofSpeed();
   t.real("levelset.bMin", "Least b", ANGIOMESH_MEMBER(thresholds.bMin), 1e-4, 1.0, "",
@@ -135,10 +135,11 @@ void addLevelSet(FieldTable& t) {
 }
 
 void addLumen(FieldTable& t) {
-  t.boolean("levelset.refine", "Place the wall anew", ANGIOMESH_MEMBER(lumen.enabled),
+  t.boolean("levelset.refine", "Wall from the image", ANGIOMESH_MEMBER(lumen.enabled),
             "place the wall between the brightness of lumen and surroundings, after the evolution");
   t.begin(Step::Evolve, ReadOf::Scans, idleWithoutRefining);
-  t.real("levelset.refineLevel", "Lumen level", ANGIOMESH_MEMBER(lumen.level), 0.1, 0.9, "",
+  t.real("levelset.refineLevel", "Least brightness of lumen", ANGIOMESH_MEMBER(lumen.level), 0.1,
+         0.9, "",
          "least brightness of a vessel voxel, from the surroundings (0) to the lumen (1); the wall "
          "lies half-way, or here if this is higher")
       .main()
@@ -167,7 +168,7 @@ void addWall(FieldTable& t) {
             "make the wall as smooth as the vessel is, within what noise and contrast leave open")
       .main()
       .idle(idleWithoutWall);
-  t.real("wall.reach", "Smoothness", ANGIOMESH_MEMBER(wall.reach), 2.0, 30.0, "",
+  t.real("wall.reach", "Smoothness of the wall", ANGIOMESH_MEMBER(wall.reach), 2.0, 30.0, "",
          "size of the window that the wall is fitted in, multiplied by the fourth root of (vessel "
          "radius x uncertainty of the wall), voxels")
       .idle(idleWithoutSmoothWall)

@@ -100,20 +100,19 @@ void addSizing(FieldTable& t) {
       .logarithmic()
       .slider(0.02, 1.2)
       .rises("fewer and larger triangles, which follow the wall less closely");
-  t.real("surface.etaInverse", "Size ratio 1/η", ANGIOMESH_MEMBER(surface.sizing.etaInverse), 0.3,
+  t.real("surface.etaInverse", "Even sizes 1/η", ANGIOMESH_MEMBER(surface.sizing.etaInverse), 0.3,
          0.99, "", "1/eta of eq. 4.2: the wanted edge length grows by at most 1 - 1/eta per length")
       .main()
       .rises("neighbouring triangles are more alike, and there are more of them");
-  t.boolean("surface.etaCompensated", "1/η sets gradation only",
+  t.boolean("surface.etaCompensated", "Accuracy from ρ only",
             ANGIOMESH_MEMBER(surface.sizing.etaCompensated),
             "on: only rho sets the accuracy and 1/eta the gradation (eq. 4.4); off: 1/eta shortens "
             "the edges too");
-  t.real("surface.curvatureRelax", "Curvature relax",
-         ANGIOMESH_MEMBER(surface.sizing.curvatureRelax), 0.1, 10.0, "",
-         "the curvature is divided by it; 3 imitates the reference program")
+  t.real("surface.curvatureRelax", "Relax bends", ANGIOMESH_MEMBER(surface.sizing.curvatureRelax),
+         0.1, 10.0, "", "the curvature is divided by it; 3 imitates the reference program")
       .rises("longer edges where the wall is curved");
-  t.countOrNone("surface.edgesAround", "Edges around", ANGIOMESH_MEMBER(surface.sizing.edgesAround),
-                3.0, 96.0,
+  t.countOrNone("surface.edgesAround", "Edges around a vessel",
+                ANGIOMESH_MEMBER(surface.sizing.edgesAround), 3.0, 96.0,
                 "least number of edges around any vessel; none: only the curvature counts")
       .main()
       .slider(3.0, 48.0)
@@ -198,15 +197,17 @@ void addSmooth(FieldTable& t) {
       .slider(0.0, 500.0)
       .idle(idleWithoutSmoothing)
       .rises("smoother, and with taubin the vessel's own detail goes too");
-  t.real("smooth.lambda", "λ", ANGIOMESH_MEMBER(smooth.lambda), 0.0, 1.0, "",
+  t.real("smooth.lambda", "Smooth by λ", ANGIOMESH_MEMBER(smooth.lambda), 0.0, 1.0, "",
          "weight of the shrinking step")
       .idle(idleWithoutTaubin)
       .rises("each iteration smooths more");
-  t.real("smooth.mu", "μ", ANGIOMESH_MEMBER(smooth.mu), -1.0, 0.0, "", "weight of the growing step")
+  t.real("smooth.mu", "Grow back by μ", ANGIOMESH_MEMBER(smooth.mu), -1.0, 0.0, "",
+         "weight of the growing step")
       .idle(idleWithoutTaubin)
       .rises("less of the shrinking is made up for");
-  t.real("smooth.wallBoundVoxels", "Wall bound", ANGIOMESH_MEMBER(smooth.wallBoundVoxels), 0.0, 1.0,
-         "voxels", "keep-wall: largest distance of a vertex from the wall, working voxels")
+  t.real("smooth.wallBoundVoxels", "Stay near the wall", ANGIOMESH_MEMBER(smooth.wallBoundVoxels),
+         0.0, 1.0, "voxels",
+         "keep-wall: largest distance of a vertex from the wall, working voxels")
       .idle(idleWithoutKeepWall)
       .rises("vertices may leave the wall farther");
 }
