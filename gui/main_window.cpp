@@ -20,6 +20,7 @@
 
 #include "gui/case_dialogs.h"
 #include "gui/central_area.h"
+#include "gui/dialog/guide.h"
 #include "gui/dialog/help_dialogs.h"
 #include "gui/findings/case_measures.h"
 #include "gui/findings/case_ports.h"
@@ -215,8 +216,10 @@ void MainWindow::buildMenus() {
   paneMenu->addTo(view);
   tools_->addTo(view);
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  addMenuAction(this, help, "shortcuts", tr("Shortcuts"), QKeySequence(Qt::Key_F1),
-                [this] { showShortcuts(this); });
+  addMenuAction(this, help, "guide", tr("Guide"), QKeySequence(Qt::Key_F1),
+                [this] { showGuide(this, QStringLiteral("desktop")); });
+  addMenuAction(this, help, "shortcuts", tr("Shortcuts"), QKeySequence(Qt::SHIFT | Qt::Key_F1),
+                [this] { showGuide(this, {}); });
   addMenuAction(this, help, "about", tr("About Angiomesh"), {}, [this] { showAbout(this); });
 }
 

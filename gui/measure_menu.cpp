@@ -33,14 +33,14 @@ struct ToolEntry {
 
 /// In the order of MeasurementKind.
 constexpr std::array<ToolEntry, kMeasurementKinds> kTools{
-    {{MeasurementKind::Distance, "toolDistance", QT_TRANSLATE_NOOP("MeasureMenu", "Distance"),
-      Qt::Key_F2},
-     {MeasurementKind::Section, "toolSection", QT_TRANSLATE_NOOP("MeasureMenu", "Section"),
-      Qt::Key_F3},
+    {{MeasurementKind::Distance, "toolDistance",
+      QT_TRANSLATE_NOOP("angiomesh::MeasureMenu", "Distance"), Qt::Key_F2},
+     {MeasurementKind::Section, "toolSection",
+      QT_TRANSLATE_NOOP("angiomesh::MeasureMenu", "Section"), Qt::Key_F3},
      {MeasurementKind::Profile, "toolProfile",
-      QT_TRANSLATE_NOOP("MeasureMenu", "Diameter along a branch"), Qt::Key_F4},
-     {MeasurementKind::Stenosis, "toolStenosis", QT_TRANSLATE_NOOP("MeasureMenu", "Stenosis"),
-      Qt::Key_F5}}};
+      QT_TRANSLATE_NOOP("angiomesh::MeasureMenu", "Diameter along a branch"), Qt::Key_F4},
+     {MeasurementKind::Stenosis, "toolStenosis",
+      QT_TRANSLATE_NOOP("angiomesh::MeasureMenu", "Stenosis"), Qt::Key_F5}}};
 
 void addSection(MeasureMark& mark, const CrossSection& section) {
   mark.outlines.push_back(section.outline);

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "gui/action_icon.h"
+#include "gui/language.h"
 #include "gui/model/step_text.h"
 #include "gui/pane_tools.h"
 #include "gui/panel/named.h"
@@ -41,10 +42,10 @@ struct LayoutEntry {
 
 /// In the order of PaneLayout.
 constexpr std::array<LayoutEntry, 3> kLayouts{
-    {{PaneLayout::Four, "layoutFour", QT_TRANSLATE_NOOP("ViewTools", "Two by two")},
+    {{PaneLayout::Four, "layoutFour", QT_TRANSLATE_NOOP("angiomesh::ViewTools", "Two by two")},
      {PaneLayout::OneAndThree, "layoutOneAndThree",
-      QT_TRANSLATE_NOOP("ViewTools", "One large, three small")},
-     {PaneLayout::Single, "layoutSingle", QT_TRANSLATE_NOOP("ViewTools", "One alone")}}};
+      QT_TRANSLATE_NOOP("angiomesh::ViewTools", "One large, three small")},
+     {PaneLayout::Single, "layoutSingle", QT_TRANSLATE_NOOP("angiomesh::ViewTools", "One alone")}}};
 
 /// The large pane, the layout of all panes, the present layout.
 const QString kPanesKey = QStringLiteral("panes");
@@ -98,6 +99,7 @@ void ViewTools::addTo(QMenu* view) {
   view->addSeparator();
   addPanes(view);
   addThemes(view);
+  addLanguages(view);
   view->addSeparator();
   for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
     view->addAction(dock->toggleViewAction());
@@ -145,6 +147,20 @@ void ViewTools::addThemes(QMenu* view) {
   theme("themeSystem", tr("As the system"), Theme::System);
   theme("themeLight", tr("Light"), Theme::Light);
   theme("themeDark", tr("Dark"), Theme::Dark);
+}
+
+void ViewTools::addLanguages(QMenu* view) {
+  QMenu* menu = view->addMenu(tr("Language, from the next start"));
+  auto* group = new QActionGroup(this);
+  const auto language = [&](const QString& code, const QString& text) {
+    const std::string name = "language_" + code.toStdString();
+    QAction* action = addMenuToggle(window_, menu, name.c_str(), text, {},
+                                    [code](bool) { rememberLanguage(code); });
+    action->setChecked(code == rememberedLanguage());
+    group->addAction(action);
+  };
+  language({}, tr("As the system"));
+  for (const Language& known : languages()) language(known.code, known.name);
 }
 
 void ViewTools::addIcons() {

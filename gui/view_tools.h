@@ -45,6 +45,7 @@ class ViewTools : public QObject {
 
  private:
   void addThemes(QMenu* viewMenu);
+  void addLanguages(QMenu* viewMenu);
   void fitToolBars();
   QToolBar* addBar(const char* name, const QString& title);
   void addPanes(QMenu* viewMenu);

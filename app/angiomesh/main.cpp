@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "core/base/formatted.h"
 #include "core/base/parallel.h"
 #include "core/pipeline/report.h"
+#include "gui/language.h"
 #include "gui/main_window.h"
 #include "gui/theme.h"
 #include "gui/view/open_gl.h"
@@ -24,11 +26,19 @@ int start(int argc, char** argv) {
   bool sample = false;
   bool run = false;
   int threadCount = 0;
+  std::string language;
   cli.add_option(
       "INPUT", input,
       "a volume (" + joined(imageEndings(false)) + "), a folder with a series, or a case");
   cli.add_flag("--sample", sample, "open the built-in sample, a noisy vascular tree");
   cli.add_flag("--run", run, "run the pipeline once the input is loaded");
+  std::vector<std::string> codes;
+  for (const Language& known : languages()) codes.push_back(known.code.toStdString());
+  cli.add_option("--language", language,
+                 "of the window: " + joined(codes) +
+                     "; by default the one chosen in it, else the "
+                     "system's")
+      ->check(CLI::IsMember(codes));
   cli.add_option("--threads", threadCount, "number of threads; 0: all cores")
       ->check(CLI::Range(0, 1024));
   cli.set_version_flag("--version", versionText());
@@ -44,6 +54,7 @@ int start(int argc, char** argv) {
   QApplication::setApplicationVersion(versionText());
   QApplication::setDesktopFileName("angiomesh");
 
+  applyLanguage(language.empty() ? rememberedLanguage() : QString::fromStdString(language));
   applyTheme(rememberedTheme());
 
   setThreads(threadCount);

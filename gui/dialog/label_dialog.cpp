@@ -26,9 +26,9 @@ LabelDialog::LabelDialog(const std::vector<Label>& labels, double voxelMm3, QWid
   setWindowTitle(tr("Choose a label"));
   resize(520, 420);
   auto* layout = new QVBoxLayout(this);
-  auto* note = new QLabel(tr("This is a segmentation with %n labels. Which one is the vessel?",
-                             nullptr, static_cast<int>(labels.size())),
-                          this);
+  auto* note = new QLabel(
+      tr("This is a segmentation with %1 labels. Which one is the vessel?").arg(labels.size()),
+      this);
   note->setWordWrap(true);
   layout->addWidget(note);
   table_ =

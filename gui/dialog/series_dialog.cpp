@@ -47,7 +47,7 @@ SeriesDialog::SeriesDialog(const std::vector<ImageSummary>& entries,
   setWindowTitle(tr("Choose a series"));
   resize(1040, 560);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(new QLabel(tr("%n volumes were found.", nullptr, int(entries_.size())), this));
+  layout->addWidget(new QLabel(tr("%1 volumes were found.").arg(entries_.size()), this));
   table_ =
       named(new QTableWidget(static_cast<int>(entries_.size()), State + 1, this), "seriesTable");
   table_->setHorizontalHeaderLabels({QString(), tr("Description"), tr("Modality"), tr("Size"),

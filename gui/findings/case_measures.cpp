@@ -18,13 +18,13 @@ constexpr double kAroundMm = 3.0;
 QString editText(MeasurementKind kind) {
   switch (kind) {
     case MeasurementKind::Distance:
-      return CaseMeasures::tr("measure a distance");
+      return QObject::tr("measure a distance");
     case MeasurementKind::Section:
-      return CaseMeasures::tr("measure a section");
+      return QObject::tr("measure a section");
     case MeasurementKind::Profile:
-      return CaseMeasures::tr("measure the diameter along a branch");
+      return QObject::tr("measure the diameter along a branch");
     case MeasurementKind::Stenosis:
-      return CaseMeasures::tr("measure a stenosis");
+      return QObject::tr("measure a stenosis");
   }
   return {};
 }

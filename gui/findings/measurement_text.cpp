@@ -18,7 +18,7 @@ QString percent(double share) {
 }
 
 QString sectionText(const CrossSection& section) {
-  return CaseMeasures::tr("Ø min %1, max %2, of the area %3 mm; area %4 mm²")
+  return QObject::tr("Ø min %1, max %2, of the area %3 mm; area %4 mm²")
       .arg(number(section.minDiameterMm()), number(section.maxDiameterMm()),
            number(section.equivalentDiameterMm()), number(section.areaMm2));
 }
@@ -30,7 +30,7 @@ QString profileText(const std::vector<ProfilePoint>& profile) {
     greatest = std::max(greatest, point.diameterMm);
     sum += point.diameterMm;
   }
-  return CaseMeasures::tr("Ø %1 to %2, mean %3 mm, along %4 mm")
+  return QObject::tr("Ø %1 to %2, mean %3 mm, along %4 mm")
       .arg(number(least), number(greatest), number(sum / static_cast<double>(profile.size())),
            number(profile.back().alongMm - profile.front().alongMm));
 }
@@ -45,17 +45,17 @@ QString formula(const QString& name, const QString& letter, const QString& refer
 QString stenosisDetails(const Measurement& m) {
   const CrossSection &narrow = m.sections[0], &proximal = m.sections[1], &distal = m.sections[2];
   const StenosisDegree degree = stenosisDegree(m);
-  const QString diameter = CaseMeasures::tr("D", "a least diameter");
-  const QString area = CaseMeasures::tr("A", "an area");
+  const QString diameter = QObject::tr("D", "a least diameter");
+  const QString area = QObject::tr("A", "an area");
   const QStringList lines{
-      formula(CaseMeasures::tr("NASCET"), diameter, CaseMeasures::tr("distal"),
-              narrow.minDiameterMm(), distal.minDiameterMm(), QStringLiteral("mm"), degree.nascet),
-      formula(CaseMeasures::tr("WASID"), diameter, CaseMeasures::tr("proximal"),
-              narrow.minDiameterMm(), proximal.minDiameterMm(), QStringLiteral("mm"), degree.wasid),
-      formula(CaseMeasures::tr("By area"), area, CaseMeasures::tr("distal"), narrow.areaMm2,
+      formula(QObject::tr("NASCET"), diameter, CaseMeasures::tr("distal"), narrow.minDiameterMm(),
+              distal.minDiameterMm(), QStringLiteral("mm"), degree.nascet),
+      formula(QObject::tr("WASID"), diameter, CaseMeasures::tr("proximal"), narrow.minDiameterMm(),
+              proximal.minDiameterMm(), QStringLiteral("mm"), degree.wasid),
+      formula(QObject::tr("By area"), area, CaseMeasures::tr("distal"), narrow.areaMm2,
               distal.areaMm2, QStringLiteral("mm²"), degree.area),
-      CaseMeasures::tr("D, A: least diameter and area of the narrowest section between the two "
-                       "places. Proximal is the place that was clicked first, distal the second.")};
+      QObject::tr("D, A: least diameter and area of the narrowest section between the two "
+                  "places. Proximal is the place that was clicked first, distal the second.")};
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -64,13 +64,13 @@ QString stenosisDetails(const Measurement& m) {
 QString measurementTitle(MeasurementKind kind) {
   switch (kind) {
     case MeasurementKind::Distance:
-      return CaseMeasures::tr("Distance");
+      return QObject::tr("Distance");
     case MeasurementKind::Section:
-      return CaseMeasures::tr("Section");
+      return QObject::tr("Section");
     case MeasurementKind::Profile:
-      return CaseMeasures::tr("Branch");
+      return QObject::tr("Branch");
     case MeasurementKind::Stenosis:
-      return CaseMeasures::tr("Stenosis");
+      return QObject::tr("Stenosis");
   }
   return {};
 }
@@ -78,17 +78,17 @@ QString measurementTitle(MeasurementKind kind) {
 QString measurementHint(MeasurementKind kind, std::size_t picked) {
   switch (kind) {
     case MeasurementKind::Distance:
-      return picked == 0 ? CaseMeasures::tr("Click the two ends of a distance.")
-                         : CaseMeasures::tr("Click the other end.");
+      return picked == 0 ? QObject::tr("Click the two ends of a distance.")
+                         : QObject::tr("Click the other end.");
     case MeasurementKind::Section:
-      return CaseMeasures::tr("Click a vessel where it is to be cut across.");
+      return QObject::tr("Click a vessel where it is to be cut across.");
     case MeasurementKind::Profile:
-      return CaseMeasures::tr("Click a branch to see its diameter from end to end.");
+      return QObject::tr("Click a branch to see its diameter from end to end.");
     case MeasurementKind::Stenosis:
-      return picked == 0 ? CaseMeasures::tr(
+      return picked == 0 ? QObject::tr(
                                "Click the vessel where it is normal, first on the side that "
                                "the blood comes from, then behind the narrowing.")
-                         : CaseMeasures::tr(
+                         : QObject::tr(
                                "Click the vessel where it is normal again, behind the "
                                "narrowing.");
   }
@@ -98,14 +98,14 @@ QString measurementHint(MeasurementKind kind, std::size_t picked) {
 QString measurementValue(const Measurement& m) {
   switch (m.kind) {
     case MeasurementKind::Distance:
-      return CaseMeasures::tr("%1 mm").arg(number((m.places[1] - m.places[0]).norm()));
+      return QObject::tr("%1 mm").arg(number((m.places[1] - m.places[0]).norm()));
     case MeasurementKind::Section:
       return sectionText(m.sections[0]);
     case MeasurementKind::Profile:
       return profileText(m.profile);
     case MeasurementKind::Stenosis: {
       const StenosisDegree degree = stenosisDegree(m);
-      return CaseMeasures::tr("NASCET %1, WASID %2, by area %3")
+      return QObject::tr("NASCET %1, WASID %2, by area %3")
           .arg(percent(degree.nascet), percent(degree.wasid), percent(degree.area));
     }
   }
@@ -115,14 +115,14 @@ QString measurementValue(const Measurement& m) {
 QString measurementDetails(const Measurement& m) {
   switch (m.kind) {
     case MeasurementKind::Distance:
-      return CaseMeasures::tr("In a straight line from one place to the other.");
+      return QObject::tr("In a straight line from one place to the other.");
     case MeasurementKind::Section:
-      return CaseMeasures::tr(
+      return QObject::tr(
           "Across the vessel's axis. Min: the least distance of two parallel lines that hold the "
           "outline between them. Max: the greatest distance of two of its points. Of the area: "
           "the circle that is as large, √(4 A / π).");
     case MeasurementKind::Profile:
-      return CaseMeasures::tr(
+      return QObject::tr(
           "Diameter of the circle as large as the section across the centre line, from end to end "
           "of the branch; thin: least diameter. Left out where vessels part.");
     case MeasurementKind::Stenosis:

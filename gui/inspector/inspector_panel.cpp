@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
@@ -118,7 +119,9 @@ void InspectorPanel::addChoosers(QVBoxLayout* column) {
   colour_->addItem(tr("plain"));
   for (const TriangleMeasure& measure : triangleMeasures()) {
     colour_->addItem(measureTitle(measure));
-    colour_->setItemData(colour_->count() - 1, QLatin1String(measure.meaning), Qt::ToolTipRole);
+    colour_->setItemData(colour_->count() - 1,
+                         QCoreApplication::translate("TriangleMeasure", measure.meaning),
+                         Qt::ToolTipRole);
   }
   form->addRow(tr("Colour"), colour_);
   comparison_ = named(new QCheckBox(tr("Marching cubes beside it"), this), "comparison");

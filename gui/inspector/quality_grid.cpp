@@ -18,7 +18,7 @@ const QString kNothing = QStringLiteral("–");
 const QString kStar = QStringLiteral("★ ");
 
 /// Of the surface, not of a mesh's quality: see refreshVerified().
-constexpr const char* kVerifiedTitle = "Verified parts";
+constexpr const char* kVerifiedTitle = QT_TRANSLATE_NOOP("QualityMeasure", "Verified parts");
 
 /// What decides between meshes, then the rest; null stands for the verified parts.
 const std::vector<const QualityMeasure*>& rows() {
@@ -96,7 +96,9 @@ void QualityGrid::build() {
   setAlternatingRowColors(true);
   for (int row = 0; row < rowCount(); ++row) {
     const QualityMeasure* measure = rows()[static_cast<std::size_t>(row)];
-    if (measure) verticalHeaderItem(row)->setToolTip(QLatin1String(measure->meaning));
+    if (measure)
+      verticalHeaderItem(row)->setToolTip(
+          QCoreApplication::translate("QualityMeasure", measure->meaning));
     for (int kind = 0; kind < kMeshKindCount; ++kind) {
       auto* item = new QTableWidgetItem;
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

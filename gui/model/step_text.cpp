@@ -14,13 +14,13 @@ QString stepTitle(Step step) { return QObject::tr(factsOf(step).title); }
 QString layerTitle(Layer layer) {
   switch (layer) {
     case Layer::Source:
-      return QStringLiteral("Source");
+      return QObject::tr("Source");
     case Layer::Preprocessed:
-      return QStringLiteral("Preprocessed");
+      return QObject::tr("Preprocessed");
     case Layer::Vesselness:
-      return QStringLiteral("Vesselness");
+      return QObject::tr("Vesselness");
     case Layer::Speed:
-      return QStringLiteral("Speed p");
+      return QObject::tr("Speed p");
   }
   return {};
 }
@@ -28,11 +28,11 @@ QString layerTitle(Layer layer) {
 QString meshTitle(MeshKind kind) {
   switch (kind) {
     case MeshKind::Exported:
-      return QStringLiteral("exported (smoothed)");
+      return QObject::tr("exported (smoothed)");
     case MeshKind::Unsmoothed:
-      return QStringLiteral("unsmoothed");
+      return QObject::tr("unsmoothed");
     case MeshKind::MarchingCubes:
-      return QStringLiteral("marching cubes");
+      return QObject::tr("marching cubes");
   }
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -28,6 +29,10 @@ constexpr double kDecades = 1e4;
 
 /// A slider over more than this ratio moves in equal ratios.
 constexpr double kLinearRatio = 1e3;
+
+QString translated(const std::string& text) {
+  return QCoreApplication::translate("Parameter", text.c_str());
+}
 
 /// Enough to tell the smallest step of the slider.
 int decimalsFor(const Field& field, double factor) {
@@ -154,9 +159,8 @@ void FieldEditor::buildNumbers(QHBoxLayout& row) {
 
 void FieldEditor::setIdle(const QString& why) {
   setEnabled(why.isEmpty());
-  QString text = QString::fromStdString(field_.help + "  [" + field_.key + "]");
-  if (!field_.rise.empty())
-    text += '\n' + tr("Larger: %1.").arg(QString::fromStdString(field_.rise));
+  QString text = translated(field_.help) + QStringLiteral("  [%1]").arg(field_.key.c_str());
+  if (!field_.rise.empty()) text += '\n' + tr("Larger: %1.").arg(translated(field_.rise));
   if (!why.isEmpty()) text += '\n' + tr("Has no effect now: %1.").arg(why);
   setToolTip(text);
 }
