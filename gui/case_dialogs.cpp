@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "gui/job/known_sources.h"
+#include "gui/recent_cases.h"
 
 namespace angiomesh {
 
@@ -177,14 +178,30 @@ void CaseDialogs::askToRestore(int count) {
     models_.files.restoreEdits();
 }
 
+namespace {
+
+/// By the file that its volume was read from; empty where that is not known any more.
+QString nameOf(const Recovery& recovery) {
+  const std::vector<std::filesystem::path> places = placesOf(recovery.source, knownSources());
+  if (places.empty()) return {};
+  const QString path = QString::fromStdString(places.front().string());
+  return fullTitle(QFileInfo(path).fileName().section('.', 0, 0), path);
+}
+
+}  // namespace
+
 bool CaseDialogs::offerRestore() {
   for (const Recovery& recovery : findRecoveries(recovery_)) {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(
         std::filesystem::file_time_type::clock::now() - recovery.changed);
     const QString when = QLocale().toString(QDateTime::currentDateTime().addSecs(-seconds.count()),
                                             QLocale::ShortFormat);
-    const QString what = tr("%1 of a case that was never saved, the last one on %2")
-                             .arg(changesText(recovery.steps), when);
+    const QString name = nameOf(recovery);
+    const QString what = name.isEmpty()
+                             ? tr("%1 of a case that was never saved, the last one on %2")
+                                   .arg(changesText(recovery.steps), when)
+                             : tr("%1 of %2, which was never saved, the last one on %3")
+                                   .arg(changesText(recovery.steps), name, when);
     const RestoreAnswer answer = questions_.restore(window_, what, true);
     if (answer == RestoreAnswer::Restore) {
       CaseRequest request;

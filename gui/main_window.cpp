@@ -40,8 +40,10 @@
 #include "gui/panel/review_panel.h"
 #include "gui/panel/view_grid.h"
 #include "gui/panel/why_panel.h"
+#include "gui/patient_identity.h"
 #include "gui/pictures.h"
 #include "gui/port_menu.h"
+#include "gui/recent_cases.h"
 #include "gui/view_tools.h"
 #include "gui/window_actions.h"
 #include "gui/workspaces.h"
@@ -53,7 +55,6 @@ namespace {
 constexpr int kWidth = 1560, kHeight = 960;
 constexpr int kPanelWidth = 400, kNarrowPanelWidth = 360;
 constexpr int kInspectorHeight = 650, kPortsHeight = 250;
-constexpr int kMostRecent = 10;
 constexpr int kStepIterations = 10;
 
 }  // namespace
@@ -73,7 +74,9 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
                              options_.recovery)),
       tools_(new ViewTools(this, *models_, *state_, *views_)),
       pictures_(new Pictures(this, *models_, *views_, options_.chooser, options_.makeRunner)),
-      workspaces_(new Workspaces(this)) {
+      workspaces_(new Workspaces(this)),
+      recents_(new RecentCases(*models_, options_.makeRunner, this)),
+      identity_(new PatientIdentity(this, *models_, options_.makeRunner)) {
   setObjectName("mainWindow");
   keepSettingsPrivate();
   setAcceptDrops(true);
@@ -94,7 +97,9 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   connect(&models_->runs, &RunModel::snapshotArrived, this, &MainWindow::refreshActions);
   connect(pictures_, &Pictures::turningChanged, this, &MainWindow::refreshActions);
   connect(&models_->timer, &JobTimer::ticked, this, &MainWindow::showProgress);
-  connect(&models_->files, &CaseFiles::opened, this, &MainWindow::remember);
+  connect(&models_->files, &CaseFiles::opened, recents_, &RecentCases::remember);
+  connect(recents_, &RecentCases::changed, this, &MainWindow::refreshRecent);
+  connect(recents_, &RecentCases::changed, this, &MainWindow::refreshTitle);
   // Asked once the loader is done with the job: a dialog runs a loop of its own.
   connect(&models_->files, &CaseFiles::seriesFound, this, &MainWindow::chooseSeries,
           Qt::QueuedConnection);
@@ -104,7 +109,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
           Qt::QueuedConnection);
   connect(cases_, &CaseDialogs::saved, this, [this](const QString& folder) {
     refreshTitle();
-    remember(folder);
+    recents_->remember(folder);
   });
   connect(centre_, &CentralArea::openRequested, this, [this](const QString& path) { open(path); });
   connect(views_, &ViewGrid::hovered, hover_, &QLabel::setText);
@@ -135,6 +140,11 @@ MainWindow::~MainWindow() {
   measures_->disconnect();
   delete measures_;
   measures_ = nullptr;
+  delete identity_;
+  identity_ = nullptr;
+  recents_->disconnect();
+  delete recents_;
+  recents_ = nullptr;
   pictures_->disconnect();
   delete pictures_;
   pictures_ = nullptr;
@@ -215,6 +225,9 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   paneMenu->addTo(view);
   tools_->addTo(view);
+  view->addSeparator();
+  addMenuAction(this, view, "showIdentity", tr("Patient of this scan…"), {},
+                [this] { identity_->show(); });
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   addMenuAction(this, help, "guide", tr("Guide"), QKeySequence(Qt::Key_F1),
                 [this] { showGuide(this, QStringLiteral("desktop")); });
@@ -360,7 +373,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::refreshTitle() {
   setWindowTitle(models_->document.hasCase()
-                     ? tr("%1[*] — Angiomesh").arg(models_->document.caseName())
+                     ? tr("%1[*] — Angiomesh").arg(recents_->titleOf(models_->document.caseName()))
                      : tr("Angiomesh"));
   cases_->refreshModified();
 }
@@ -377,6 +390,7 @@ void MainWindow::refreshActions() {
   const bool mesh =
       models_->results.mesh(MeshKind::Exported) || models_->results.mesh(MeshKind::Unsmoothed);
   enableActions(this, {"export"}, mesh || models_->results.evolveResult());
+  enableActions(this, {"showIdentity"}, models_->files.dicomOrigin().has_value());
   enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
   enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());
   enableActions(this, {"contours"}, mesh || models_->results.phi());
@@ -441,20 +455,15 @@ void MainWindow::chooseLabel(const QString& path, const std::vector<Label>& labe
   }
 }
 
-void MainWindow::remember(const QString& path) {
-  QSettings settings;
-  QStringList paths = settings.value("recent").toStringList();
-  paths.removeAll(path);
-  paths.prepend(path);
-  settings.setValue("recent", QStringList(paths.mid(0, kMostRecent)));
-  refreshRecent();
-}
-
 void MainWindow::refreshRecent() {
   recent_->clear();
-  const QStringList paths = QSettings().value("recent").toStringList();
+  const QStringList paths = recents_->paths();
   for (const QString& path : paths)
-    recent_->addAction(QFileInfo(path).fileName(), this, [this, path] { open(path); });
+    recent_->addAction(QIcon(RecentCases::pictureOf(path)), QFileInfo(path).fileName(), this,
+                       [this, path] { open(path); });
+  recent_->addSeparator();
+  recent_->addAction(tr("Forget these"), recents_, &RecentCases::forgetAll)
+      ->setObjectName("forgetRecent");
   recent_->menuAction()->setVisible(!paths.isEmpty());
   centre_->setRecent(paths);
 }

@@ -32,6 +32,8 @@ class ViewGrid;
 class WhyPanel;
 class ViewState;
 class ViewTools;
+class PatientIdentity;
+class RecentCases;
 class Workspaces;
 
 /// What the window takes from outside, so that tests can answer for the user and run in line.
@@ -89,7 +91,6 @@ class MainWindow : public QMainWindow {
   void askToResample(const QString& path, const ImageSummary& entry, const QString& reason);
   void showProgress();
   void showExport();
-  void remember(const QString& path);
 
   MainWindowOptions options_;
   bool thenRun_ = false;  ///< what is being opened is to be run
@@ -106,6 +107,8 @@ class MainWindow : public QMainWindow {
   ViewTools* tools_;
   Pictures* pictures_;
   Workspaces* workspaces_;
+  RecentCases* recents_;
+  PatientIdentity* identity_;
   PortMenu* portMenu_ = nullptr;
   PortPanel* portPanel_ = nullptr;
   MeasureMenu* measureMenu_ = nullptr;

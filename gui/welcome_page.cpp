@@ -6,10 +6,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "gui/panel/named.h"
+#include "gui/recent_cases.h"
 
 namespace angiomesh {
 
@@ -19,6 +21,21 @@ constexpr double kTitleTimes = 2.0;
 /// Of the page's contents, in widths of an average letter.
 constexpr int kLettersWide = 84;
 constexpr int kLinesOfRecent = 12;
+constexpr int kPicture = 48;  // pixels of a side
+
+/// In the middle of a square, so that the names of all rows begin at one place.
+QIcon pictureOf(const QString& path) {
+  QPixmap square(kPicture, kPicture);
+  square.fill(Qt::transparent);
+  const QPixmap picture(RecentCases::pictureOf(path));
+  if (!picture.isNull()) {
+    const QPixmap small =
+        picture.scaled(kPicture, kPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    QPainter(&square).drawPixmap((kPicture - small.width()) / 2, (kPicture - small.height()) / 2,
+                                 small);
+  }
+  return square;
+}
 
 QLabel* wrapped(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -64,6 +81,7 @@ WelcomePage::WelcomePage(QWidget* parent)
   column->addLayout(row);
   column->addWidget(wrapped(tr("Not a medical device: research use only."), content));
   recent_->setMaximumHeight(kLinesOfRecent * fontMetrics().lineSpacing() * 2);
+  recent_->setIconSize({kPicture, kPicture});
   recent_->setTextElideMode(Qt::ElideMiddle);
   recent_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(recent_, &QListWidget::itemActivated, this,
@@ -93,6 +111,7 @@ void WelcomePage::setRecent(const QStringList& paths) {
   for (const QString& path : paths) {
     auto* item = new QListWidgetItem(QFileInfo(path).fileName(), recent_);
     item->setToolTip(path);
+    item->setIcon(pictureOf(path));
   }
   recentTitle_->setVisible(!paths.isEmpty());
   recent_->setVisible(!paths.isEmpty());

@@ -53,6 +53,8 @@ const WorkspaceFacts& factsOf(Workspace workspace) {
   return table[static_cast<std::size_t>(workspace)];
 }
 
+const QString kGeometryKey = QStringLiteral("workspace/window");
+
 QString layoutKey(Workspace workspace) {
   return QStringLiteral("workspace/layout/") + QLatin1String(factsOf(workspace).id);
 }
@@ -87,6 +89,8 @@ void Workspaces::addTo(QToolBar* bar) {
 
 void Workspaces::start() {
   allDocks_ = window_->saveState(kLayoutVersion);
+  // Qt moves it to where a screen is.
+  window_->restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
   const QString last = QSettings().value(kCurrentKey).toString();
   Workspace first = Workspace::Review;
   for (int i = 0; i < kWorkspaceCount; ++i)
@@ -120,6 +124,7 @@ void Workspaces::remember() const {
   QSettings settings;
   settings.setValue(kCurrentKey, QLatin1String(factsOf(current_).id));
   settings.setValue(layoutKey(current_), window_->saveState(kLayoutVersion));
+  settings.setValue(kGeometryKey, window_->saveGeometry());
 }
 
 }  // namespace angiomesh

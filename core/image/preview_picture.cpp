@@ -30,7 +30,7 @@ struct View {
 };
 
 /// Coronal from the front, sagittal from the patient's left, axial from the feet.
-std::array<View, 3> patientViews(const Geometry& g) {
+std::array<View, 3> patientViews(const Geometry& g, int longestSide = kTilePixels) {
   struct Plane {
     int across, down, along;  // patient axes
     double acrossSign, downSign, alongSign;
@@ -51,7 +51,7 @@ std::array<View, 3> patientViews(const Geometry& g) {
   for (int a = 0; a < 3; ++a) longest = std::max(longest, g.size[a] * g.spacing[a]);
   const auto pixels = [&](int axis) {
     return std::max(
-        1, static_cast<int>(std::lround(kTilePixels * g.size[axis] * g.spacing[axis] / longest)));
+        1, static_cast<int>(std::lround(longestSide * g.size[axis] * g.spacing[axis] / longest)));
   };
   std::array<View, 3> views;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -423,6 +423,19 @@ std::array<int, 3> nearestPatientAxes(const Geometry& g) {
     }
   } while (std::next_permutation(axes.begin(), axes.end()));
   return best;
+}
+
+Picture mipFromTheFront(const Volume<float>& image, int longestSide) {
+  if (image.voxels.empty())
+    throw InputError("there is nothing to show", "picture of an image",
+                     "give an image with voxels");
+  const View view = patientViews(image.geometry, longestSide).front();
+  const Tile tile = imageTile(image, view);
+  Picture picture{view.width, view.height, {}};
+  picture.rgb.reserve(3 * tile.size());
+  for (const auto& colour : tile)
+    picture.rgb.insert(picture.rgb.end(), colour.begin(), colour.end());
+  return picture;
 }
 
 Picture previewPicture(const Volume<float>& image, const Volume<float>& phi) {

@@ -25,6 +25,11 @@ Projection maximumProjection(const Volume<float>& image, int axis);
 /// Which patient axis (0 L, 1 P, 2 S) each grid axis is nearest to, one each.
 std::array<int, 3> nearestPatientAxes(const Geometry& g);
 
+/// The MIP of an image from the front, head up, in greys from the 1st to the 99.8th percentile; its
+/// pixels are square, and the volume's longest side would have `longestSide` of them.
+/// @throws InputError when the image is empty
+Picture mipFromTheFront(const Volume<float>& image, int longestSide);
+
 /// The pictures of preview.png: coronal from the front, sagittal from the patient's left, axial
 /// from the feet, each along the grid axis that is nearest, pixels square, one scale for all, the
 /// longest side 480 pixels. Upper row: MIP of the image from the 1st to the 99.8th percentile;

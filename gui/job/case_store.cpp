@@ -77,6 +77,7 @@ std::vector<Recovery> findRecoveries(const fs::path& root) {
         removeUnused(*recovery.place);
         continue;
       }
+      recovery.source = reading.document.source.hash;
       recovery.changed = fs::last_write_time(entry->path() / "edits" / "journal.jsonl");
     } catch (const std::exception&) {
       // Left alone: a newer program may know what to do with it.

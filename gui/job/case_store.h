@@ -30,6 +30,7 @@ struct Recovery {
   std::shared_ptr<CasePlace> place;
   std::filesystem::file_time_type changed;
   std::size_t steps = 0;
+  std::string source;  ///< CaseSource::hash
 };
 /// The recoveries in `root` that no running program holds, the latest first. Those without an edit
 /// are removed.

@@ -31,6 +31,11 @@ void writeMask(const Volume<std::uint8_t>& mask, const fs::path& path) {
   });
 }
 
+DicomIdentityTexts readIdentity(const DicomOrigin& origin) {
+  std::vector<std::string> warnings;  // the scan has been read before
+  return readDicomIdentity(findDicom(origin.path, origin.series, {}, warnings)->files.front().path);
+}
+
 void writeMask(const Volume<std::uint8_t>& mask, const DicomOrigin& origin, const fs::path& path) {
   std::vector<std::string> warnings;  // the scan has been read before
   const auto series = findDicom(origin.path, origin.series, {}, warnings);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/image/volume.h"
+#include "io/dicom/dicom_identity.h"
 #include "io/dicom/dicom_seg_write.h"
 
 namespace angiomesh {
@@ -20,6 +21,9 @@ struct DicomOrigin {
   std::string series;          ///< as ReadOptions::series
   DicomIdentity identity = DicomIdentity::None;
 };
+
+/// Of the first file of the series. @throws InputError, IoError
+DicomIdentityTexts readIdentity(const DicomOrigin& origin);
 
 /// The same as a DICOM segmentation, see writeSegmentation().
 void writeMask(const Volume<std::uint8_t>& mask, const DicomOrigin& origin,

@@ -54,7 +54,10 @@ class TestCaseRecovery : public QObject {
     QCOMPARE(study.recoveries(), 1);
     c.answers.restore = RestoreAnswer::Restore;
     QVERIFY(c.window->offerRestore());
-    QVERIFY2(c.answers.asked.last().startsWith("restoreAtStart 2 changes of"),
+    const QString folder = QFileInfo(study.volume).absoluteDir().dirName();
+    const QString name = QFileInfo(study.volume).fileName().section('.', 0, 0);
+    QVERIFY2(c.answers.asked.last().startsWith(
+                 QString("restoreAtStart 2 changes of %1 (%2)").arg(name, folder)),
              qPrintable(c.answers.asked.last()));
     QCOMPARE(c.models().document.parameters().thresholds.xi, 31.0);
     QCOMPARE(c.models().document.seeds().size(), std::size_t(1));

@@ -233,6 +233,24 @@ class TestProjection : public QObject {
     QVERIFY_THROWS_EXCEPTION(InputError, previewPicture(Volume<float>(), Volume<float>()));
   }
 
+  void theMipFromTheFrontIsThePreviews() {
+    // So narrow that no letter is drawn on it.
+    Geometry narrow;
+    narrow.size = {6, 30, 52};
+    const Volume<float> image = fieldOf(narrow, {Vector3d(2.0, 12.0, 20.0), 9.0});
+    const Picture mip = mipFromTheFront(image, 480);
+    const Picture preview = previewPicture(image, image);
+    QVERIFY(mip.width < 60 && mip.height == 480);
+    constexpr int gap = 8;
+    for (int y = 0; y < mip.height; ++y)
+      for (int x = 0; x < 3 * mip.width; ++x)
+        QCOMPARE(mip.rgb[static_cast<std::size_t>(3 * y * mip.width + x)],
+                 preview.rgb[static_cast<std::size_t>(3 * ((y + gap) * preview.width + gap) + x)]);
+    const Picture small = mipFromTheFront(image, 52);
+    QCOMPARE(small.width, 6);
+    QCOMPARE(small.height, 52);
+  }
+
   void picturesDoNotDependOnTheThreads() {
     const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {1.5, 1.5, 1.5});
     const Ball ball{Vector3d(3.0, 2.0, 1.0), 8.0};

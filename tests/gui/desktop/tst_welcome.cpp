@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <QAction>
+#include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 
+#include "core/image/projection.h"
 #include "fresh_window.h"
+#include "gui/recent_cases.h"
 #include "io/volume/image_write.h"
 
 using namespace angiomesh;
@@ -75,6 +80,48 @@ class TestWelcome : public QObject {
                       list->visualItemRect(list->item(0)).center());
     QTRY_COMPARE(c.models().document.caseName(), QString("tubes"));
     QVERIFY(c.window->views().isVisible());
+  }
+
+  void whatWasOpenedHasAPicture() {
+    const QTemporaryDir folder;
+    const QString path = saveTubes(folder);
+    {
+      WindowCase c;
+      c.window->open(path);
+    }
+    const QFile picture(RecentCases::pictureOf(path));
+    QVERIFY(picture.exists());
+    QCOMPARE(picture.permissions() & (QFile::ReadGroup | QFile::ReadOther | QFile::WriteOther),
+             QFile::Permissions());
+    const QImage mip(picture.fileName());
+    const Picture same = mipFromTheFront(*twoTubes().image, 96);
+    QCOMPARE(mip.size(), QSize(same.width, same.height));
+    QVERIFY(mip.convertToFormat(QImage::Format_RGB888) == QImage(same.rgb.data(), same.width,
+                                                                 same.height, 3 * same.width,
+                                                                 QImage::Format_RGB888));
+    WindowCase c;
+    auto* list = c.find<QListWidget>("recentList");
+    const QImage icon = list->item(0)->icon().pixmap(list->iconSize()).toImage();
+    QVERIFY(qAlpha(icon.pixel(icon.rect().center())) == 255);
+    // No list, no pictures.
+    c.window->findChild<QAction*>("forgetRecent")->trigger();
+    QVERIFY(!list->isVisible());
+    QVERIFY(!picture.exists());
+  }
+
+  void theTitleTellsFilesOfOneNameApart() {
+    const QTemporaryDir folder;
+    WindowCase c;
+    for (const char* patient : {"one", "two"}) {
+      QVERIFY(QDir(folder.path()).mkpath(patient));
+      const QString path = folder.filePath(QString(patient) + "/mra.mha");
+      writeVolume(*twoTubes().image, path.toStdString());
+      c.window->open(path);
+      QVERIFY2(c.window->windowTitle().startsWith(QString("mra (%1)").arg(patient)),
+               qPrintable(c.window->windowTitle()));
+    }
+    c.window->openSample();
+    QVERIFY(c.window->windowTitle().startsWith("sample"));
   }
 
   void aFileThatCannotBeOpenedIsSaidInTheMiddle() {

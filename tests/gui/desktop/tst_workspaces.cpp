@@ -45,6 +45,15 @@ class TestWorkspaces : public QObject {
     QTRY_VERIFY2(share() >= 0.75, qPrintable(QString::number(share())));
   }
 
+  void theWindowComesBackAsLargeAsItWas() {
+    {
+      FreshWindow w({1111, 777});
+      w.window->close();
+    }
+    const MainWindow window{MainWindowOptions()};
+    QCOMPARE(window.size(), QSize(1111, 777));
+  }
+
   void eachWorkspaceHasItsDocks() {
     FreshWindow w;
     QCOMPARE(w.docks(), QStringList());
