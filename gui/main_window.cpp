@@ -220,6 +220,10 @@ void MainWindow::buildMenus() {
           qOverload<QMenu*, const std::optional<Eigen::Vector3d>&, int>(&PaneMenu::addTo));
   measureMenu_ = new MeasureMenu(this, *models_, *state_, *measures_, *measurePanel_, *views_,
                                  options_.chooser);
+  connect(portMenu_, &PortMenu::menuMade, measureMenu_,
+          [this](QMenu* menu, const std::optional<Eigen::Vector3d>& place) {
+            measureMenu_->addTo(menu, place);
+          });
   QMenu* view = menuBar()->addMenu(tr("&View"));
   workspaces_->addTo(view);
   view->addSeparator();

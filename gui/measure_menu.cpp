@@ -161,7 +161,13 @@ void MeasureMenu::connectPanes() {
       if (const auto kind = measuredBy(state_.tool())) measures_.pick(*kind, {x, y, z});
     });
   };
-  for (int plane = 0; plane < 3; ++plane) link(views_.slice(plane));
+  for (int plane = 0; plane < 3; ++plane) {
+    link(views_.slice(plane));
+    connect(views_.slice(plane), &SliceView::pointedAt, this,
+            [this, plane](double x, double y, double z) {
+              showBand(plane, {x, y, z});
+            });
+  }
   link(views_.surface());
   connect(&measures_, &CaseMeasures::goTo, &views_, &ViewGrid::goTo);
   connect(&panel_, &MeasurePanel::placePicked, this, [this](double x, double y, double z) {
@@ -201,6 +207,41 @@ void MeasureMenu::showMarks() {
   shown_ = std::move(marks);
   for (int plane = 0; plane < 3; ++plane) views_.slice(plane)->setMeasures(shown_);
   views_.surface()->setMeasures(shown_);
+}
+
+/// From the place picked last to the mouse, in the pane that it is over.
+void MeasureMenu::showBand(int plane, const Eigen::Vector3d& to) {
+  if (measures_.picked().empty() || !measuredBy(tool_)) return;
+  const Eigen::Vector3d from = measures_.picked().back();
+  MeasureMark band;
+  band.lines.push_back({from, to});
+  band.selected = true;
+  if (*measuredBy(tool_) == MeasurementKind::Distance) {
+    Measurement distance;
+    distance.kind = MeasurementKind::Distance;
+    distance.places = {from, to};
+    band.label = measurementValue(distance).toStdString();
+    band.labelLps = to;
+  }
+  std::vector<MeasureMark> marks = shown_;
+  marks.push_back(std::move(band));
+  views_.slice(plane)->setMeasures(marks);
+}
+
+void MeasureMenu::addTo(QMenu* menu, const std::optional<Eigen::Vector3d>& place) {
+  QMenu* here = menu->addMenu(tr("Measure here"));
+  here->setObjectName("measureHere");
+  for (const ToolEntry& entry : kTools) {
+    const bool more = placesOf(entry.kind) > 1;
+    QAction* action =
+        here->addAction(more ? tr("%1 from here").arg(tr(entry.title)) : tr(entry.title), this,
+                        [this, entry, place] {
+                          state_.setTool(toolFor(entry.kind));
+                          measures_.pick(entry.kind, *place);
+                        });
+    action->setObjectName(QString(entry.action) + "Here");
+    action->setEnabled(place && actionOf(window_, entry.action)->isEnabled());
+  }
 }
 
 void MeasureMenu::exportTable() {

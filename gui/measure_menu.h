@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 #include "gui/dialog/export_dialog.h"
@@ -12,6 +13,7 @@
 #include "render/marks/measure_mark.h"
 
 class QMainWindow;
+class QMenu;
 class QToolBar;
 
 namespace angiomesh {
@@ -27,6 +29,8 @@ class MeasureMenu : public QObject {
 
   /// Puts the menu behind the other tools of a bar.
   void addTo(QToolBar* bar);
+  /// Entries that begin at a place, see PortMenu::menuMade().
+  void addTo(QMenu* menu, const std::optional<Eigen::Vector3d>& place);
 
  private:
   void buildTools();
@@ -35,6 +39,7 @@ class MeasureMenu : public QObject {
   void refresh();
   void follow();
   void showMarks();
+  void showBand(int plane, const Eigen::Vector3d& to);
   void exportTable();
 
   QMainWindow* window_;

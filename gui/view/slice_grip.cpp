@@ -24,6 +24,13 @@ CutPlane SliceGrip::portMoved(const Eigen::Vector2d& at, bool free) {
   return drag_->moved(scene_.rayAt(at[0], at[1]), free);
 }
 
+Qt::CursorShape SliceGrip::cursorAt(const Eigen::Vector2d& at) const {
+  if (const std::optional<PortHit> hit = portAt(at))
+    return hit->grip == PortDrag::Grip::Turn ? Qt::PointingHandCursor : Qt::SizeAllCursor;
+  if (knobAt(at)) return Qt::PointingHandCursor;
+  return tool_ == Tool::Navigate ? Qt::ArrowCursor : Qt::CrossCursor;
+}
+
 bool SliceGrip::knobAt(const Eigen::Vector2d& at) const {
   return tool_ == Tool::Navigate && scene_.knobAt(at[0], at[1]);
 }

@@ -26,6 +26,9 @@ class SliceGrip {
   [[nodiscard]] CutPlane portMoved(const Eigen::Vector2d& at, bool free);
   [[nodiscard]] bool turnsPort() const { return drag_->grip() == PortDrag::Grip::Turn; }
 
+  /// What the mouse looks like there.
+  [[nodiscard]] Qt::CursorShape cursorAt(const Eigen::Vector2d& at) const;
+
   [[nodiscard]] bool knobAt(const Eigen::Vector2d& at) const;
   bool takeKnob(const Eigen::Vector2d& at);
   [[nodiscard]] PlaneTurn knobMoved(const Eigen::Vector2d& at) const;

@@ -403,16 +403,9 @@ void SliceView::dragPort(const QPointF& position, bool free) {
 }
 
 void SliceView::showPointer(const QPointF& position) {
-  const Eigen::Vector2d at = toDisplay(position);
-  if (const std::optional<PortHit> hit = state_->grip.portAt(at))
-    QWidget::setCursor(hit->grip == PortDrag::Grip::Turn ? Qt::PointingHandCursor
-                                                         : Qt::SizeAllCursor);
-  else if (state_->grip.knobAt(at))
-    QWidget::setCursor(Qt::PointingHandCursor);
-  else if (state_->tool == Tool::Navigate)
-    unsetCursor();
-  else
-    QWidget::setCursor(Qt::CrossCursor);
+  QWidget::setCursor(state_->grip.cursorAt(toDisplay(position)));
+  const Eigen::Vector3d lps = lpsAt(position);
+  Q_EMIT pointedAt(lps[0], lps[1], lps[2]);
 }
 
 std::optional<Eigen::Vector3d> SliceView::picked() const {

@@ -97,6 +97,8 @@ class SliceView : public VtkView {
   /// "Source 40 HU, voxel i,j,k, L 12.3 P 4.1 S 30.0 mm", as the pane says too; empty outside the
   /// image.
   void hovered(const QString& text);
+  /// The mouse is over a place of the slice, with no button down; mm LPS.
+  void pointedAt(double x, double y, double z);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <QAction>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableWidget>
@@ -126,6 +128,63 @@ class TestMeasurements : public QObject {
     QVERIFY(c.measures().picked().empty());
     c.clickSlice(to);
     QCOMPARE(c.table()->rowCount(), 1);
+  }
+
+  void aBandFollowsTheMouseWhilePlacesAreMissing() {
+    MeasureCase c(twoTubes(), false);
+    QTest::keyClick(c.window.get(), Qt::Key_F2, Qt::ShiftModifier);
+    const Geometry& grid = c.models().document.image()->geometry;
+    SliceView* pane = c.slice(2);
+    const auto moved = [&](double i) {
+      const QPoint at = pane->positionOf(grid.toPhysical({i, 25.0, 20.0})).toPoint();
+      QTest::mouseMove(pane, at);
+      QCoreApplication::processEvents();
+      return pane->grabFramebuffer();
+    };
+    // Below the mouse in the middle between the two ends nothing but the band is.
+    const auto middle = [&](const QImage& image) {
+      const QPointF at =
+          pane->positionOf(grid.toPhysical({18.0, 18.5, 20.0})) * pane->devicePixelRatioF();
+      int changed = 0;
+      static QImage before;
+      for (int dy = -4; dy <= 4; ++dy)
+        for (int dx = -4; dx <= 4; ++dx) {
+          const QPoint p = at.toPoint() + QPoint(dx, dy);
+          changed += !before.isNull() && before.pixel(p) != image.pixel(p);
+        }
+      before = image;
+      return changed;
+    };
+    middle(moved(28.0));
+    QCOMPARE(middle(moved(27.0)), 0);
+    c.clickSlice(grid.toPhysical({8.0, 12.0, 20.0}));
+    QVERIFY(middle(moved(28.0)) > 5);
+    QVERIFY(middle(moved(10.0)) > 5);
+    c.clickSlice(grid.toPhysical({30.0, 25.0, 20.0}));
+    QCOMPARE(c.measures().all().size(), std::size_t(1));
+    middle(moved(28.0));
+    QCOMPARE(middle(moved(10.0)), 0);
+  }
+
+  void theMenuOfAPlaceMeasures() {
+    MeasureCase c;
+    const Eigen::Vector3d place = c.inside(0.5);
+    c.window->views().setCrosshair(place);
+    const QPoint at = c.slice(2)->positionOf(place).toPoint();
+    const auto choose = [&](const char* name) {
+      QTest::mouseClick(c.slice(2), Qt::RightButton, Qt::NoModifier, at);
+      auto* action = c.window->findChild<QAction*>(name);
+      QVERIFY(action && action->isEnabled());
+      action->trigger();
+      if (auto* menu = c.find<QMenu>("portMenu")) menu->close();
+    };
+    choose("toolSectionHere");
+    QTRY_COMPARE(c.measures().all().size(), std::size_t(1));
+    QVERIFY(c.last().kind == MeasurementKind::Section);
+    QVERIFY((c.last().places[0] - place).norm() < 2.0);
+    choose("toolDistanceHere");
+    QVERIFY(c.state().tool() == Tool::MeasureDistance);
+    QCOMPARE(c.measures().picked().size(), std::size_t(1));
   }
 
   void aSectionIsAClick() {
