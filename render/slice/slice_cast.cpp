@@ -68,18 +68,37 @@ class Sampler {
   /// First and last whole t in 0..count - 1 for which index + t * step lies in the voxels.
   [[nodiscard]] std::array<int, 2> inside(const Vector3d& index, const Vector3d& step,
                                           int count) const {
-    double from = 0.0, to = count - 1.0;
-    for (int a = 0; a < 3; ++a) {
-      const double low = -0.5 - kTolerance - index[a];
-      const double high = size_[at(a)] - 0.5 + kTolerance - index[a];
-      if (std::abs(step[a]) < 1e-12) {
-        if (low > 0.0 || high < 0.0) return {0, -1};
-        continue;
-      }
-      from = std::max(from, std::min(low / step[a], high / step[a]));
-      to = std::min(to, std::max(low / step[a], high / step[a]));
+    return within(index, step, count, -0.5 - kTolerance);
+  }
+
+  /// The same for the places that lie amid eight voxels.
+  [[nodiscard]] std::array<int, 2> amid(const Vector3d& index, const Vector3d& step,
+                                        int count) const {
+    return within(index, step, count, kRounding);
+  }
+
+  /// take(t, value) for each t in `range`, all of them amid eight voxels.
+  template <class Take>
+  void alongAmid(const Vector3d& index, const Vector3d& step, const std::array<int, 2>& range,
+                 const Take& take) const {
+    const auto x0 = static_cast<float>(index[0]), dx = static_cast<float>(step[0]);
+    const auto y0 = static_cast<float>(index[1]), dy = static_cast<float>(step[1]);
+    const auto z0 = static_cast<float>(index[2]), dz = static_cast<float>(step[2]);
+    for (int t = range[0]; t <= range[1]; ++t) {
+      const auto way = static_cast<float>(t);
+      const float x = x0 + way * dx, y = y0 + way * dy, z = z0 + way * dz;
+      const int i = static_cast<int>(x), j = static_cast<int>(y), k = static_cast<int>(z);
+      const float tx = x - static_cast<float>(i), ty = y - static_cast<float>(j),
+                  tz = z - static_cast<float>(k);
+      const float* p = voxels_ + k * sliceStride_ + j * rowStride_ + i;
+      const auto along = [tx](const float* q) { return q[0] + tx * (q[1] - q[0]); };
+      const auto inSlice = [&](const float* q) {
+        const float low = along(q);
+        return low + ty * (along(q + rowStride_) - low);
+      };
+      const float low = inSlice(p);
+      take(t, low + tz * (inSlice(p + sliceStride_) - low));
     }
-    return {static_cast<int>(std::ceil(from)), static_cast<int>(std::floor(to))};
   }
 
   /// The index must lie in the voxels; beyond their centres the nearest border counts.
@@ -105,6 +124,25 @@ class Sampler {
 
  private:
   static constexpr double kTolerance = 1e-6;  // voxels
+  static constexpr double kRounding = 1e-3;   // of indices in single precision, amply
+
+  /// Those that are at least `border` voxels inside the centres of the outermost ones.
+  [[nodiscard]] std::array<int, 2> within(const Vector3d& index, const Vector3d& step, int count,
+                                          double border) const {
+    double from = 0.0, to = count - 1.0;
+    for (int a = 0; a < 3; ++a) {
+      const double low = border - index[a];
+      const double high = size_[at(a)] - 1.0 - border - index[a];
+      if (std::abs(step[a]) < 1e-12) {
+        if (low > 0.0 || high < 0.0) return {0, -1};
+        continue;
+      }
+      from = std::max(from, std::min(low / step[a], high / step[a]));
+      to = std::min(to, std::max(low / step[a], high / step[a]));
+    }
+    return {static_cast<int>(std::ceil(from)), static_cast<int>(std::floor(to))};
+  }
+
   const float* voxels_;
   Index3 size_;
   std::ptrdiff_t rowStride_, sliceStride_;
@@ -131,17 +169,29 @@ struct Lattice {
   }
 };
 
-/// One row of trilinear values. `counts`: how many were combined, per pixel.
+/// One row of trilinear values. `counts`: how many were combined with `target`, per pixel.
 template <class Combine>
 void addCastRow(const Sampler& sample, const Lattice& lattice, const Slices& slices, int row,
                 int width, float* target, int* counts, Combine combine) {
   for (int slice = slices.first; slice <= slices.last; ++slice) {
     const Vector3d begin = lattice.corner + row * lattice.row + slice * lattice.slice;
     const std::array<int, 2> columns = sample.inside(begin, lattice.column, width);
-    for (int column = columns[0]; column <= columns[1]; ++column) {
-      const float value = sample(begin + column * lattice.column);
-      target[column] = counts[column]++ > 0 ? combine(target[column], value) : value;
+    const auto take = [&](int column, float value) {
+      target[column] = combine(target[column], value);
+      ++counts[column];
+    };
+    const auto takeAtBorder = [&](int first, int last) {
+      for (int column = first; column <= last; ++column)
+        take(column, sample(begin + column * lattice.column));
+    };
+    const std::array<int, 2> amid = sample.amid(begin, lattice.column, width);
+    if (amid[0] > amid[1]) {
+      takeAtBorder(columns[0], columns[1]);
+      continue;
     }
+    takeAtBorder(columns[0], amid[0] - 1);
+    sample.alongAmid(begin, lattice.column, amid, take);
+    takeAtBorder(amid[1] + 1, columns[1]);
   }
 }
 
@@ -187,13 +237,15 @@ void castSlab(const Volume<float>& image, const Geometry& grid, const PaneAxes& 
       std::vector<int> counts(own ? 0 : at(width));
       for (std::size_t row = from; row < to; ++row) {
         float* target = values.data() + row * at(width);
-        std::fill(target, target + width, own ? neutral : kOutside);
+        std::fill(target, target + width, neutral);
         if (own) {
           addOwnRow(image, axes, slices, static_cast<int>(row), target, combine);
         } else {
           std::fill(counts.begin(), counts.end(), 0);
           addCastRow(sample, lattice, slices, static_cast<int>(row), width, target, counts.data(),
                      combine);
+          for (int column = 0; column < width; ++column)
+            if (counts[at(column)] == 0) target[column] = kOutside;
         }
         if (mode != SlabMode::Mean) continue;
         for (int column = 0; column < width; ++column) {
