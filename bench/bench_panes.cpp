@@ -140,7 +140,7 @@ void measureSurface(const std::shared_ptr<Volume<float>>& image, std::size_t tri
   view.show();
   QApplication::processEvents();
   for (const bool mip : {false, true}) {
-    view.setMipVisible(mip);
+    view.setVolumeView(mip ? VolumeView::Mip : VolumeView::None);
     drag(mip ? "3D, surface and MIP, turn" : "3D, surface, turn", view, Qt::LeftButton);
   }
 }

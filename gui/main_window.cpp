@@ -398,10 +398,9 @@ void MainWindow::refreshActions() {
   enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
   enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());
   enableActions(this, {"contours"}, mesh || models_->results.phi());
-  enableActions(
-      this,
-      {"toolNavigate", "toolSeed", "toolRoi", "mip", "resetViews", "savePicture", "copyPicture"},
-      any);
+  enableActions(this,
+                {"toolNavigate", "toolSeed", "toolRoi", "resetViews", "savePicture", "copyPicture"},
+                any);
   enableActions(this, {"clearSeeds"}, !models_->document.seeds().empty());
   enableActions(this, {"clearRoi"}, models_->document.parameters().preprocess.roi.has_value());
   tools_->refresh();

@@ -107,7 +107,7 @@ void PortMenu::show(const QPoint& global, const std::optional<Eigen::Vector3d>& 
     why->setEnabled(place.has_value());
   }
   Q_EMIT menuMade(menu, place, plane);
-  if (plane != ViewGrid::kNoSlice) menu->addAction(actionOf(window_, "windowMenu"));
+  menu->addAction(actionOf(window_, plane != ViewGrid::kNoSlice ? "windowMenu" : "volumeMenu"));
   menu->popup(global);
 }
 

@@ -25,6 +25,7 @@
 #include "gui/panel/named.h"
 #include "gui/theme.h"
 #include "gui/view/slice_view.h"
+#include "gui/volume_menu.h"
 #include "gui/window_actions.h"
 #include "gui/window_menu.h"
 
@@ -83,8 +84,7 @@ void ViewTools::buildToolMenu() {
 void ViewTools::addTo(QMenu* view) {
   addMenuToggle(window_, view, "contours", tr("Contours"), QKeySequence(tr("Ctrl+L")),
                 [this](bool on) { state_.setContours(on); });
-  addMenuToggle(window_, view, "mip", tr("3D MIP"), QKeySequence(tr("Ctrl+I")),
-                [this](bool on) { state_.setMip(on); });
+  new VolumeMenu(window_, view, models_, state_);
   addMenuToggle(window_, view, "surface", tr("Surface"), QKeySequence(tr("Ctrl+U")),
                 [this](bool on) { state_.setSurface(on); });
   addMenuToggle(window_, view, "edges", tr("Edges"), QKeySequence(tr("Ctrl+G")),
@@ -296,7 +296,6 @@ void ViewTools::refreshActions() {
       thickness_->setValue(state_.slab(plane).thicknessMm);
   thickness_->setEnabled(models_.document.hasCase() && anySlab());
   check("contours", state_.contours());
-  check("mip", state_.mip());
   check("surface", state_.surface());
   check("edges", state_.edges());
   check("interpolate", state_.interpolated());

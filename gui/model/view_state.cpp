@@ -20,6 +20,11 @@ constexpr std::array<const char*, 3> kPlanes{"sagittal", "coronal", "axial"};
 constexpr std::array<const char*, kSlabModeCount> kSlabs{"none", "mip", "minip", "mean"};
 constexpr std::array<const char*, kMeshKindCount> kMeshes{"exported", "unsmoothed",
                                                           "marching-cubes"};
+/// At most one of them is true in a case file.
+constexpr std::array<std::pair<VolumeView, const char*>, 3> kVolumeViews{
+    {{VolumeView::Mip, "mip"},
+     {VolumeView::MrAngio, "volume-mr"},
+     {VolumeView::CtAngio, "volume-ct"}}};
 /// Without colours; else the key of the measure.
 constexpr const char* kPlain = "plain";
 
@@ -107,10 +112,14 @@ CaseView ViewState::caseView() const {
   if (overlay_) view.overlay = wordOf(*overlay_, kLayers);
   view.overlayOpacity = overlayOpacity_;
   if (turn_ != PlaneTurn()) view.planes = planesOf(turn_);
-  view.shown = {{"contours", contours_},         {"mip", mip_},
-                {"surface", surface_},           {"edges", edges_},
-                {"interpolated", interpolated_}, {"comparison", comparison_},
+  view.shown = {{"contours", contours_},
+                {"surface", surface_},
+                {"edges", edges_},
+                {"comparison", comparison_},
+                {"interpolated", interpolated_},
+                {"result-beside", resultBeside_},
                 {"slices3d", slices3d_}};
+  for (const auto& [shown, word] : kVolumeViews) view.shown[word] = volumeView_ == shown;
   view.mesh = wordOf(meshKind_, kMeshes);
   view.colour = meshColour_ ? meshColour_->key : kPlain;
   return view;
@@ -142,11 +151,20 @@ void ViewState::take(const CaseView& view) {
     member = found != view.shown.end() ? found->second : member;
   };
   takeShown(contours_, "contours");
-  takeShown(mip_, "mip");
+  for (const auto& [shown, word] : kVolumeViews) {
+    bool on = volumeView_ == shown;
+    takeShown(on, word);
+    if (on)
+      volumeView_ = shown;
+    else if (volumeView_ == shown)
+      volumeView_ = VolumeView::None;
+  }
   takeShown(surface_, "surface");
   takeShown(edges_, "edges");
   takeShown(interpolated_, "interpolated");
   takeShown(comparison_, "comparison");
+  takeShown(resultBeside_, "result-beside");
+  if (comparison_) resultBeside_ = false;
   takeShown(slices3d_, "slices3d");
   fromWord(meshKind_, view.mesh, kMeshes);
   if (view.colour == kPlain) meshColour_ = nullptr;
@@ -198,6 +216,38 @@ void ViewState::setPresetWindow(WindowPreset preset) {
   if (!window) return;
   setWindowLevel(window->first, window->second);
   if (layer_ == Layer::Source) rememberWindow(models_.document.display().modality, preset);
+}
+
+bool ViewState::suitsCt() const {
+  return models_.document.hasCase() &&
+         angiomesh::presetWindow(WindowPreset::Cta, models_.document.display()).has_value();
+}
+
+VolumeView ViewState::volumeShown() const {
+  const bool scan = layer_ == Layer::Source || layer_ == Layer::Preprocessed;
+  if (volumeView_ == VolumeView::CtAngio && !(scan && suitsCt())) return VolumeView::MrAngio;
+  return volumeView_;
+}
+
+void ViewState::setResultBeside(bool on) {
+  if (on == resultBeside_) return;
+  resultBeside_ = on;
+  if (on) {
+    comparison_ = false;
+    volumeView_ = VolumeView::Mip;
+  }
+  surface_ = !on;
+  Q_EMIT changed();
+}
+
+void ViewState::setComparison(bool on) {
+  if (on == comparison_) return;
+  comparison_ = on;
+  if (on && resultBeside_) {
+    resultBeside_ = false;
+    surface_ = true;
+  }
+  Q_EMIT changed();
 }
 
 void ViewState::setPatientAxes(bool on) {

@@ -16,6 +16,7 @@
 #include "gui/model/window_presets.h"
 #include "render/slice/pane_grid.h"
 #include "render/slice/slice_raster.h"
+#include "render/surface/volume_look.h"
 
 namespace angiomesh {
 
@@ -69,8 +70,16 @@ class ViewState : public QObject {
 
   [[nodiscard]] bool contours() const { return contours_; }
   void setContours(bool on) { set(contours_, on); }
-  [[nodiscard]] bool mip() const { return mip_; }
-  void setMip(bool on) { set(mip_, on); }
+  /// How the image is seen in 3D: not Inside.
+  [[nodiscard]] VolumeView volumeView() const { return volumeView_; }
+  void setVolumeView(VolumeView view) { set(volumeView_, view); }
+  /// The same, as it suits the layer shown: CtAngio suits the HU of a CT alone.
+  [[nodiscard]] VolumeView volumeShown() const;
+  [[nodiscard]] bool suitsCt() const;
+  /// The projection of the result in a second 3D pane, seen by the same camera, beside that of the
+  /// image, which then stands without the surface.
+  [[nodiscard]] bool resultBeside() const { return resultBeside_; }
+  void setResultBeside(bool on);
   [[nodiscard]] bool surface() const { return surface_; }
   void setSurface(bool on) { set(surface_, on); }
   /// Of the panes, in 3D.
@@ -100,7 +109,7 @@ class ViewState : public QObject {
   void setMeshColour(const TriangleMeasure* measure) { set(meshColour_, measure); }
   /// Marching cubes in a second 3D pane beside the mesh shown, seen by the same camera.
   [[nodiscard]] bool comparison() const { return comparison_; }
-  void setComparison(bool on) { set(comparison_, on); }
+  void setComparison(bool on);
 
  Q_SIGNALS:
   void changed();
@@ -126,14 +135,15 @@ class ViewState : public QObject {
   PlaneTurn turn_;
   std::optional<Layer> overlay_;
   double overlayOpacity_ = 0.5;
-  bool contours_ = true, mip_ = true, surface_ = true, edges_ = false;
+  VolumeView volumeView_ = VolumeView::Mip;
+  bool contours_ = true, surface_ = true, edges_ = false;
   bool slices3d_ = false;
   bool interpolated_ = true;
   Tool tool_ = Tool::Navigate;
   MouseScheme scheme_ = MouseScheme::Radiology;
   MeshKind meshKind_ = MeshKind::Exported;
   const TriangleMeasure* meshColour_ = nullptr;
-  bool comparison_ = false;
+  bool comparison_ = false, resultBeside_ = false;
 };
 
 }  // namespace angiomesh

@@ -15,6 +15,7 @@
 #include "gui/model/step_text.h"
 #include "gui/panel/named.h"
 #include "gui/panel/surface_feed.h"
+#include "gui/panel/volume_feed.h"
 #include "gui/view/pane_focus.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
@@ -27,6 +28,12 @@ namespace {
 constexpr double kRadiiAround = 8.0;
 /// Width of a large pane in widths of the small ones beside it.
 constexpr int kLargeShare = 2;
+
+/// With a place for the layer; empty where no volume is shown.
+QString volumeText(VolumeView view) {
+  if (view == VolumeView::None) return {};
+  return view == VolumeView::Mip ? ViewGrid::tr("MIP: %1") : ViewGrid::tr("Volume: %1");
+}
 
 }  // namespace
 
@@ -46,10 +53,12 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   pane3d_ = new QWidget(this);
   surface_ = named(new SurfaceView(pane3d_), "surface3d");
   comparison_ = named(new SurfaceView(pane3d_), "comparison3d");
-  comparison_->setMipVisible(false);
+  comparison_->setVolumeView(VolumeView::None);
   comparison_->hide();
   surfaceFeed_ = new SurfaceFeed(*surface_, models_.timer, makeRunner, this);
   comparisonFeed_ = new SurfaceFeed(*comparison_, models_.timer, makeRunner, this);
+  imageFeed_ = new VolumeFeed(*surface_, models_.timer, makeRunner, this);
+  resultFeed_ = new VolumeFeed(*comparison_, models_.timer, makeRunner, this);
   connect(surfaceFeed_, &SurfaceFeed::arrived, this, [this] {
     paintSurface();
     refreshCaptions();
@@ -65,11 +74,7 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
       setCrosshair({x, y, z});
     });
   }
-  connect(surface_, &SurfaceView::cameraMoved, this, [this] {
-    if (state_.comparison()) comparison_->takeCameraOf(*surface_);
-  });
-  connect(comparison_, &SurfaceView::cameraMoved, this,
-          [this] { surface_->takeCameraOf(*comparison_); });
+  comparison_->shareCameraOf(*surface_);
   setLargePane(slices_[2]);
   setMinimumSize(320, 320);
   new PaneFocus({slices_[0], slices_[1], slices_[2], surface_, comparison_}, this);
@@ -222,7 +227,8 @@ VtkView* ViewGrid::shown3d() const { return surface_->isVisible() ? surface_ : n
 
 QString ViewGrid::titleOf(const VtkView* pane) const {
   if (pane == surface_) return tr("3D");
-  if (pane == comparison_) return tr("3D, marching cubes");
+  if (pane == comparison_)
+    return state_.resultBeside() ? tr("3D, result") : tr("3D, marching cubes");
   return pane == slices_[2] ? tr("axial") : pane == slices_[1] ? tr("coronal") : tr("sagittal");
 }
 
@@ -273,7 +279,7 @@ void ViewGrid::refreshImage() {
   if (image != shownImage_) {
     shownImage_ = image;
     for (SliceView* view : slices_) view->setImage(image);
-    surface_->setImage(image);
+    imageFeed_->show(image);
   }
   const ColourLayer overlay = overlayLayer();
   const Layer layer = layerShown_ ? state_.layer() : Layer::Source;
@@ -292,7 +298,7 @@ void ViewGrid::refreshImage() {
   }
   showSlices3d();
   surface_->setTool(state_.tool());
-  surface_->setMipVisible(state_.mip());
+  surface_->setVolumeView(state_.volumeShown());
   surface_->setSurfaceVisible(state_.surface());
   surface_->setEdgesVisible(state_.edges());
 }
@@ -380,14 +386,15 @@ void ViewGrid::paintMarks() {
 }
 
 void ViewGrid::refreshComparison() {
-  const bool wanted = state_.comparison();
-  const bool appears = wanted && comparison_->isHidden();
-  comparison_->setVisible(wanted);
-  if (!wanted) return;
+  const bool result = state_.resultBeside();
+  const bool meshes = state_.comparison();
+  comparison_->setVisible(result || meshes);
+  comparison_->setVolumeView(result ? VolumeView::Inside : VolumeView::None);
+  resultFeed_->show(result ? models_.results.phi() : nullptr);
+  comparisonFeed_->show(meshes ? models_.results.mesh(MeshKind::MarchingCubes) : nullptr, false);
+  if (!meshes) return;
   comparison_->setEdgesVisible(state_.edges());
-  comparisonFeed_->show(models_.results.mesh(MeshKind::MarchingCubes), false);
   paintComparison();
-  if (appears) comparison_->takeCameraOf(*surface_);
 }
 
 void ViewGrid::paintComparison() {
@@ -415,14 +422,18 @@ void ViewGrid::refreshCaptions() {
       state_.overlay() ? overlayText(models_.results, *state_.overlay()).text : QString();
   const QString contour = shownPhi_ ? contourText(results, models_.runs).text : QString();
   for (SliceView* view : slices_) view->setCaption(lines({layer, overlay, contour}));
-  const QString projection = state_.mip() ? tr("MIP: %1").arg(layer) : QString();
+  const QString projection = volumeText(state_.volumeShown()).arg(layer);
   const QString slices = state_.slices3d() ? tr("Slices: %1").arg(layer) : QString();
   const QString hidden = surfaceFeed_->hidesParts() ? tr("Some parts hidden") : QString();
   surface_->setCaption(lines({projection, slices, state_.slices3d() ? overlay : QString(), hidden,
                               state_.surface() ? surfaceText_.text : QString()}),
                        surfaceText_.stale);
+  const ShownText segmented = contourText(results, models_.runs);
   const ShownText mesh = meshText(results);
-  comparison_->setCaption(lines({mesh.text, meshTitle(MeshKind::MarchingCubes)}), mesh.stale);
+  if (state_.resultBeside())
+    comparison_->setCaption(lines({tr("MIP: result"), segmented.text}), segmented.stale);
+  else
+    comparison_->setCaption(lines({mesh.text, meshTitle(MeshKind::MarchingCubes)}), mesh.stale);
 }
 
 std::vector<std::array<double, 3>> ViewGrid::patchColours(

@@ -19,6 +19,7 @@ class CasePorts;
 class MeshInspection;
 class SliceView;
 class SurfaceFeed;
+class VolumeFeed;
 class SurfaceView;
 class VtkView;
 struct MeasuredMeshes;
@@ -44,7 +45,8 @@ class ViewGrid : public QWidget {
   [[nodiscard]] SurfaceView* surface() const { return surface_; }
   /// Shows the surface in 3D, with parts left out of it.
   [[nodiscard]] SurfaceFeed* surfaceFeed() const { return surfaceFeed_; }
-  /// Marching cubes beside the mesh shown; hidden unless ViewState::comparison().
+  /// Beside it, with the same camera: marching cubes (ViewState::comparison()) or the projection of
+  /// the result (ViewState::resultBeside()); hidden without them.
   [[nodiscard]] SurfaceView* comparison() const { return comparison_; }
 
   [[nodiscard]] PaneLayout paneLayout() const { return layout_; }
@@ -128,6 +130,8 @@ class ViewGrid : public QWidget {
   ShownText surfaceText_;  ///< of the surface in the 3D pane
   SurfaceFeed* surfaceFeed_ = nullptr;
   SurfaceFeed* comparisonFeed_ = nullptr;
+  VolumeFeed* imageFeed_ = nullptr;   ///< of the 3D pane
+  VolumeFeed* resultFeed_ = nullptr;  ///< of the pane beside it
   std::shared_ptr<const TriMesh> shownMesh_;
   std::vector<PortMark> shownPorts_;
   std::shared_ptr<const MeasuredMeshes> shownColours_;  ///< null: plain

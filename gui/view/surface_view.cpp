@@ -44,7 +44,8 @@ struct SurfaceView::State {
   QTimer refine;
   bool buttonDown = false;
   // What is set already: telling it again must not cost a frame of the projection.
-  bool mipVisible = true, surfaceVisible = true, edgesVisible = false, dimmed = false;
+  VolumeView volumeView = VolumeView::Mip;
+  bool surfaceVisible = true, edgesVisible = false, dimmed = false;
   bool busy = false;
   QString caption;
   std::vector<Eigen::Vector3d> seeds;
@@ -86,13 +87,17 @@ void SurfaceView::changed() {
 }
 
 void SurfaceView::setImage(std::shared_ptr<const Volume<float>> image) {
-  state_->scene.setImage(std::move(image));
+  setDrawnImage(drawnVolume(std::move(image)));
+}
+
+void SurfaceView::setDrawnImage(std::shared_ptr<const DrawnVolume> image) {
+  state_->scene.setDrawnImage(std::move(image));
   changed();
 }
 
-void SurfaceView::setMipVisible(bool visible) {
-  if (std::exchange(state_->mipVisible, visible) == visible) return;
-  state_->scene.setMipVisible(visible);
+void SurfaceView::setVolumeView(VolumeView view) {
+  if (std::exchange(state_->volumeView, view) == view) return;
+  state_->scene.setVolumeView(view);
   changed();
 }
 
@@ -220,9 +225,10 @@ void SurfaceView::resetView() {
   Q_EMIT cameraMoved();
 }
 
-void SurfaceView::takeCameraOf(const SurfaceView& other) {
-  state_->scene.takeCameraOf(other.state_->scene);
-  changed();
+void SurfaceView::shareCameraOf(SurfaceView& other) {
+  state_->scene.shareCameraOf(other.state_->scene);
+  connect(this, &SurfaceView::cameraMoved, &other, &SurfaceView::changed);
+  connect(&other, &SurfaceView::cameraMoved, this, &SurfaceView::changed);
 }
 
 QImage SurfaceView::pictureTurned(double degrees, int scale, const QSize& size) {

@@ -16,6 +16,7 @@
 #include "render/marks/port_mark.h"
 #include "render/slice/slice_scene.h"
 #include "render/surface/surface_actor.h"
+#include "render/surface/volume_look.h"
 
 namespace angiomesh {
 
@@ -35,7 +36,9 @@ class SurfaceView : public VtkView {
   ~SurfaceView() override;
 
   void setImage(std::shared_ptr<const Volume<float>> image);
-  void setMipVisible(bool visible);
+  /// The same, made ready by another thread.
+  void setDrawnImage(std::shared_ptr<const DrawnVolume> image);
+  void setVolumeView(VolumeView view);
 
   /// Replacing the surface keeps the camera. Null removes it.
   void setSurface(std::shared_ptr<const TriMesh> mesh);
@@ -82,7 +85,8 @@ class SurfaceView : public VtkView {
   void resetView();  ///< from anterior (from the feet when the image lies flat), fitted
   /// Takes over the camera of another view. Two views that do so on each other's cameraMoved()
   /// show their surfaces side by side.
-  void takeCameraOf(const SurfaceView& other);
+  /// From now on both have one camera, which follows what the other one shows.
+  void shareCameraOf(SurfaceView& other);
   /// picture(), once all is turned about the vertical through the middle of the view.
   [[nodiscard]] QImage pictureTurned(double degrees, int scale, const QSize& size);
 
@@ -96,7 +100,7 @@ class SurfaceView : public VtkView {
   /// `place` is empty off the surface, `port` off the ports.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                      const QString& port);
-  void cameraMoved();  ///< by the user, viewFrom(), lookAt() or resetView(); not by takeCameraOf()
+  void cameraMoved();  ///< by the user, viewFrom(), lookAt() or resetView()
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;

@@ -5,6 +5,8 @@
 #include <vtkCoordinate.h>
 #include <vtkLightKit.h>
 #include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -12,7 +14,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
 namespace angiomesh {
 
@@ -47,6 +51,24 @@ Viewpoint firstViewpoint(const std::array<double, 6>& bounds) {
     view.up = {0.0, -1.0, 0.0};
   }
   return view;
+}
+
+std::optional<Viewpoint> viewpointFrom(char side) {
+  static const std::map<char, Viewpoint> sides{
+      {'A', {{0.0, -1.0, 0.0}, {0.0, 0.0, 1.0}}}, {'P', {{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}},
+      {'L', {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}},  {'R', {{-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}},
+      {'S', {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}}}, {'I', {{0.0, 0.0, -1.0}, {0.0, -1.0, 0.0}}}};
+  const auto found = sides.find(side);
+  return found == sides.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool drawnBySoftware(vtkRenderer* renderer) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window == nullptr) return false;
+  const std::string& name = window->GetState()->GetRenderer();
+  for (const char* software : {"llvmpipe", "softpipe", "swrast", "Software"})
+    if (name.find(software) != std::string::npos) return true;
+  return false;
 }
 
 bool fitCamera(vtkRenderer* renderer) {

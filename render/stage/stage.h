@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 class vtkRenderer;
 class vtkTextActor;
@@ -33,6 +34,13 @@ struct Viewpoint {
 /// From anterior; from the feet, as an axial slice shows it, when the box (x0, x1, y0, y1, z0, z1)
 /// is so flat that it would be seen from its edge.
 Viewpoint firstViewpoint(const std::array<double, 6>& bounds);
+
+/// From the patient's 'A'nterior, 'P'osterior, 'L'eft, 'R'ight, 'S'uperior or 'I'nferior side;
+/// nothing for other letters.
+std::optional<Viewpoint> viewpointFrom(char side);
+
+/// Whether the processor does the work of a graphics card, once the renderer has a window.
+bool drawnBySoftware(vtkRenderer* renderer);
 
 constexpr double viewAngleDegrees = 30.0;
 

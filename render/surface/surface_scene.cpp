@@ -7,31 +7,29 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLState.h>
 #include <vtkOutlineSource.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProp3D.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "render/marks/measure_marks.h"
 #include "render/stage/colour_bar.h"
 #include "render/stage/direction_cube.h"
 #include "render/stage/stage.h"
-#include "render/surface/projection_volume.h"
 #include "render/surface/slice_quads.h"
 #include "render/surface/surface_actor.h"
 #include "render/surface/triangle_marks.h"
+#include "render/surface/volume_prop.h"
 
 namespace angiomesh {
 
@@ -41,24 +39,15 @@ namespace {
 /// little along the rays.
 constexpr double costExponent = 2.3;
 
-bool isSoftware(vtkRenderer* renderer) {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window == nullptr) return false;
-  const std::string& name = window->GetState()->GetRenderer();
-  for (const char* software : {"llvmpipe", "softpipe", "swrast", "Software"})
-    if (name.find(software) != std::string::npos) return true;
-  return false;
-}
-
 }  // namespace
 
 struct SurfaceScene::Parts {
-  // The projection has no depth of its own, so it lies behind the surfaces in a layer of its own;
-  // both layers share one camera.
+  // A projection has no depth of its own, so it lies behind the surfaces in a layer of its own,
+  // with the same camera. A lit volume is among them.
   vtkNew<vtkRenderer> renderer, backRenderer;
   vtkNew<vtkCallbackCommand> beforeFrame, afterFrame;
   DirectionCube cube;
-  ProjectionVolume projection;
+  VolumeProp projection;
   SurfaceActor surface{{0.84, 0.27, 0.21}};
   PortMarks ports{renderer};
   TriangleMarks marked;
@@ -74,8 +63,11 @@ struct SurfaceScene::Parts {
   vtkNew<vtkActor> roiActor;
   vtkRenderWindow* window = nullptr;
 
-  std::shared_ptr<const Volume<float>> image;
-  bool mipVisible = true, interactive = false, software = false, softwareKnown = false;
+  std::shared_ptr<const DrawnVolume> image;
+  VolumeView volumeView = VolumeView::Mip;
+  bool volumeInFront = false;
+  bool interactive = false, software = false, softwareKnown = false;
+  Parts* leader = nullptr;  // whose camera this is
   bool fittedOnce = false;
   // Camera position and pane size of the last fit: a camera still there follows the pane's size.
   Eigen::Vector3d fittedAt{0.0, 0.0, 0.0};
@@ -91,6 +83,7 @@ struct SurfaceScene::Parts {
   void noteCost();
   void prepareFrame();
   void chooseQuality();
+  void showVolume();
   void showColourBar();
   void fitOnce();
   bool visibleBounds(std::array<double, 6>& bounds) const;
@@ -155,7 +148,7 @@ void SurfaceScene::Parts::noteCost() {
 void SurfaceScene::Parts::prepareFrame() {
   if (!softwareKnown) {
     softwareKnown = true;
-    software = isSoftware(renderer);
+    software = drawnBySoftware(renderer);
     projection.setSoftware(software);
     chooseQuality();
   }
@@ -170,15 +163,29 @@ void SurfaceScene::Parts::prepareFrame() {
 }
 
 void SurfaceScene::Parts::chooseQuality() {
-  projection.prop()->SetVisibility(mipVisible && image != nullptr);
   if (!software) {
     projection.setCoarseness(interactive ? 1.5 : 1.0);
     return;
   }
   // As fine as the last frames say that fits the time: nobody waits long for a turn or a surface.
-  const double seconds = interactive ? 0.06 : 0.4;
+  const double seconds = interactive ? 0.03 : 0.4;
   const double fitting = std::pow(projectionCost / seconds, 1.0 / costExponent);
   projection.setCoarseness(std::clamp(fitting, interactive ? 1.5 : 1.0, 6.0));
+}
+
+void SurfaceScene::Parts::showVolume() {
+  const bool visible = volumeView != VolumeView::None && image != nullptr;
+  projection.prop()->SetVisibility(visible);
+  if (!visible) return;
+  const VolumeLook look = lookOf(volumeView, *image);
+  const bool front = look.kind == RayKind::Lit;
+  if (front != volumeInFront) {
+    (front ? backRenderer : renderer)->RemoveViewProp(projection.prop());
+    (front ? renderer : backRenderer)->AddViewProp(projection.prop());
+    volumeInFront = front;
+  }
+  projection.setEndsAtSurfaces(front);
+  projection.setLook(look);
 }
 
 void SurfaceScene::Parts::showColourBar() { colourBar.setVisible(surface.coloured()); }
@@ -197,7 +204,7 @@ bool SurfaceScene::Parts::visibleBounds(std::array<double, 6>& bounds) const {
 bool SurfaceScene::Parts::contentBounds(std::array<double, 6>& bounds) const {
   if (visibleBounds(bounds)) return true;
   if (!image) return false;
-  const RoiBox box = volumeBox(image->geometry);
+  const RoiBox box = volumeBox(image->image->geometry);
   bounds = {box[0], box[3], box[1], box[4], box[2], box[5]};
   return true;
 }
@@ -212,6 +219,7 @@ void SurfaceScene::Parts::fit() {
 }
 
 void SurfaceScene::Parts::followSize() {
+  if (leader != nullptr) return leader->followSize();
   const int* size = renderer->GetSize();
   const Eigen::Vector3d position(renderer->GetActiveCamera()->GetPosition());
   const bool resized = size[0] != fittedSize[0] || size[1] != fittedSize[1];
@@ -219,7 +227,7 @@ void SurfaceScene::Parts::followSize() {
 }
 
 void SurfaceScene::Parts::fitOnce() {
-  if (fittedOnce || (!image && surface.empty())) return;
+  if (leader != nullptr || fittedOnce || (!image && surface.empty())) return;
   fittedOnce = true;
   resetView();
 }
@@ -263,26 +271,27 @@ void SurfaceScene::detach() {
 vtkRenderer* SurfaceScene::renderer() const { return parts_->renderer; }
 
 void SurfaceScene::setImage(std::shared_ptr<const Volume<float>> image) {
+  setDrawnImage(drawnVolume(std::move(image)));
+}
+
+void SurfaceScene::setDrawnImage(std::shared_ptr<const DrawnVolume> image) {
   Parts& p = *parts_;
-  const bool sameGrid = image && p.image && image->geometry == p.image->geometry;
+  const bool sameGrid = image && p.image && image->image->geometry == p.image->image->geometry;
   p.image = std::move(image);
-  p.projection.setImage(p.image);
-  if (p.image) {
-    // The upper half of the range: background and noise stay dark where many voxels line up.
-    const std::array<double, 2> range = displayRange(*p.image, 0.90, 0.9995);
-    p.projection.setWindow(range[0], range[1]);
-  }
-  p.chooseQuality();
+  p.projection.setVolume(p.image);
+  p.showVolume();
   if (!sameGrid) p.fittedOnce = false;
   p.fitOnce();
 }
 
-void SurfaceScene::setMipVisible(bool visible) {
-  parts_->mipVisible = visible;
-  parts_->chooseQuality();
+void SurfaceScene::setVolumeView(VolumeView view) {
+  parts_->volumeView = view;
+  parts_->showVolume();
 }
 
-void SurfaceScene::setMipWindow(double from, double to) { parts_->projection.setWindow(from, to); }
+void SurfaceScene::setMipWindow(double from, double to) {
+  parts_->projection.setLook(projectionLook(from, to));
+}
 
 void SurfaceScene::setInteractive(bool interactive) {
   parts_->interactive = interactive;
@@ -424,12 +433,7 @@ void SurfaceScene::setRoi(const std::optional<RoiBox>& roi) {
 }
 
 void SurfaceScene::viewFrom(char side) {
-  static const std::map<char, Viewpoint> sides{
-      {'A', {{0.0, -1.0, 0.0}, {0.0, 0.0, 1.0}}}, {'P', {{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}},
-      {'L', {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}},  {'R', {{-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}},
-      {'S', {{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}}}, {'I', {{0.0, 0.0, -1.0}, {0.0, -1.0, 0.0}}}};
-  const auto found = sides.find(side);
-  if (found != sides.end()) parts_->lookFrom(found->second);
+  if (const auto view = viewpointFrom(side)) parts_->lookFrom(*view);
 }
 
 void SurfaceScene::resetView() { parts_->resetView(); }
@@ -469,14 +473,11 @@ void SurfaceScene::lookAtFrom(const Eigen::Vector3d& lps, const Eigen::Vector3d&
   lookAt(lps, radiusMm);
 }
 
-void SurfaceScene::takeCameraOf(const SurfaceScene& other) {
-  vtkCamera* from = other.parts_->renderer->GetActiveCamera();
-  vtkCamera* to = parts_->renderer->GetActiveCamera();
-  to->SetFocalPoint(from->GetFocalPoint());
-  to->SetPosition(from->GetPosition());
-  to->SetViewUp(from->GetViewUp());
-  to->SetViewAngle(from->GetViewAngle());
-  parts_->fittedOnce = parts_->fittedOnce || other.parts_->fittedOnce;
+void SurfaceScene::shareCameraOf(SurfaceScene& other) {
+  vtkCamera* camera = other.parts_->renderer->GetActiveCamera();
+  for (vtkRenderer* layer : {parts_->backRenderer.Get(), parts_->renderer.Get()})
+    layer->SetActiveCamera(camera);
+  parts_->leader = other.parts_.get();
 }
 
 void SurfaceScene::setPixelRatio(double ratio) {

@@ -15,15 +15,15 @@
 #include "render/marks/surface_pick.h"
 #include "render/slice/slice_scene.h"
 #include "render/surface/surface_actor.h"
+#include "render/surface/volume_look.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
 
 namespace angiomesh {
 
-/// The 3D pane, in patient space (LPS, mm): maximum intensity projection of the image, the surface,
-/// a second surface to compare with, seeds, region of interest, and a small cube that names the
-/// directions.
+/// The 3D pane, in patient space (LPS, mm): the image as a projection or as a lit volume, the
+/// surface, seeds, region of interest, and a small cube that names the directions.
 class SurfaceScene {
  public:
   SurfaceScene();
@@ -38,8 +38,12 @@ class SurfaceScene {
 
   /// The first image resets the view; a later one of the same geometry keeps it.
   void setImage(std::shared_ptr<const Volume<float>> image);
-  void setMipVisible(bool visible);
-  /// Values from which and up to which the projection goes from transparent to white.
+  /// The same, made ready by another thread.
+  void setDrawnImage(std::shared_ptr<const DrawnVolume> image);
+  /// How the image is seen; at first its projection.
+  void setVolumeView(VolumeView view);
+  /// Values from which and up to which the projection goes from transparent to white, until the
+  /// next image.
   void setMipWindow(double from, double to);
   /// Coarser sampling while the camera moves or surfaces arrive; full quality when false.
   void setInteractive(bool interactive);
@@ -106,7 +110,8 @@ class SurfaceScene {
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
   /// The same from the side of `normal`; where that is 0, from where the camera is.
   void lookAtFrom(const Eigen::Vector3d& lps, const Eigen::Vector3d& normal, double radiusMm);
-  void takeCameraOf(const SurfaceScene& other);
+  /// From now on both have one camera, which follows what the other one shows.
+  void shareCameraOf(SurfaceScene& other);
   void setPixelRatio(double ratio);
 
  private:

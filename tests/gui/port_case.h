@@ -49,7 +49,7 @@ struct PortCase : WindowCase {
     models().files.take(std::move(source));
     models().document.setField("segmentation.keep", std::string("largest"));
     click(find<QPushButton>("run"));
-    state().setMip(false);
+    state().setVolumeView(VolumeView::None);
     settle();
   }
 

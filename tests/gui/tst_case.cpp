@@ -55,7 +55,7 @@ class TestCase : public QObject {
       c.state().setLayer(Layer::Vesselness);
       c.state().setWindowLevel(0.25, 0.125);
       c.state().setSlab(1, {SlabMode::MinIp, 4.5});
-      c.state().setMip(false);
+      c.state().setVolumeView(VolumeView::None);
       crosshair = c.models().document.image()->geometry.toPhysical({10.0, 12.0, 14.0});
       c.window->views().setCrosshair(crosshair);
       action(c, "saveCase")->trigger();
@@ -76,7 +76,7 @@ class TestCase : public QObject {
     QCOMPARE(c.state().windowLevel(), std::pair(123.0, 45.0));
     QVERIFY((c.state().slab(1) == Slab{SlabMode::MinIp, 4.5}));
     QVERIFY(c.state().slab(0) == Slab());
-    QVERIFY(!c.state().mip());
+    QVERIFY(c.state().volumeView() == VolumeView::None);
     QVERIFY((c.window->views().slice(0)->cursor() - crosshair).norm() < 1e-6);
     // The layer that was shown comes back once it is computed.
     c.models().runs.run(Step::Vesselness);

@@ -172,7 +172,7 @@ class TestWindowRun : public QObject {
   void whatIsOutOfDateIsDimmedAndSaysSo() {
     WindowCase c;
     c.models().files.take(twoTubes());
-    c.state().setMip(false);
+    c.state().setVolumeView(VolumeView::None);
     c.click(c.find<QPushButton>("run"));
     const auto pictures = [&] {
       return std::vector<QImage>{c.window->views().slice(2)->grabFramebuffer(),

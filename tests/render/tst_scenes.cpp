@@ -16,8 +16,8 @@
 #include "render/picture/offscreen.h"
 #include "render/slice/slice_scene.h"
 #include "render/stage/stage.h"
-#include "render/surface/projection_volume.h"
 #include "render/surface/surface_scene.h"
+#include "render/surface/volume_prop.h"
 
 using namespace angiomesh;
 
@@ -276,7 +276,7 @@ class TestScenes : public QObject {
       const auto image = emptyImage(direction);
       SurfacePane pane(320, 300);
       pane.scene.setImage(image);
-      pane.scene.setMipVisible(false);
+      pane.scene.setVolumeView(VolumeView::None);
       const Eigen::Vector3d centre = image->geometry.toPhysical({19.5, 21.5, 17.5});
       pane.scene.viewFrom('A');
       pane.scene.setSurface(
@@ -324,7 +324,7 @@ class TestScenes : public QObject {
       SurfacePane pane(240, 240);
       for (const char side : {'A', 'L', 'S'}) {
         pane.scene.setSurface(nullptr);
-        pane.scene.setMipVisible(true);
+        pane.scene.setVolumeView(VolumeView::Mip);
         pane.scene.setImage(image);
         pane.scene.setMipWindow(100.0, 600.0);
         pane.scene.viewFrom(side);
@@ -332,7 +332,7 @@ class TestScenes : public QObject {
             Frame(pane.window).centreWhere([](const std::array<int, 3>& c) {
               return c[0] > 200 && c[1] > 200 && c[2] > 200;
             });
-        pane.scene.setMipVisible(false);
+        pane.scene.setVolumeView(VolumeView::None);
         pane.scene.setSurface(std::make_shared<TriMesh>(ball(lps, 2.0)));
         const Eigen::Vector3d surface = Frame(pane.window).centreWhere(red);
         QVERIFY(shown[2] > 20.0);
@@ -355,10 +355,10 @@ class TestScenes : public QObject {
         window->SetSize(200, 200);
         vtkNew<vtkRenderer> renderer;
         window->AddRenderer(renderer);
-        ProjectionVolume projection;
+        VolumeProp projection;
         projection.setSoftware(software);
-        projection.setImage(image);
-        projection.setWindow(100.0, 600.0);
+        projection.setVolume(drawnVolume(image));
+        projection.setLook(projectionLook(100.0, 600.0));
         projection.prop()->VisibilityOn();
         renderer->AddViewProp(projection.prop());
         vtkCamera* camera = renderer->GetActiveCamera();

@@ -36,7 +36,7 @@ struct Inspected : WindowCase {
   Inspected() {
     models().files.take(twoTubes());
     click(find<QPushButton>("run"));
-    state().setMip(false);
+    state().setVolumeView(VolumeView::None);
   }
   void openTab(int index) {
     auto* bar = find<QTabWidget>("inspectorTabs")->tabBar();

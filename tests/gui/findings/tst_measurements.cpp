@@ -64,7 +64,7 @@ struct MeasureCase : WindowCase {
     settle();
     if (!segmented) return;
     models().runs.run();
-    state().setMip(false);
+    state().setVolumeView(VolumeView::None);
     settle();
   }
 

@@ -28,7 +28,7 @@ struct Tubes : WindowCase {
   Tubes() {
     models().files.take(twoTubes());
     models().runs.run(Step::Smooth);
-    state().setMip(false);
+    state().setVolumeView(VolumeView::None);
     surface = window->views().surface();
     mesh = window->views().surfaceFeed()->shown();
     const MeshComponents parts = meshComponents(*mesh);
@@ -151,7 +151,7 @@ class TestParts : public QObject {
     WindowCase c;
     const auto image = makeImage();  // a bright ball
     c.models().files.take(makeSource(*image, "ball"));
-    c.state().setMip(false);
+    c.state().setVolumeView(VolumeView::None);
     c.state().setContours(false);
     ViewGrid& views = c.window->views();
     const Vector3d ball = image->geometry.toPhysical(Vector3d(20, 22, 18));

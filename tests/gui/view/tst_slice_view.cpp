@@ -116,7 +116,7 @@ class TestSliceView : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(&surface));
     QTest::qWait(600);  // past the refinement
     QSignalSpy frames(&surface, &VtkView::rendered);
-    surface.setMipVisible(true);
+    surface.setVolumeView(VolumeView::Mip);
     surface.setSurfaceVisible(true);
     surface.setEdgesVisible(false);
     surface.setSeeds({});
