@@ -44,6 +44,7 @@
 #include "gui/pictures.h"
 #include "gui/port_menu.h"
 #include "gui/recent_cases.h"
+#include "gui/report/mesh_report.h"
 #include "gui/view_tools.h"
 #include "gui/window_actions.h"
 #include "gui/workspaces.h"
@@ -74,6 +75,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
                              options_.recovery)),
       tools_(new ViewTools(this, *models_, *state_, *views_)),
       pictures_(new Pictures(this, *models_, *views_, options_.chooser, options_.makeRunner)),
+      report_(new MeshReport(*models_, *state_, *views_, *measures_, *review_, options_.makeRunner,
+                             this)),
       workspaces_(new Workspaces(this)),
       recents_(new RecentCases(*models_, options_.makeRunner, this)),
       identity_(new PatientIdentity(this, *models_, options_.makeRunner)) {
@@ -261,6 +264,12 @@ void MainWindow::buildFileMenu() {
   file->addSeparator();
   addMenuAction(this, file, "export", tr("Export…"), QKeySequence(tr("Ctrl+E")),
                 [this] { showExport(); });
+  addMenuAction(this, file, "exportReport", tr("Report on the mesh…"),
+                QKeySequence(tr("Ctrl+Alt+E")), [this] {
+                  const QString path =
+                      options_.chooser.save(this, "report.html", tr("Web page (*.html)"));
+                  if (!path.isEmpty()) report_->write(path);
+                });
   pictures_->addActions(file);
   file->addSeparator();
   addMenuAction(this, file, "quit", tr("Quit"), QKeySequence::Quit, [this] { close(); });
@@ -393,6 +402,7 @@ void MainWindow::refreshActions() {
   actionOf(this, "pauseRun")->setText(models_->runs.paused() ? tr("Resume") : tr("Pause"));
   const bool mesh =
       models_->results.mesh(MeshKind::Exported) || models_->results.mesh(MeshKind::Unsmoothed);
+  enableActions(this, {"exportReport"}, mesh);
   enableActions(this, {"export"}, mesh || models_->results.evolveResult());
   enableActions(this, {"showIdentity"}, models_->files.dicomOrigin().has_value());
   enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());

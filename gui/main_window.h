@@ -22,6 +22,7 @@ class CaseMeasures;
 class CasePorts;
 class CaseReviewModel;
 class MeshInspection;
+class MeshReport;
 class CentralArea;
 class MeasureMenu;
 class MeasurePanel;
@@ -106,6 +107,7 @@ class MainWindow : public QMainWindow {
   CaseDialogs* cases_;
   ViewTools* tools_;
   Pictures* pictures_;
+  MeshReport* report_;
   Workspaces* workspaces_;
   RecentCases* recents_;
   PatientIdentity* identity_;

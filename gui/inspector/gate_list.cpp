@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/inspector/gate_list.h"
 
-#include <QCoreApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "gui/model/step_text.h"
+#include "gui/inspector/quality_text.h"
 #include "gui/panel/named.h"
 
 namespace angiomesh {
@@ -17,48 +16,17 @@ namespace {
 /// Of rho, by the button.
 constexpr double kFiner = 0.7;
 
-QString mark(bool good) { return good ? QStringLiteral("✓") : QStringLiteral("✕"); }
-
-QString translated(const char* text) { return QCoreApplication::translate("QualityGate", text); }
-
-/// A row of the table: passed or not, what, how much, how much it is to be.
-QString rowOf(const GateCheck& check) {
-  const QualityMeasure& measure = *check.measure;
-  const QString value = check.value ? QString::fromStdString(valueText(measure, *check.value)) +
-                                          ' ' + unitText(measure.unit)
-                                    : QStringLiteral("–");
-  const QString weight = check.passed ? QString() : QStringLiteral(" style='font-weight:600'");
-  const QString asked = QString::fromStdString(limitText(check))
-                            .replace("deg", QStringLiteral("°"))
-                            .replace(' ', QStringLiteral("&nbsp;"));
-  return QStringLiteral(
-             "<tr%1><td>%2&nbsp;</td><td>%3&nbsp;</td><td align='right'>%4&nbsp;</td>"
-             "<td>%5</td></tr>")
-      .arg(weight, mark(check.passed),
-           QCoreApplication::translate("QualityMeasure", measure.label)
-               .toHtmlEscaped()
-               .replace(' ', QStringLiteral("&nbsp;")),
-           value.toHtmlEscaped().replace(' ', QStringLiteral("&nbsp;")), asked);
-}
-
-/// Why it matters that rows above miss their thresholds, and what to do.
-QString reasonOf(const GateCheck& check, GateFix fix) {
-  return QStringLiteral("<tr><td></td><td colspan='3'>%1 %2</td></tr>")
-      .arg(translated(check.limit->why).toHtmlEscaped(), translated(fixText(fix)).toHtmlEscaped());
-}
-
 }  // namespace
 
 GateList::GateList(CaseModels& models, ViewState& state, QWidget* parent)
     : QWidget(parent), models_(models), state_(state) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
-  for (const QualityGate& gate : qualityGates()) {
-    const QString name = QLatin1String(gate.name);
-    if (name != "solver" && name != "print") continue;
-    Part part{&gate, named(new QLabel(this), "gate:" + name),
+  for (const QualityGate* gate : shownGates()) {
+    const QString name = QLatin1String(gate->name);
+    Part part{gate, named(new QLabel(this), "gate:" + name),
               named(new QLabel(this), "limits:" + name)};
-    part.heading->setToolTip(translated(gate.help));
+    part.heading->setToolTip(gateHelp(*gate));
     part.rows->setWordWrap(true);
     part.rows->setTextFormat(Qt::RichText);
     column->addWidget(part.heading);
@@ -105,10 +73,7 @@ void GateList::addFixes(QVBoxLayout* column) {
 
 GateFix GateList::fixOf(const GateCheck& check) const {
   const Parameters* made = models_.results.meshParameters();
-  const bool cubes = state_.meshKind() == MeshKind::MarchingCubes ||
-                     (made && made->surface.method == SurfaceMethod::MarchingCubes);
-  // The triangles of marching cubes are as large as its cells, whatever rho is.
-  return cubes && check.limit->fix == GateFix::SmallerRho ? GateFix::MeshAnew : check.limit->fix;
+  return helpfulFix(check, state_.meshKind(), made ? made->surface.method : SurfaceMethod());
 }
 
 bool GateList::canApply(GateFix fix) const {
@@ -158,27 +123,11 @@ void GateList::refresh() {
       part.heading->setText(tr("<b>%1</b>: not measured yet").arg(name));
       continue;
     }
-    const std::vector<GateCheck> checks = checkGate(*part.gate, *quality);
-    const auto failed = std::count_if(checks.begin(), checks.end(),
-                                      [](const GateCheck& check) { return !check.passed; });
-    part.heading->setText(
-        mark(failed == 0) + ' ' +
-        (failed == 0 ? tr("<b>%1</b>: passes").arg(name)
-                     : tr("<b>%1</b>: fails, %2 of %3").arg(name).arg(failed).arg(checks.size())));
-    QString rows;
-    const GateCheck* missed = nullptr;
-    for (const GateCheck& check : checks) {
-      if (check.passed) continue;
-      // One reason for all that share it.
-      if (missed && QLatin1String(missed->limit->why) != QLatin1String(check.limit->why))
-        rows += reasonOf(*missed, fixOf(*missed));
-      rows += rowOf(check);
-      missed = &check;
-    }
-    if (missed) rows += reasonOf(*missed, fixOf(*missed));
-    for (const GateCheck& check : checks)
-      if (check.passed) rows += rowOf(check);
-    part.rows->setText("<b>" + name + "</b><table>" + rows + "</table>");
+    part.heading->setText(gateVerdict(*part.gate, *quality));
+    part.rows->setText(
+        "<b>" + name + "</b><table>" +
+        gateRows(*part.gate, *quality, [this](const GateCheck& check) { return fixOf(check); }) +
+        "</table>");
   }
   refreshFixes(quality);
 }

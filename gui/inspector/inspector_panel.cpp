@@ -19,6 +19,7 @@
 #include "gui/inspector/gate_list.h"
 #include "gui/inspector/histogram_widget.h"
 #include "gui/inspector/quality_grid.h"
+#include "gui/inspector/quality_text.h"
 #include "gui/inspector/worst_list.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
@@ -33,47 +34,6 @@ namespace {
 constexpr int kLeastWidth = 360;
 /// Room kept for the hints, so that what is below stays where it is.
 constexpr int kHintLines = 3;
-
-/// A limit belongs to the better side.
-QString bandTitle(const TriangleMeasure& measure, const std::vector<BandLimit>& limits,
-                  std::size_t band) {
-  if (limits.empty()) return InspectorPanel::tr("all");
-  const auto at = [&](std::size_t i) { return QString::number(limits[i].at, 'g', 4); };
-  const bool less = measure.lessIsBetter();
-  const bool oneNumber = measure.digits == 0 && band > 0 && band < limits.size() &&
-                         limits[band].at - limits[band - 1].at == 1.0;
-  QString range;
-  if (band == 0)
-    range = (less ? InspectorPanel::tr("up to %1") : InspectorPanel::tr("below %1")).arg(at(0));
-  else if (band == limits.size())
-    range =
-        (less ? InspectorPanel::tr("above %1") : InspectorPanel::tr("from %1")).arg(at(band - 1));
-  else
-    range = oneNumber ? at(less ? band : band - 1)
-                      : InspectorPanel::tr("%1 to %2").arg(at(band - 1), at(band));
-  const QString unit = unitText(measure.unit);
-  return unit.isEmpty() ? range : range + ' ' + unit;
-}
-
-/// The per cent of each band and mesh, as a table.
-QString bandTable(const MeasuredMeshes& measured) {
-  const std::vector<BandLimit> limits = bandLimits(*measured.measure);
-  QString html = QStringLiteral("<table><tr><td></td>");
-  for (int i = 0; i < kMeshKindCount; ++i)
-    if (measured.of(static_cast<MeshKind>(i)).mesh)
-      html += QStringLiteral("<td align='right'>&nbsp;%1</td>")
-                  .arg(meshTitle(static_cast<MeshKind>(i)).toHtmlEscaped().replace(' ', "<br>"));
-  html += QStringLiteral("</tr>");
-  for (std::size_t band = 0; band <= limits.size(); ++band) {
-    html += QStringLiteral("<tr><td>%1</td>")
-                .arg(bandTitle(*measured.measure, limits, band).toHtmlEscaped());
-    for (const MeasuredMeshes::Of& mesh : measured.meshes)
-      if (mesh.mesh)
-        html += QStringLiteral("<td align='right'>%1 %</td>").arg(mesh.bands[band], 0, 'f', 2);
-    html += QStringLiteral("</tr>");
-  }
-  return html + QStringLiteral("</table>");
-}
 
 }  // namespace
 

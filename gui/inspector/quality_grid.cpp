@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/inspector/quality_grid.h"
 
-#include <QCoreApplication>
 #include <QHeaderView>
-#include <QLocale>
 #include <algorithm>
 
-#include "core/quality/quality_table.h"
+#include "gui/inspector/quality_text.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/surface_note.h"
 
@@ -14,56 +12,13 @@ namespace angiomesh {
 
 namespace {
 
-const QString kNothing = QStringLiteral("–");
 const QString kStar = QStringLiteral("★ ");
-
-/// Of the surface, not of a mesh's quality: see refreshVerified().
-constexpr const char* kVerifiedTitle = QT_TRANSLATE_NOOP("QualityMeasure", "Verified parts");
-
-/// What decides between meshes, then the rest; null stands for the verified parts.
-const std::vector<const QualityMeasure*>& rows() {
-  static const std::vector<const QualityMeasure*> table = [] {
-    std::vector<const QualityMeasure*> all;
-    for (const bool main : {true, false}) {
-      for (const QualityMeasure& measure : qualityMeasures()) {
-        if (measure.main == main) all.push_back(&measure);
-        if (main && std::string(measure.key) == "components") all.push_back(nullptr);
-      }
-    }
-    return all;
-  }();
-  return table;
-}
-
-QString titleOf(const QualityMeasure* measure) {
-  if (!measure) return QCoreApplication::translate("QualityMeasure", kVerifiedTitle);
-  const QString label = QCoreApplication::translate("QualityMeasure", measure->label);
-  const QString unit = unitText(measure->unit);
-  return unit.isEmpty() ? label : label + ", " + unit;
-}
-
-QString valueOf(const QualityMeasure* measure, const MeshQuality* quality) {
-  const std::optional<double> value =
-      measure && quality ? measure->value(*quality) : std::optional<double>();
-  if (!value) return kNothing;
-  switch (measure->kind) {
-    case MeasureKind::Count:
-      return QLocale().toString(static_cast<qlonglong>(*value));
-    case MeasureKind::YesNo:
-      return *value != 0.0 ? QCoreApplication::translate("QualityMeasure", "yes")
-                           : QCoreApplication::translate("QualityMeasure", "no");
-    case MeasureKind::Fixed:
-      return QLocale().toString(*value, 'f', measure->digits);
-    case MeasureKind::Significant:
-      break;
-  }
-  return QLocale().toString(*value, 'g', measure->digits);
-}
 
 }  // namespace
 
 QualityGrid::QualityGrid(CaseModels& models, QWidget* parent)
-    : QTableWidget(static_cast<int>(rows().size()), kMeshKindCount, parent), models_(models) {
+    : QTableWidget(static_cast<int>(qualityRows().size()), kMeshKindCount, parent),
+      models_(models) {
   setObjectName("quality");
   build();
   connect(&models_.results, &ResultModel::resultsChanged, this, &QualityGrid::refresh);
@@ -79,7 +34,7 @@ void QualityGrid::build() {
                  .remove('(')
                  .remove(')');
   }
-  for (const QualityMeasure* measure : rows()) titles << titleOf(measure);
+  for (const QualityMeasure* measure : qualityRows()) titles << qualityTitle(measure);
   setHorizontalHeaderLabels(kinds);
   setVerticalHeaderLabels(titles);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -95,10 +50,8 @@ void QualityGrid::build() {
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setAlternatingRowColors(true);
   for (int row = 0; row < rowCount(); ++row) {
-    const QualityMeasure* measure = rows()[static_cast<std::size_t>(row)];
-    if (measure)
-      verticalHeaderItem(row)->setToolTip(
-          QCoreApplication::translate("QualityMeasure", measure->meaning));
+    const QualityMeasure* measure = qualityRows()[static_cast<std::size_t>(row)];
+    if (measure) verticalHeaderItem(row)->setToolTip(QCoreApplication::translate("QualityMeasure", measure->meaning));
     for (int kind = 0; kind < kMeshKindCount; ++kind) {
       auto* item = new QTableWidgetItem;
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -112,13 +65,13 @@ void QualityGrid::refresh() {
   for (int kind = 0; kind < kMeshKindCount; ++kind)
     meshes.push_back(models_.results.quality(static_cast<MeshKind>(kind)));
   for (int row = 0; row < rowCount(); ++row) {
-    const QualityMeasure* measure = rows()[static_cast<std::size_t>(row)];
+    const QualityMeasure* measure = qualityRows()[static_cast<std::size_t>(row)];
     const std::vector<std::size_t> best =
         measure ? betterOnes(*measure, meshes) : std::vector<std::size_t>();
     for (int kind = 0; kind < kMeshKindCount; ++kind) {
       const auto i = static_cast<std::size_t>(kind);
       const bool better = std::find(best.begin(), best.end(), i) != best.end();
-      const QString value = valueOf(measure, meshes[i]);
+      const QString value = qualityValue(measure, meshes[i]);
       QTableWidgetItem* cell = item(row, kind);
       cell->setText(better ? kStar + value : value);
       QFont weight = font();
@@ -131,15 +84,15 @@ void QualityGrid::refresh() {
 }
 
 void QualityGrid::refreshVerified() {
-  const auto row =
-      static_cast<int>(std::find(rows().begin(), rows().end(), nullptr) - rows().begin());
+  const auto row = static_cast<int>(std::find(qualityRows().begin(), qualityRows().end(), nullptr) -
+                                    qualityRows().begin());
   const SurfaceOrigin* origin = models_.results.surfaceOrigin();
   const QString text = origin ? verifiedText(*origin) : QString();
   const QString why = origin ? verifiedReasons(*origin) : QString();
   // Smoothing keeps what was verified: it neither cuts nor joins. Marching cubes is not checked.
   for (const MeshKind kind : {MeshKind::Exported, MeshKind::Unsmoothed}) {
     QTableWidgetItem* cell = item(row, static_cast<int>(kind));
-    cell->setText(text.isEmpty() ? kNothing : text);
+    cell->setText(text.isEmpty() ? noFigure() : text);
     cell->setToolTip(why);
   }
 }

@@ -105,12 +105,14 @@ class TestPrivacyWindow : public QObject {
     for (const char* name : {"a.ply", "b.stl", "c.obj", "d.vtp"})
       c->models().exports.exportMesh(MeshKind::Exported, text(home / "meshes" / name), {},
                                      {.report = true});
+    c->savePath = text(home / "meshes/report.html");
+    trigger(*c, "exportReport");
     verifyLogHasNoPath(*c);
     // The window goes as in a crash: lock and journal stay.
     c.reset();
     for (const char* name : {"case.json", "case.previous.json", "edits/journal.jsonl", "cache"})
       QVERIFY2(fs::exists(home / "cases/vessels.angiomesh" / name), name);
-    QCOMPARE(filesBelow(home / "meshes"), std::size_t{8});
+    QCOMPARE(filesBelow(home / "meshes"), std::size_t{9});
     QVERIFY2(told().empty(), told().c_str());
   }
 
