@@ -38,6 +38,14 @@ struct Inspected : WindowCase {
     click(find<QPushButton>("run"));
     state().setVolumeView(VolumeView::None);
   }
+  /// Another scan in place of the tubes.
+  void scan(PhantomKind kind) {
+    PhantomParams params;
+    params.kind = kind;
+    params.size = {40, 40, 40};
+    params.radius = 3.0;
+    models().files.take(makeSource(makePhantom(params).image, "phantom"));
+  }
   void openTab(int index) {
     auto* bar = find<QTabWidget>("inspectorTabs")->tabBar();
     QTest::mouseClick(bar, Qt::LeftButton, Qt::NoModifier, bar->tabRect(index).center());
@@ -124,6 +132,78 @@ class TestInspector : public QObject {
     QVERIFY(c.models().document.parameters().surface.method == SurfaceMethod::AdvancingFront);
     c.click(c.find<QPushButton>("run"));
     QVERIFY(c.text("gate:solver").contains("passes"));
+  }
+
+  void theEndsAreClosed() {
+    Inspected c;
+    // Not the tubes, whose mesh with caps is known.
+    c.scan(PhantomKind::Bifurcation);
+    c.models().document.setField("surface.border", std::string("open"));
+    c.click(c.find<QPushButton>("run"));
+    c.openTab(1);
+    QVERIFY2(c.text("gate:solver").contains("fails"), qPrintable(c.text("gate:solver")));
+    QVERIFY(c.text("limits:solver").contains("Close the ends"));
+    auto* caps = c.find<QPushButton>("fixCaps");
+    QVERIFY(caps->isVisible() && caps->isEnabled());
+    c.click(caps);
+    QVERIFY(c.models().document.parameters().surface.border == SurfaceBorder::Cap);
+    QVERIFY(!caps->isEnabled());
+    QVERIFY(!c.find<QLabel>("fixThen")->isHidden());
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY2(c.text("gate:solver").contains("passes"), qPrintable(c.text("gate:solver")));
+    QVERIFY(caps->isHidden());
+    c.clickTool("undo");
+    QVERIFY(c.models().document.parameters().surface.border == SurfaceBorder::Open);
+  }
+
+  void aSmallerRhoMakesTheMeshFiner() {
+    Inspected c;
+    // A fork of so few triangles that some are flat.
+    c.scan(PhantomKind::Bifurcation);
+    c.models().document.setField("surface.edgesAround", FieldValue());
+    c.models().document.setField("surface.rho", 2.0);
+    c.click(c.find<QPushButton>("run"));
+    c.openTab(1);
+    QVERIFY2(c.text("gate:solver").contains("fails"), qPrintable(c.text("limits:solver")));
+    QVERIFY(c.text("limits:solver").contains("Make surface.rho smaller"));
+    auto* smaller = c.find<QPushButton>("fixRho");
+    QVERIFY(smaller->isVisible() && smaller->isEnabled());
+    const auto rho = [&c] { return c.models().document.parameters().surface.sizing.rho; };
+    const auto triangles = [&c] {
+      return c.models().results.mesh(MeshKind::Exported)->triangles.size();
+    };
+    const double before = rho();
+    const std::size_t coarse = triangles();
+    c.click(smaller);
+    QVERIFY(std::abs(rho() - 0.7 * before) < 1e-9 && c.find<QLabel>("fixThen")->isVisible());
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY(triangles() > coarse);
+    // As often as it takes.
+    for (int n = 0; n < 8 && !smaller->isHidden(); ++n) {
+      c.click(smaller);
+      c.click(c.find<QPushButton>("run"));
+    }
+    QVERIFY2(c.text("gate:solver").contains("passes"), qPrintable(c.text("limits:solver")));
+  }
+
+  void thinLoopsAreClosed() {
+    Inspected c;
+    QVERIFY(c.find<QLabel>("loops")->isHidden() && c.find<QPushButton>("fixLoops")->isHidden());
+    c.scan(PhantomKind::Torus);
+    c.models().document.setField("wall.smooth", false);
+    c.click(c.find<QPushButton>("run"));
+    c.openTab(1);
+    auto* close = c.find<QPushButton>("fixLoops");
+    QVERIFY2(c.text("loops").contains("Loops: 1."), qPrintable(c.text("loops")));
+    QVERIFY(close->isVisible() && close->isEnabled());
+    c.click(close);
+    QVERIFY(c.models().document.parameters().wall.enabled);
+    QVERIFY(!close->isEnabled() && c.find<QLabel>("fixThen")->isVisible());
+    // A ring is not thin: what no noise explains stays.
+    c.click(c.find<QPushButton>("run"));
+    QVERIFY(c.text("loops").contains("Loops: 1.") && c.find<QLabel>("fixThen")->isHidden());
+    c.clickTool("undo");
+    QVERIFY(close->isEnabled());
   }
 
   void aBarLightsItsTrianglesUp() {
