@@ -25,6 +25,7 @@
 #include "gui/findings/case_measures.h"
 #include "gui/findings/case_ports.h"
 #include "gui/findings/case_review.h"
+#include "gui/findings/mesh_file.h"
 #include "gui/findings/mesh_inspection.h"
 #include "gui/inspector/inspector_panel.h"
 #include "gui/measure_menu.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       review_(new CaseReviewModel(*models_, options_.makeRunner, this)),
       measures_(new CaseMeasures(*models_, options_.makeRunner, this)),
       inspection_(new MeshInspection(*models_, *state_, options_.makeRunner, this)),
+      meshFile_(new MeshFile(*models_, *state_, options_.makeRunner, this)),
       views_(new ViewGrid(*models_, *state_, *ports_, *inspection_, options_.makeRunner, this)),
       centre_(new CentralArea(*models_, views_, this)),
       cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
@@ -127,30 +129,22 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
 MainWindow::~MainWindow() {
   // The panels listen to the ports and to the models: these go first, with their workers, and
   // say nothing more. Before them go the panes and what follows them, which have workers, too.
-  delete why_;
-  why_ = nullptr;
-  delete views_;
-  views_ = nullptr;
-  inspection_->disconnect();
-  delete inspection_;
-  inspection_ = nullptr;
-  ports_->disconnect();
-  delete ports_;
-  ports_ = nullptr;
-  review_->disconnect();
-  delete review_;
-  review_ = nullptr;
-  measures_->disconnect();
-  delete measures_;
-  measures_ = nullptr;
-  delete identity_;
-  identity_ = nullptr;
-  recents_->disconnect();
-  delete recents_;
-  recents_ = nullptr;
-  pictures_->disconnect();
-  delete pictures_;
-  pictures_ = nullptr;
+  const auto drop = [](auto*& object) {
+    object->disconnect();
+    delete object;
+    object = nullptr;
+  };
+  drop(report_);
+  drop(why_);
+  drop(views_);
+  drop(inspection_);
+  drop(meshFile_);
+  drop(ports_);
+  drop(review_);
+  drop(measures_);
+  drop(identity_);
+  drop(recents_);
+  drop(pictures_);
   models_->document.undoStack()->disconnect();
   models_.reset();
 }
@@ -167,8 +161,11 @@ void MainWindow::buildDocks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   QDockWidget* pipeline = dock("pipelineDock", tr("Pipeline"), Qt::LeftDockWidgetArea,
                                new PipelinePanel(*models_, this));
-  QDockWidget* inspector = dock("inspectorDock", tr("Mesh inspector"), Qt::RightDockWidgetArea,
-                                new InspectorPanel(*models_, *state_, *inspection_, this));
+  auto* meshes = new InspectorPanel(*models_, *state_, *inspection_, *meshFile_, this);
+  connect(meshes, &InspectorPanel::openMeshRequested, this,
+          [this] { actionOf(this, "openMesh")->trigger(); });
+  QDockWidget* inspector =
+      dock("inspectorDock", tr("Mesh inspector"), Qt::RightDockWidgetArea, meshes);
   portPanel_ = new PortPanel(*ports_, this);
   QDockWidget* ports = dock("portsDock", tr("Ports"), Qt::RightDockWidgetArea, portPanel_);
   splitDockWidget(inspector, ports, Qt::Vertical);
@@ -255,6 +252,11 @@ void MainWindow::buildFileMenu() {
                   }
                 });
   addMenuAction(this, file, "openSample", tr("Open the sample"), {}, [this] { openSample(); });
+  addMenuAction(this, file, "openMesh", tr("Compare with a mesh…"), QKeySequence(tr("Ctrl+Alt+O")),
+                [this] {
+                  const QString path = options_.chooser.openMesh(this);
+                  if (!path.isEmpty()) meshFile_->open(path);
+                });
   recent_ = file->addMenu(tr("Recent"));
   file->addSeparator();
   addMenuAction(this, file, "saveCase", tr("Save case"), QKeySequence::Save,
@@ -409,7 +411,7 @@ void MainWindow::refreshActions() {
   enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());
   enableActions(this, {"contours"}, mesh || models_->results.phi());
   enableActions(this,
-                {"toolNavigate", "toolSeed", "toolRoi", "resetViews", "savePicture", "copyPicture"},
+                {"openMesh", "toolNavigate", "toolSeed", "toolRoi", "resetViews", "savePicture", "copyPicture"},
                 any);
   enableActions(this, {"clearSeeds"}, !models_->document.seeds().empty());
   enableActions(this, {"clearRoi"}, models_->document.parameters().preprocess.roi.has_value());

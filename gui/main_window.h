@@ -21,6 +21,7 @@ class CaseDialogs;
 class CaseMeasures;
 class CasePorts;
 class CaseReviewModel;
+class MeshFile;
 class MeshInspection;
 class MeshReport;
 class CentralArea;
@@ -101,6 +102,7 @@ class MainWindow : public QMainWindow {
   CaseReviewModel* review_;
   CaseMeasures* measures_;
   MeshInspection* inspection_;
+  MeshFile* meshFile_;
   WhyPanel* why_ = nullptr;
   ViewGrid* views_;
   CentralArea* centre_;

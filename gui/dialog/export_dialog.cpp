@@ -33,7 +33,7 @@ namespace {
 constexpr double kMillimetresPerMetre = 1000.0;
 
 /// The item for the mask comes after those for the kinds of meshes.
-constexpr int kMask = kMeshKindCount;
+constexpr int kMask = kRunMeshCount;
 
 /// What the list of formats has: a format of meshes in one encoding, a folder for OpenFOAM, or a
 /// format of masks.
@@ -134,6 +134,16 @@ PathChooser dialogPathChooser() {
                                         QObject::tr("Ports (*.json);;All files (*)"), nullptr,
                                         QFileDialog::DontUseNativeDialog);
   };
+  chooser.openMesh = [](QWidget* parent) {
+    const SharedHistory history;
+    QStringList patterns;
+    for (const MeshFormat& format : meshFormats())
+      patterns << '*' + QString(QLatin1String(format.extension));
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Compare with a mesh"), {},
+        QObject::tr("Meshes (%1);;All files (*)").arg(patterns.join(' ')), nullptr,
+        QFileDialog::DontUseNativeDialog);
+  };
   chooser.save = [](QWidget* parent, const QString& suggested, const QString& filter) {
     const SharedHistory history;
     return QFileDialog::getSaveFileName(parent, QObject::tr("Export"), suggested, filter, nullptr,
@@ -172,7 +182,7 @@ void ExportDialog::addChoices() {
     return made;
   };
   mesh_ = combo("exportMesh", tr("What"), {});
-  for (int i = 0; i < kMeshKindCount; ++i)
+  for (int i = 0; i < kRunMeshCount; ++i)
     if (models_.results.mesh(static_cast<MeshKind>(i)))
       mesh_->addItem(tr("Mesh, %1").arg(meshTitle(static_cast<MeshKind>(i))), i);
   if (models_.results.evolveResult()) mesh_->addItem(tr("Mask of the vessels"), kMask);

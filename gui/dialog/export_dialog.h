@@ -25,6 +25,7 @@ struct PathChooser {
   std::function<QString(QWidget*)> openFile;
   std::function<QString(QWidget*)> openFolder;
   std::function<QString(QWidget*)> openPorts;
+  std::function<QString(QWidget*)> openMesh;
   std::function<QString(QWidget*, const QString& suggested, const QString& filter)> save;
 };
 PathChooser dialogPathChooser();

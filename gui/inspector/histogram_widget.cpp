@@ -25,7 +25,7 @@ QPen outlinePen(MeshKind kind, const QPalette& palette) {
   else if (kind == MeshKind::Unsmoothed)
     pen.setStyle(Qt::DashLine);
   else
-    pen.setStyle(Qt::DotLine);
+    pen.setStyle(kind == MeshKind::MarchingCubes ? Qt::DotLine : Qt::DashDotLine);
   return pen;
 }
 

@@ -6,15 +6,19 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QStandardItemModel>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/findings/mesh_file.h"
 #include "gui/findings/mesh_inspection.h"
 #include "gui/inspector/gate_list.h"
 #include "gui/inspector/histogram_widget.h"
@@ -38,8 +42,8 @@ constexpr int kHintLines = 3;
 }  // namespace
 
 InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, MeshInspection& inspection,
-                               QWidget* parent)
-    : QWidget(parent), models_(models), state_(state), inspection_(inspection) {
+                               const MeshFile& file, QWidget* parent)
+    : QWidget(parent), models_(models), state_(state), inspection_(inspection), file_(file) {
   // A low window scrolls what does not fit.
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
@@ -64,6 +68,7 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, MeshInspect
   connect(&models_.results, &ResultModel::resultsChanged, this, &InspectorPanel::refreshHints);
   connect(&models_.runs, &RunModel::statesChanged, this, &InspectorPanel::refreshHints);
   connect(&state_, &ViewState::changed, this, &InspectorPanel::refreshState);
+  connect(&file_, &MeshFile::changed, this, &InspectorPanel::refreshState);
   connectInspection();
   refreshMeasured();
   refreshState();
@@ -74,7 +79,13 @@ void InspectorPanel::addChoosers(QVBoxLayout* column) {
   mesh_ = named(new QComboBox(this), "meshShown");
   for (int kind = 0; kind < kMeshKindCount; ++kind)
     mesh_->addItem(meshTitle(static_cast<MeshKind>(kind)));
-  form->addRow(tr("Mesh shown"), mesh_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(mesh_, 1);
+  auto* openMesh = named(new QPushButton(tr("From a file…"), this), "openMeshButton");
+  openMesh->setToolTip(tr("Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these"));
+  row->addWidget(openMesh);
+  connect(openMesh, &QPushButton::clicked, this, &InspectorPanel::openMeshRequested);
+  form->addRow(tr("Mesh shown"), row);
   colour_ = named(new QComboBox(this), "meshColour");
   colour_->addItem(tr("plain"));
   for (const TriangleMeasure& measure : triangleMeasures()) {
@@ -157,6 +168,10 @@ void InspectorPanel::refreshMeasured() {
 void InspectorPanel::refreshState() {
   const QSignalBlocker quietMesh(mesh_);
   const QSignalBlocker quietColour(colour_);
+  constexpr int kFile = static_cast<int>(MeshKind::File);
+  auto* items = qobject_cast<QStandardItemModel*>(mesh_->model());
+  items->item(kFile)->setEnabled(models_.results.mesh(MeshKind::File) != nullptr);
+  mesh_->setItemData(kFile, file_.name(), Qt::ToolTipRole);
   mesh_->setCurrentIndex(static_cast<int>(state_.meshKind()));
   const TriangleMeasure* colour = state_.meshColour();
   colour_->setCurrentIndex(colour ? 1 + static_cast<int>(colour - triangleMeasures().data()) : 0);
@@ -170,7 +185,10 @@ void InspectorPanel::refreshHints() {
   for (QWidget* measured : {static_cast<QWidget*>(grid_), triangles_})
     setDimmed(measured, meshText(results).stale);
   QString whose = tr("Result %1").arg(results.meshName());
-  if (!results.meshFresh()) whose = tr("◐ %1 belongs to earlier parameters: run again.").arg(whose);
+  if (results.kindAtHand(state_.meshKind()) == MeshKind::File)
+    whose = QStringList{file_.name(), file_.limits()}.join(QStringLiteral("  "));
+  else if (!results.meshFresh())
+    whose = tr("◐ %1 belongs to earlier parameters: run again.").arg(whose);
   const MeshQuality* q = results.quality(state_.meshKind());
   if (!q) {
     hints_->setText(results.mesh(state_.meshKind())
@@ -192,7 +210,7 @@ void InspectorPanel::refreshHints() {
                     ? tr("no degenerate triangles")
                     : tr("%1 degenerate triangles").arg(q->degenerateTriangles));
   const SurfaceOrigin* origin = models_.results.surfaceOrigin();
-  if (origin && origin->unverified() > 0 && state_.meshKind() != MeshKind::MarchingCubes)
+  if (origin && origin->unverified() > 0 && isOurs(state_.meshKind()))
     lines << mark(false) + tr("%1 parts not verified").arg(origin->unverified());
   hints_->setToolTip(origin ? verifiedReasons(*origin) : QString());
   hints_->setText(whose + '\n' + lines.join(QStringLiteral("   ")));

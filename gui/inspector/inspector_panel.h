@@ -13,6 +13,7 @@ namespace angiomesh {
 
 struct CaseModels;
 class HistogramWidget;
+class MeshFile;
 class MeshInspection;
 class QualityGrid;
 class ViewState;
@@ -25,7 +26,10 @@ class InspectorPanel : public QWidget {
 
  public:
   InspectorPanel(CaseModels& models, ViewState& state, MeshInspection& inspection,
-                 QWidget* parent = nullptr);
+                 const MeshFile& file, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void openMeshRequested();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -42,6 +46,7 @@ class InspectorPanel : public QWidget {
   CaseModels& models_;
   ViewState& state_;
   MeshInspection& inspection_;
+  const MeshFile& file_;
   QComboBox* mesh_ = nullptr;
   QComboBox* colour_ = nullptr;
   QCheckBox* comparison_ = nullptr;

@@ -61,6 +61,7 @@ void QualityGrid::build() {
 }
 
 void QualityGrid::refresh() {
+  setColumnHidden(static_cast<int>(MeshKind::File), !models_.results.mesh(MeshKind::File));
   std::vector<const MeshQuality*> meshes;
   for (int kind = 0; kind < kMeshKindCount; ++kind)
     meshes.push_back(models_.results.quality(static_cast<MeshKind>(kind)));

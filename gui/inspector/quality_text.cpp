@@ -13,7 +13,7 @@ namespace angiomesh {
 namespace {
 
 /// Of the surface, not of a mesh's quality.
-constexpr const char* kVerifiedTitle = "Verified parts";
+constexpr const char* kVerifiedTitle = QT_TRANSLATE_NOOP("QualityMeasure", "Verified parts");
 
 struct Quality {
   Q_DECLARE_TR_FUNCTIONS(Quality)
@@ -152,6 +152,7 @@ QString gateRows(const QualityGate& gate, const MeshQuality& quality,
 }
 
 GateFix helpfulFix(const GateCheck& check, MeshKind kind, SurfaceMethod method) {
+  if (kind == MeshKind::File) return GateFix::None;
   const bool cubes = kind == MeshKind::MarchingCubes || method == SurfaceMethod::MarchingCubes;
   // The triangles of marching cubes are as large as its cells, whatever rho is.
   return cubes && check.limit->fix == GateFix::SmallerRho ? GateFix::MeshAnew : check.limit->fix;

@@ -29,7 +29,7 @@ QString gateVerdict(const QualityGate& gate, const MeshQuality& quality);
 /// first, with why that matters and what helps.
 QString gateRows(const QualityGate& gate, const MeshQuality& quality,
                  const std::function<GateFix(const GateCheck&)>& fixOf);
-/// What helps a mesh of that kind, made by `method`.
+/// What helps a mesh of that kind, made by `method`: None for one from a file.
 GateFix helpfulFix(const GateCheck& check, MeshKind kind, SurfaceMethod method);
 
 /// The per cent of each band and mesh, as an HTML table.

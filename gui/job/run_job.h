@@ -14,9 +14,15 @@
 
 namespace angiomesh {
 
-/// The three meshes that the inspector compares.
-enum class MeshKind { Exported, Unsmoothed, MarchingCubes };
-constexpr int kMeshKindCount = 3;
+/// The meshes that the inspector compares: those of a run, and one from a file.
+enum class MeshKind { Exported, Unsmoothed, MarchingCubes, File };
+constexpr int kMeshKindCount = 4;
+constexpr int kRunMeshCount = 3;  ///< those before File
+
+/// Whether our mesher made it.
+constexpr bool isOurs(MeshKind kind) {
+  return kind == MeshKind::Exported || kind == MeshKind::Unsmoothed;
+}
 
 /// A step's result and those before it.
 struct StepResult {

@@ -33,8 +33,7 @@ ExportRequest Exports::request(MeshKind kind, const QString& path) const {
 }
 
 void Exports::warnIfUnsound(MeshKind kind) {
-  const SurfaceOrigin* origin =
-      kind == MeshKind::MarchingCubes ? nullptr : results_.surfaceOrigin();
+  const SurfaceOrigin* origin = isOurs(kind) ? results_.surfaceOrigin() : nullptr;
   if (origin && !origin->fault().empty()) {
     log_.say(
         Severity::Warning,

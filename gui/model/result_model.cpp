@@ -34,6 +34,8 @@ void ResultModel::clear() {
   keys_.fill({});
   reports_.fill({});
   meshRun_.reset();
+  fileMesh_.reset();
+  fileQuality_.reset();
   names_.clear();
   segmentation_ = meshOf_ = 0;
   livePhi_.reset();
@@ -307,7 +309,15 @@ void ResultModel::keepOnlyComponent(int index) {
   document_.change(after, tr("keep only one part"));
 }
 
+void ResultModel::setFileMesh(std::shared_ptr<const TriMesh> mesh,
+                              std::shared_ptr<const MeshQuality> quality) {
+  fileMesh_ = std::move(mesh);
+  fileQuality_ = std::move(quality);
+  Q_EMIT resultsChanged();
+}
+
 std::shared_ptr<const TriMesh> ResultModel::mesh(MeshKind kind) const {
+  if (kind == MeshKind::File) return fileMesh_;
   if (!meshRun_) return nullptr;
   switch (kind) {
     case MeshKind::Exported:
@@ -316,6 +326,8 @@ std::shared_ptr<const TriMesh> ResultModel::mesh(MeshKind kind) const {
       return meshRun_->surface ? meshRun_->surface->mesh : nullptr;
     case MeshKind::MarchingCubes:
       return meshRun_->surface ? meshRun_->surface->marchingCubes : nullptr;
+    case MeshKind::File:
+      break;
   }
   return nullptr;
 }
@@ -343,12 +355,13 @@ void ResultModel::finishOutline(const OutlineJob& job) {
 }
 
 MeshKind ResultModel::kindAtHand(MeshKind wanted) const {
+  if (wanted == MeshKind::File && !fileMesh_) wanted = MeshKind::Exported;
   return wanted == MeshKind::Exported && !mesh(wanted) ? MeshKind::Unsmoothed : wanted;
 }
 
 std::vector<Port> ResultModel::ports(MeshKind kind) const {
   const std::shared_ptr<const TriMesh> shown = mesh(kind);
-  if (!shown || shown->patch.empty()) return {};
+  if (!shown || shown->patch.empty() || !isOurs(kind)) return {};
   std::vector<Port> ports = meshRun_->surface->ports;
   if (kind == MeshKind::Exported) {
     ports = meshRun_->ports;
@@ -360,6 +373,7 @@ std::vector<Port> ResultModel::ports(MeshKind kind) const {
 }
 
 const MeshQuality* ResultModel::quality(MeshKind kind) const {
+  if (kind == MeshKind::File) return fileQuality_.get();
   if (!meshRun_ || !meshRun_->quality) return nullptr;
   const QualityResult& quality = *meshRun_->quality;
   switch (kind) {
@@ -369,6 +383,8 @@ const MeshQuality* ResultModel::quality(MeshKind kind) const {
       return &quality.unsmoothed;
     case MeshKind::MarchingCubes:
       return &quality.marchingCubes;
+    case MeshKind::File:
+      break;
   }
   return nullptr;
 }

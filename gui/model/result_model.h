@@ -121,6 +121,8 @@ class ResultModel : public QObject {
   /// The openings of a mesh, in the order of its patches; none where it has no patches.
   [[nodiscard]] std::vector<Port> ports(MeshKind kind) const;
   [[nodiscard]] const MeshQuality* quality(MeshKind kind) const;
+  /// A mesh to be compared with, which no step made; null: none. Its measures may come later.
+  void setFileMesh(std::shared_ptr<const TriMesh> mesh, std::shared_ptr<const MeshQuality> quality);
   /// Whether the exported mesh belongs to the present parameters.
   [[nodiscard]] bool meshFresh() const { return fresh(Step::Smooth); }
   /// The run that the meshes come from; null without one.
@@ -170,7 +172,9 @@ class ResultModel : public QObject {
   Parameters evolveParams_;  ///< that the segmentation shown was made with
   ResultNames names_;
   int segmentation_ = 0;  ///< number of the segmentation shown; 0: there is none
-  int meshOf_ = 0;        ///< of the one that meshRun_ is of
+  std::shared_ptr<const TriMesh> fileMesh_;
+  std::shared_ptr<const MeshQuality> fileQuality_;
+  int meshOf_ = 0;  ///< of the one that meshRun_ is of
   QString meshName_;
   std::shared_ptr<const Volume<float>> livePhi_;
   std::shared_ptr<const TriMesh> liveSurface_;

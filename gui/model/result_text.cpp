@@ -47,6 +47,7 @@ ShownText contourText(const ResultModel& results, const RunModel& runs) {
 
 ShownText surfaceText(const ResultModel& results, const RunModel& runs, MeshKind kind) {
   if (results.liveSurface()) return evolving(results, runs);
+  if (results.kindAtHand(kind) == MeshKind::File) return {QObject::tr("Mesh from a file")};
   if (!results.meshFits() && results.evolveResult()) {
     const ShownText segmentation = contourText(results, runs);
     return {QObject::tr("%1, no mesh yet").arg(segmentation.text), segmentation.stale};

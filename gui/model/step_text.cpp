@@ -33,6 +33,8 @@ QString meshTitle(MeshKind kind) {
       return QObject::tr("unsmoothed");
     case MeshKind::MarchingCubes:
       return QObject::tr("marching cubes");
+    case MeshKind::File:
+      return QObject::tr("from a file");
   }
   return {};
 }

@@ -18,8 +18,8 @@ constexpr std::array<const char*, kLayerCount> kLayers{"source", "preprocessed",
                                                        "speed"};
 constexpr std::array<const char*, 3> kPlanes{"sagittal", "coronal", "axial"};
 constexpr std::array<const char*, kSlabModeCount> kSlabs{"none", "mip", "minip", "mean"};
-constexpr std::array<const char*, kMeshKindCount> kMeshes{"exported", "unsmoothed",
-                                                          "marching-cubes"};
+constexpr std::array<const char*, kRunMeshCount> kMeshes{"exported", "unsmoothed",
+                                                         "marching-cubes"};
 /// At most one of them is true in a case file.
 constexpr std::array<std::pair<VolumeView, const char*>, 3> kVolumeViews{
     {{VolumeView::Mip, "mip"},
@@ -120,7 +120,7 @@ CaseView ViewState::caseView() const {
                 {"result-beside", resultBeside_},
                 {"slices3d", slices3d_}};
   for (const auto& [shown, word] : kVolumeViews) view.shown[word] = volumeView_ == shown;
-  view.mesh = wordOf(meshKind_, kMeshes);
+  view.mesh = wordOf(meshKind_ == MeshKind::File ? MeshKind::Exported : meshKind_, kMeshes);
   view.colour = meshColour_ ? meshColour_->key : kPlain;
   return view;
 }

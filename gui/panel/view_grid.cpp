@@ -337,7 +337,8 @@ void ViewGrid::refreshSurface() {
   ResultModel& results = models_.results;
   std::shared_ptr<const TriMesh> mesh = results.liveSurface();
   const bool live = mesh != nullptr;
-  if (!live && !results.meshFits() && results.evolveResult()) {
+  const bool fromFile = results.kindAtHand(state_.meshKind()) == MeshKind::File;
+  if (!live && !fromFile && !results.meshFits() && results.evolveResult()) {
     mesh = results.outline();
     if (!mesh) return;  // it comes in a moment
   } else {

@@ -138,9 +138,7 @@ QString qualitySection(const CaseModels& models) {
       const bool better = std::find(best.begin(), best.end(), i) != best.end();
       QString value = qualityValue(measure, meshes[i]);
       // Smoothing keeps what was verified; nothing else is.
-      if (!measure && origin &&
-          (kinds[i] == MeshKind::Exported || kinds[i] == MeshKind::Unsmoothed) &&
-          !verifiedText(*origin).isEmpty())
+      if (!measure && origin && isOurs(kinds[i]) && !verifiedText(*origin).isEmpty())
         value = verifiedText(*origin);
       rows += cell(better ? QStringLiteral("★ ") + value : value, better ? "n best" : "n");
     }

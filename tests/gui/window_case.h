@@ -67,6 +67,7 @@ struct WindowCase {
     options.makeRunner = makeRunner;
     options.chooser.openFile = [this](QWidget*) { return openPath; };
     options.chooser.openPorts = [this](QWidget*) { return openPath; };
+    options.chooser.openMesh = [this](QWidget*) { return openPath; };
     options.chooser.openFolder = [this](QWidget*) { return openPath; };
     options.chooser.save = [this](QWidget*, const QString&, const QString&) { return savePath; };
     options.questions = answers.questions();
