@@ -411,7 +411,8 @@ void MainWindow::refreshActions() {
   enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());
   enableActions(this, {"contours"}, mesh || models_->results.phi());
   enableActions(this,
-                {"openMesh", "toolNavigate", "toolSeed", "toolRoi", "resetViews", "savePicture", "copyPicture"},
+                {"openMesh", "toolNavigate", "toolSeed", "toolRoi", "resetViews", "savePicture",
+                 "copyPicture"},
                 any);
   enableActions(this, {"clearSeeds"}, !models_->document.seeds().empty());
   enableActions(this, {"clearRoi"}, models_->document.parameters().preprocess.roi.has_value());

@@ -20,11 +20,11 @@ struct Entry {
 };
 
 constexpr std::array<Entry, 3> kEntries{
-    {{VolumeView::Mip, "mip", QT_TRANSLATE_NOOP("VolumeMenu", "3D MIP"), "Ctrl+I"},
-     {VolumeView::MrAngio, "volumeMr", QT_TRANSLATE_NOOP("VolumeMenu", "Shaded, MR angiography"),
-      "Ctrl+Shift+V"},
-     {VolumeView::CtAngio, "volumeCt", QT_TRANSLATE_NOOP("VolumeMenu", "Shaded, CT angiography"),
-      "Ctrl+Shift+T"}}};
+    {{VolumeView::Mip, "mip", QT_TRANSLATE_NOOP("angiomesh::VolumeMenu", "3D MIP"), "Ctrl+I"},
+     {VolumeView::MrAngio, "volumeMr",
+      QT_TRANSLATE_NOOP("angiomesh::VolumeMenu", "Shaded, MR angiography"), "Ctrl+Shift+V"},
+     {VolumeView::CtAngio, "volumeCt",
+      QT_TRANSLATE_NOOP("angiomesh::VolumeMenu", "Shaded, CT angiography"), "Ctrl+Shift+T"}}};
 
 }  // namespace
 

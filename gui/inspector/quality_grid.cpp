@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/inspector/quality_grid.h"
 
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <algorithm>
 
@@ -51,7 +52,9 @@ void QualityGrid::build() {
   setAlternatingRowColors(true);
   for (int row = 0; row < rowCount(); ++row) {
     const QualityMeasure* measure = qualityRows()[static_cast<std::size_t>(row)];
-    if (measure) verticalHeaderItem(row)->setToolTip(QCoreApplication::translate("QualityMeasure", measure->meaning));
+    if (measure)
+      verticalHeaderItem(row)->setToolTip(
+          QCoreApplication::translate("QualityMeasure", measure->meaning));
     for (int kind = 0; kind < kMeshKindCount; ++kind) {
       auto* item = new QTableWidgetItem;
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -127,12 +127,12 @@ void MeshReport::addPicture(ReportPage& page, VtkView& view, double turned, cons
 ReportPage MeshReport::pictures() {
   ReportPage page;
   page.add(sectionTitle(tr("Pictures")) + QStringLiteral("<div class=\"pictures\">\n"));
-  const auto restore = qScopeGuard(
-      [this, contours = state_.contours(), mip = state_.mip(), surface = state_.surface()] {
-        state_.setContours(contours);
-        state_.setMip(mip);
-        state_.setSurface(surface);
-      });
+  const auto restore = qScopeGuard([this, contours = state_.contours(),
+                                    volume = state_.volumeView(), surface = state_.surface()] {
+    state_.setContours(contours);
+    state_.setVolumeView(volume);
+    state_.setSurface(surface);
+  });
   state_.setContours(true);
   for (const int plane : {2, 0, 1}) {
     SliceView* view = views_.slice(plane);
@@ -140,9 +140,9 @@ ReportPage MeshReport::pictures() {
   }
   SurfaceView& view3d = *views_.surface();
   state_.setSurface(false);
-  state_.setMip(true);
+  state_.setVolumeView(VolumeView::Mip);
   addPicture(page, view3d, 0.0, tr("Projection of the image, as the 3D pane looks"));
-  state_.setMip(false);
+  state_.setVolumeView(VolumeView::None);
   state_.setSurface(true);
   addPicture(page, view3d, 0.0, tr("Surface, from the same side"));
   addPicture(page, view3d, kTurnedDegrees, tr("Surface, turned by %1°").arg(kTurnedDegrees));

@@ -1448,6 +1448,57 @@ BSD-3-Clause.</translation>
         <source>Surface</source>
         <translation>Yüzey</translation>
     </message>
+    <message>
+        <source>Compare with a mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mesh from a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Quality</name>
+    <message>
+        <source>all</source>
+        <translation type="unfinished">tümü</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation type="unfinished">en çok %1</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation type="unfinished">altı: %1</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation type="unfinished">üstü: %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation type="unfinished">en az %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished">%1 – %2</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: passes</source>
+        <translation type="unfinished">&lt;b&gt;%1&lt;/b&gt;: geçiyor</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: fails, %2 of %3</source>
+        <translation type="unfinished">&lt;b&gt;%1&lt;/b&gt;: geçmiyor, tutmayan %2 / %3</translation>
+    </message>
 </context>
 <context>
     <name>QualityGate</name>
@@ -1936,6 +1987,129 @@ BSD-3-Clause.</translation>
     </message>
 </context>
 <context>
+    <name>Report</name>
+    <message>
+        <source>Parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished">Değer</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report on a vessel mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angiomesh %1. Not a medical device: research use only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No patient, date or file is named here; remarks and names of measurements and openings stand as they were typed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not measured: run to the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>★ marks what is better than in the other meshes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Ad</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished">İçerik</translation>
+    </message>
+    <message>
+        <source>(on an earlier wall)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation type="unfinished">Ölçümler</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation type="unfinished">İnceleme</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>score %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>given to an earlier segmentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubtful places looked at: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished">Puan</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation type="unfinished">Not</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished">Adım</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those that differ from the program&apos;s own are bold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Shortcut</name>
     <message>
         <source>Left drag on a slice</source>
@@ -2176,6 +2350,10 @@ BSD-3-Clause.</translation>
     <message>
         <source>%1 of a case that was never saved, the last one on %2</source>
         <translation>hiç kaydedilmemiş bir vakada %1, sonuncusu: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2, which was never saved, the last one on %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2896,14 +3074,6 @@ BSD-3-Clause.</translation>
         <translation>&lt;b&gt;%1&lt;/b&gt;: henüz ölçülmedi</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: passes</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: geçiyor</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: fails, %2 of %3</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: geçmiyor, tutmayan %2 / %3</translation>
-    </message>
-    <message>
         <source>Loops: %1. Vessels may join in rings; or two that touch have grown together. A smooth wall closes thin loops, and Cut vessel parts two vessels.</source>
         <translation>Döngüler: %1. Damarlar halka oluşturabilir ya da birbirine değen ikisi birleşmiş olabilir. Düzgün duvar ince döngüleri kapatır, Damarı kes iki damarı ayırır.</translation>
     </message>
@@ -2952,30 +3122,6 @@ BSD-3-Clause.</translation>
 </context>
 <context>
     <name>angiomesh::InspectorPanel</name>
-    <message>
-        <source>all</source>
-        <translation>tümü</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>en çok %1</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>altı: %1</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>üstü: %1</translation>
-    </message>
-    <message>
-        <source>from %1</source>
-        <translation>en az %1</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 – %2</translation>
-    </message>
     <message>
         <source>Compare</source>
         <translation>Karşılaştır</translation>
@@ -3063,6 +3209,14 @@ BSD-3-Clause.</translation>
     <message>
         <source>%1 parts not verified</source>
         <translation>%1 parça doğrulanmadı</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3313,6 +3467,34 @@ BSD-3-Clause.</translation>
         <source>Guide</source>
         <translation>Kılavuz</translation>
     </message>
+    <message>
+        <source>Patient of this scan…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with a mesh…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report on the mesh…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::MeasureMenu</name>
@@ -3364,6 +3546,14 @@ BSD-3-Clause.</translation>
         <source>Comma-separated values (*.csv)</source>
         <translation>Virgülle ayrılmış değerler (*.csv)</translation>
     </message>
+    <message>
+        <source>Measure here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 from here</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::MeasurePanel</name>
@@ -3386,6 +3576,76 @@ BSD-3-Clause.</translation>
     <message>
         <source>⚠ of earlier parameters</source>
         <translation>⚠ önceki parametrelerden</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::MeshFile</name>
+    <message>
+        <source>Cannot compare with this mesh: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles, compared with the meshes of the case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::MeshReport</name>
+    <message>
+        <source>A report is being written: try again when it is done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no mesh to report on: run the pipeline first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation type="unfinished">Kalite</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation type="unfinished">Koşullar</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation type="unfinished">Üçgenler</translation>
+    </message>
+    <message>
+        <source>This pane was never drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation type="unfinished">Resimler</translation>
+    </message>
+    <message>
+        <source>%1, through the crosshair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Projection of the image, as the 3D pane looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface, from the same side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface, turned by %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Per cent of the triangles, and in bands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot write the report: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrote the report %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3492,6 +3752,49 @@ BSD-3-Clause.</translation>
     <message>
         <source>Opacity of the overlay</source>
         <translation>Bindirmenin opaklığı</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::PatientIdentity</name>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Ad</translation>
+    </message>
+    <message>
+        <source>Patient ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Born</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accession number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient of this scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read from the files now. Angiomesh keeps none of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot read the patient&apos;s identity: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4194,6 +4497,18 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
         <source>Some parts hidden</source>
         <translation>Bazı parçalar gizli</translation>
     </message>
+    <message>
+        <source>Volume: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D, result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MIP: result</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::ViewTools</name>
@@ -4244,14 +4559,6 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     <message>
         <source>Ctrl+L</source>
         <translation>Ctrl+L</translation>
-    </message>
-    <message>
-        <source>3D MIP</source>
-        <translation>3D MIP</translation>
-    </message>
-    <message>
-        <source>Ctrl+I</source>
-        <translation>Ctrl+I</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -4376,6 +4683,33 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::VolumeMenu</name>
+    <message>
+        <source>Volume in 3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result beside the image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D MIP</source>
+        <translation type="unfinished">3D MIP</translation>
+    </message>
+    <message>
+        <source>Shaded, MR angiography</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaded, CT angiography</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

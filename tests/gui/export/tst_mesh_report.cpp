@@ -170,7 +170,8 @@ class TestMeshReport : public QObject {
     QTest::qWait(500);  // for the layout and the full picture
     const QImage before = c.window->views().surface()->grabFramebuffer();
     QVERIFY(c.report().error.isEmpty());
-    QVERIFY(!c.state().contours() && c.state().mip() && !c.state().surface());
+    QVERIFY(!c.state().contours() && c.state().volumeView() == VolumeView::Mip &&
+            !c.state().surface());
     // Once it is drawn in full again; the camera has been turned and turned back.
     QTRY_VERIFY(apart(c.window->views().surface()->grabFramebuffer(), before) < 0.001);
   }

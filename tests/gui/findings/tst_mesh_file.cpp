@@ -22,7 +22,7 @@ struct Compared : WindowCase {
   Compared() {
     models().files.take(twoTubes());
     click(find<QPushButton>("run"));
-    state().setMip(false);
+    state().setVolumeView(VolumeView::None);
   }
   [[nodiscard]] TriMesh ours() { return *models().results.mesh(MeshKind::Exported); }
   /// Opens it from the inspector.
