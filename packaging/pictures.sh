@@ -29,10 +29,10 @@ for tool in convert montage import; do
   command -v "$tool" >/dev/null || fail "$tool is missing: apt-get install imagemagick" 2
 done
 if [ -z "$bin" ]; then
-  compile angiomesh angiomesh-cli angiomesh-pictures
+  compile angiomesh angiomesh-cli angiomesh-pictures window-states
   bin="$build/bin"
 fi
-for program in angiomesh angiomesh-cli angiomesh-pictures; do
+for program in angiomesh angiomesh-cli angiomesh-pictures window-states; do
   [ -x "$bin/$program" ] || fail "no program, $bin/$program: build it, or name its folder" 2
 done
 mkdir -p "$pictures" || fail "cannot make the folder $pictures: check the permissions" 2
@@ -162,5 +162,17 @@ phantom desktop vessel-tree --size 112 --radius 4.6 --noise 30 --random-seed 5
 on_screen bash desktop.sh "$bin/angiomesh" desktop/image.mha desktop.png
 finish desktop.png 128
 
+say "states: the window in all that it can show"
+mkdir -p "$pictures/states" shots
+export HOME=$work/home XDG_RUNTIME_DIR=$work/home
+for language in en de tr; do
+  do_or_fail xvfb-run -a -s "-screen 0 1280x800x24" "$bin/window-states" shots "$language"
+done
+for shot in shots/*.png; do
+  mv "$shot" .
+  finish "${shot##*/}" 96
+  mv "$pictures/${shot##*/}" "$pictures/states/"
+done
+
 say "Written to $pictures:"
-du -ch "$pictures"/*.png >&2
+du -ch "$pictures"/*.png "$pictures"/states/*.png >&2

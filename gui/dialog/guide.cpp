@@ -4,6 +4,7 @@
 #include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QCoreApplication>
+#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QHBoxLayout>
@@ -197,6 +198,10 @@ void Guide::showPage(const QString& name) {
 }
 
 void Guide::follow(const QUrl& page) {
+  if (page.scheme().startsWith(QLatin1String("http"))) {
+    QDesktopServices::openUrl(page);
+    return;
+  }
   // Relative to the page that is open.
   const QString file = page.fileName();
   if (!file.isEmpty()) showPage(file.section('.', 0, 0));

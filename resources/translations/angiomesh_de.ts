@@ -1450,54 +1450,54 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>Compare with a mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Netz vergleichen</translation>
     </message>
     <message>
         <source>Meshes (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Netze (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Mesh from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz aus einer Datei</translation>
     </message>
     <message>
         <source>from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>aus einer Datei</translation>
     </message>
 </context>
 <context>
     <name>Quality</name>
     <message>
         <source>all</source>
-        <translation type="unfinished">alle</translation>
+        <translation>alle</translation>
     </message>
     <message>
         <source>up to %1</source>
-        <translation type="unfinished">bis %1</translation>
+        <translation>bis %1</translation>
     </message>
     <message>
         <source>below %1</source>
-        <translation type="unfinished">unter %1</translation>
+        <translation>unter %1</translation>
     </message>
     <message>
         <source>above %1</source>
-        <translation type="unfinished">über %1</translation>
+        <translation>über %1</translation>
     </message>
     <message>
         <source>from %1</source>
-        <translation type="unfinished">ab %1</translation>
+        <translation>ab %1</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished">%1 bis %2</translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: passes</source>
-        <translation type="unfinished">&lt;b&gt;%1&lt;/b&gt;: erfüllt</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: erfüllt</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: fails, %2 of %3</source>
-        <translation type="unfinished">&lt;b&gt;%1&lt;/b&gt;: nicht erfüllt, %2 von %3</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: nicht erfüllt, %2 von %3</translation>
     </message>
 </context>
 <context>
@@ -1990,123 +1990,123 @@ BSD-3-Clause.</translation>
     <name>Report</name>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished">Wert</translation>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel</translation>
     </message>
     <message>
         <source>None.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine.</translation>
     </message>
     <message>
         <source>Report on a vessel mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht über ein Gefäßnetz</translation>
     </message>
     <message>
         <source>Scan: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme: %1</translation>
     </message>
     <message>
         <source>Angiomesh %1. Not a medical device: research use only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angiomesh %1. Kein Medizinprodukt: nur für die Forschung.</translation>
     </message>
     <message>
         <source>No patient, date or file is named here; remarks and names of measurements and openings stand as they were typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient, Datum und Datei sind hier nicht genannt; Anmerkungen und die Namen von Messungen und Öffnungen stehen so da, wie sie eingegeben wurden.</translation>
     </message>
     <message>
         <source>Not measured: run to the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gemessen: bis zum Ende rechnen.</translation>
     </message>
     <message>
         <source>★ marks what is better than in the other meshes.</source>
-        <translation type="unfinished"></translation>
+        <translation>★ bezeichnet, was besser ist als in den anderen Netzen.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished">Was</translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>(on an earlier wall)</source>
-        <translation type="unfinished"></translation>
+        <translation>(auf einer früheren Wand)</translation>
     </message>
     <message>
         <source>Measurements</source>
-        <translation type="unfinished">Messungen</translation>
+        <translation>Messungen</translation>
     </message>
     <message>
         <source>Review</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>angenommen</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>abgelehnt</translation>
     </message>
     <message>
         <source>score %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Wertung %1 von %2</translation>
     </message>
     <message>
         <source>given to an earlier segmentation</source>
-        <translation type="unfinished"></translation>
+        <translation>für eine frühere Segmentierung vergeben</translation>
     </message>
     <message>
         <source>Doubtful places looked at: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Angesehene fragliche Stellen: %1</translation>
     </message>
     <message>
         <source>Where</source>
-        <translation type="unfinished"></translation>
+        <translation>Stelle</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished">Wertung</translation>
+        <translation>Wertung</translation>
     </message>
     <message>
         <source>Remark</source>
-        <translation type="unfinished">Anmerkung</translation>
+        <translation>Anmerkung</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished">Schritt</translation>
+        <translation>Schritt</translation>
     </message>
     <message>
         <source>Time, s</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, s</translation>
     </message>
     <message>
         <source>Warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>Warnungen</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Those that differ from the program&apos;s own are bold.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fett sind die, die von den Vorgaben des Programms abweichen.</translation>
     </message>
 </context>
 <context>
@@ -2353,7 +2353,7 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>%1 of %2, which was never saved, the last one on %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 an %2, nie gespeichert, die letzte am %3</translation>
     </message>
 </context>
 <context>
@@ -3212,11 +3212,11 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>From a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einer Datei…</translation>
     </message>
     <message>
         <source>Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleicht ein Netz aus einer Datei (PLY, STL, OBJ, OFF, VTP, VTK) mit diesen</translation>
     </message>
 </context>
 <context>
@@ -3469,31 +3469,31 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>Patient of this scan…</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient dieser Aufnahme…</translation>
     </message>
     <message>
         <source>Compare with a mesh…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Netz vergleichen…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+O</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+O</translation>
     </message>
     <message>
         <source>Report on the mesh…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht über das Netz…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+E</translation>
     </message>
     <message>
         <source>Web page (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>Webseite (*.html)</translation>
     </message>
     <message>
         <source>Forget these</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese vergessen</translation>
     </message>
 </context>
 <context>
@@ -3548,11 +3548,11 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>Measure here</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier messen</translation>
     </message>
     <message>
         <source>%1 from here</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ab hier</translation>
     </message>
 </context>
 <context>
@@ -3582,70 +3582,70 @@ BSD-3-Clause.</translation>
     <name>angiomesh::MeshFile</name>
     <message>
         <source>Cannot compare with this mesh: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich mit diesem Netz nicht möglich: %1</translation>
     </message>
     <message>
         <source>%1: %2 triangles, compared with the meshes of the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 Dreiecke, mit den Netzen des Falls verglichen.</translation>
     </message>
 </context>
 <context>
     <name>angiomesh::MeshReport</name>
     <message>
         <source>A report is being written: try again when it is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bericht wird gerade geschrieben: danach erneut versuchen.</translation>
     </message>
     <message>
         <source>There is no mesh to report on: run the pipeline first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Netz für einen Bericht: zuerst die Pipeline rechnen.</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished">Qualität</translation>
+        <translation>Qualität</translation>
     </message>
     <message>
         <source>Gates</source>
-        <translation type="unfinished">Kriterien</translation>
+        <translation>Kriterien</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation type="unfinished">Dreiecke</translation>
+        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>This pane was never drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ansicht wurde nie gezeichnet.</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished">Bilder</translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>%1, through the crosshair</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, durch das Fadenkreuz</translation>
     </message>
     <message>
         <source>Projection of the image, as the 3D pane looks</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektion des Bildes, in der Richtung der 3D-Ansicht</translation>
     </message>
     <message>
         <source>Surface, from the same side</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche, von derselben Seite</translation>
     </message>
     <message>
         <source>Surface, turned by %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche, um %1° gedreht</translation>
     </message>
     <message>
         <source>Per cent of the triangles, and in bands</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozent der Dreiecke, und in Bereichen</translation>
     </message>
     <message>
         <source>Cannot write the report: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bericht lässt sich nicht schreiben: %1</translation>
     </message>
     <message>
         <source>Wrote the report %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht %1 geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -3758,43 +3758,43 @@ BSD-3-Clause.</translation>
     <name>angiomesh::PatientIdentity</name>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Patient ID</source>
-        <translation type="unfinished"></translation>
+        <translation>Patienten-ID</translation>
     </message>
     <message>
         <source>Born</source>
-        <translation type="unfinished"></translation>
+        <translation>Geboren</translation>
     </message>
     <message>
         <source>Sex</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlecht</translation>
     </message>
     <message>
         <source>Study date</source>
-        <translation type="unfinished"></translation>
+        <translation>Studiendatum</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie</translation>
     </message>
     <message>
         <source>Accession number</source>
-        <translation type="unfinished"></translation>
+        <translation>Accession-Nummer</translation>
     </message>
     <message>
         <source>Patient of this scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient dieser Aufnahme</translation>
     </message>
     <message>
         <source>Read from the files now. Angiomesh keeps none of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eben aus den Dateien gelesen. Angiomesh behält nichts davon.</translation>
     </message>
     <message>
         <source>Cannot read the patient&apos;s identity: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Identität des Patienten lässt sich nicht lesen: %1</translation>
     </message>
 </context>
 <context>
@@ -4499,15 +4499,15 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     </message>
     <message>
         <source>Volume: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen: %1</translation>
     </message>
     <message>
         <source>3D, result</source>
-        <translation type="unfinished"></translation>
+        <translation>3D, Ergebnis</translation>
     </message>
     <message>
         <source>MIP: result</source>
-        <translation type="unfinished"></translation>
+        <translation>MIP: Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -4689,27 +4689,27 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     <name>angiomesh::VolumeMenu</name>
     <message>
         <source>Volume in 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen in 3D</translation>
     </message>
     <message>
         <source>Result beside the image</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis neben dem Bild</translation>
     </message>
     <message>
         <source>Ctrl+Shift+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
         <source>3D MIP</source>
-        <translation type="unfinished">3D-MIP</translation>
+        <translation>3D-MIP</translation>
     </message>
     <message>
         <source>Shaded, MR angiography</source>
-        <translation type="unfinished"></translation>
+        <translation>Schattiert, MR-Angiographie</translation>
     </message>
     <message>
         <source>Shaded, CT angiography</source>
-        <translation type="unfinished"></translation>
+        <translation>Schattiert, CT-Angiographie</translation>
     </message>
 </context>
 <context>

@@ -1450,54 +1450,54 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>Compare with a mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Bir ağla karşılaştır</translation>
     </message>
     <message>
         <source>Meshes (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ağlar (%1);;Tüm dosyalar (*)</translation>
     </message>
     <message>
         <source>Mesh from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Dosyadan ağ</translation>
     </message>
     <message>
         <source>from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>dosyadan</translation>
     </message>
 </context>
 <context>
     <name>Quality</name>
     <message>
         <source>all</source>
-        <translation type="unfinished">tümü</translation>
+        <translation>tümü</translation>
     </message>
     <message>
         <source>up to %1</source>
-        <translation type="unfinished">en çok %1</translation>
+        <translation>en çok %1</translation>
     </message>
     <message>
         <source>below %1</source>
-        <translation type="unfinished">altı: %1</translation>
+        <translation>altı: %1</translation>
     </message>
     <message>
         <source>above %1</source>
-        <translation type="unfinished">üstü: %1</translation>
+        <translation>üstü: %1</translation>
     </message>
     <message>
         <source>from %1</source>
-        <translation type="unfinished">en az %1</translation>
+        <translation>en az %1</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished">%1 – %2</translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: passes</source>
-        <translation type="unfinished">&lt;b&gt;%1&lt;/b&gt;: geçiyor</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: geçiyor</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: fails, %2 of %3</source>
-        <translation type="unfinished">&lt;b&gt;%1&lt;/b&gt;: geçmiyor, tutmayan %2 / %3</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: geçmiyor, tutmayan %2 / %3</translation>
     </message>
 </context>
 <context>
@@ -1990,123 +1990,123 @@ BSD-3-Clause.</translation>
     <name>Report</name>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parametre</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished">Değer</translation>
+        <translation>Değer</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Anahtar</translation>
     </message>
     <message>
         <source>None.</source>
-        <translation type="unfinished"></translation>
+        <translation>Yok.</translation>
     </message>
     <message>
         <source>Report on a vessel mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Damar ağı raporu</translation>
     </message>
     <message>
         <source>Scan: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Çekim: %1</translation>
     </message>
     <message>
         <source>Angiomesh %1. Not a medical device: research use only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angiomesh %1. Tıbbi cihaz değildir: yalnız araştırma amaçlıdır.</translation>
     </message>
     <message>
         <source>No patient, date or file is named here; remarks and names of measurements and openings stand as they were typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Burada hasta, tarih ya da dosya adı geçmez; notlar ile ölçüm ve açıklık adları yazıldıkları gibi kalır.</translation>
     </message>
     <message>
         <source>Not measured: run to the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ölçülmedi: sona kadar çalıştırın.</translation>
     </message>
     <message>
         <source>★ marks what is better than in the other meshes.</source>
-        <translation type="unfinished"></translation>
+        <translation>★ öteki ağlardakinden iyi olanı gösterir.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Ad</translation>
+        <translation>Ad</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished">İçerik</translation>
+        <translation>Tür</translation>
     </message>
     <message>
         <source>(on an earlier wall)</source>
-        <translation type="unfinished"></translation>
+        <translation>(önceki bir duvarda)</translation>
     </message>
     <message>
         <source>Measurements</source>
-        <translation type="unfinished">Ölçümler</translation>
+        <translation>Ölçümler</translation>
     </message>
     <message>
         <source>Review</source>
-        <translation type="unfinished">İnceleme</translation>
+        <translation>İnceleme</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>kabul edildi</translation>
     </message>
     <message>
         <source>rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>reddedildi</translation>
     </message>
     <message>
         <source>score %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>puan %1 / %2</translation>
     </message>
     <message>
         <source>given to an earlier segmentation</source>
-        <translation type="unfinished"></translation>
+        <translation>önceki bir bölütlemeye verildi</translation>
     </message>
     <message>
         <source>Doubtful places looked at: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bakılan şüpheli yer: %1</translation>
     </message>
     <message>
         <source>Where</source>
-        <translation type="unfinished"></translation>
+        <translation>Yer</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished">Puan</translation>
+        <translation>Puan</translation>
     </message>
     <message>
         <source>Remark</source>
-        <translation type="unfinished">Not</translation>
+        <translation>Not</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished">Adım</translation>
+        <translation>Adım</translation>
     </message>
     <message>
         <source>Time, s</source>
-        <translation type="unfinished"></translation>
+        <translation>Süre, sn</translation>
     </message>
     <message>
         <source>Warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>Uyarılar</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Adımlar</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parametreler</translation>
     </message>
     <message>
         <source>Those that differ from the program&apos;s own are bold.</source>
-        <translation type="unfinished"></translation>
+        <translation>Programın kendi değerlerinden farklı olanlar kalındır.</translation>
     </message>
 </context>
 <context>
@@ -2353,7 +2353,7 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>%1 of %2, which was never saved, the last one on %3</source>
-        <translation type="unfinished"></translation>
+        <translation>hiç kaydedilmemiş %2 üzerinde %1, sonuncusu: %3</translation>
     </message>
 </context>
 <context>
@@ -3212,11 +3212,11 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>From a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dosyadan…</translation>
     </message>
     <message>
         <source>Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these</source>
-        <translation type="unfinished"></translation>
+        <translation>Dosyadan bir ağı (PLY, STL, OBJ, OFF, VTP, VTK) bunlarla karşılaştırır</translation>
     </message>
 </context>
 <context>
@@ -3469,31 +3469,31 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>Patient of this scan…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bu çekimin hastası…</translation>
     </message>
     <message>
         <source>Compare with a mesh…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bir ağla karşılaştır…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+O</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+O</translation>
     </message>
     <message>
         <source>Report on the mesh…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ağ raporu…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+E</translation>
     </message>
     <message>
         <source>Web page (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>Web sayfası (*.html)</translation>
     </message>
     <message>
         <source>Forget these</source>
-        <translation type="unfinished"></translation>
+        <translation>Bunları unut</translation>
     </message>
 </context>
 <context>
@@ -3548,11 +3548,11 @@ BSD-3-Clause.</translation>
     </message>
     <message>
         <source>Measure here</source>
-        <translation type="unfinished"></translation>
+        <translation>Burada ölç</translation>
     </message>
     <message>
         <source>%1 from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Buradan: %1</translation>
     </message>
 </context>
 <context>
@@ -3582,70 +3582,70 @@ BSD-3-Clause.</translation>
     <name>angiomesh::MeshFile</name>
     <message>
         <source>Cannot compare with this mesh: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bu ağla karşılaştırılamıyor: %1</translation>
     </message>
     <message>
         <source>%1: %2 triangles, compared with the meshes of the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 üçgen, vakanın ağlarıyla karşılaştırıldı.</translation>
     </message>
 </context>
 <context>
     <name>angiomesh::MeshReport</name>
     <message>
         <source>A report is being written: try again when it is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bir rapor yazılıyor: bitince yeniden deneyin.</translation>
     </message>
     <message>
         <source>There is no mesh to report on: run the pipeline first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Raporu yazılacak ağ yok: önce işlem hattını çalıştırın.</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished">Kalite</translation>
+        <translation>Kalite</translation>
     </message>
     <message>
         <source>Gates</source>
-        <translation type="unfinished">Koşullar</translation>
+        <translation>Koşullar</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation type="unfinished">Üçgenler</translation>
+        <translation>Üçgenler</translation>
     </message>
     <message>
         <source>This pane was never drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bu bölme hiç çizilmedi.</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished">Resimler</translation>
+        <translation>Resimler</translation>
     </message>
     <message>
         <source>%1, through the crosshair</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, artı imleçten geçen</translation>
     </message>
     <message>
         <source>Projection of the image, as the 3D pane looks</source>
-        <translation type="unfinished"></translation>
+        <translation>Görüntünün izdüşümü, 3D bölmenin bakış yönünde</translation>
     </message>
     <message>
         <source>Surface, from the same side</source>
-        <translation type="unfinished"></translation>
+        <translation>Yüzey, aynı taraftan</translation>
     </message>
     <message>
         <source>Surface, turned by %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Yüzey, %1° döndürülmüş</translation>
     </message>
     <message>
         <source>Per cent of the triangles, and in bands</source>
-        <translation type="unfinished"></translation>
+        <translation>Üçgenlerin yüzdesi; ayrıca aralıklara göre</translation>
     </message>
     <message>
         <source>Cannot write the report: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapor yazılamıyor: %1</translation>
     </message>
     <message>
         <source>Wrote the report %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 raporu yazıldı.</translation>
     </message>
 </context>
 <context>
@@ -3758,43 +3758,43 @@ BSD-3-Clause.</translation>
     <name>angiomesh::PatientIdentity</name>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Ad</translation>
+        <translation>Ad</translation>
     </message>
     <message>
         <source>Patient ID</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta kimlik no</translation>
     </message>
     <message>
         <source>Born</source>
-        <translation type="unfinished"></translation>
+        <translation>Doğum tarihi</translation>
     </message>
     <message>
         <source>Sex</source>
-        <translation type="unfinished"></translation>
+        <translation>Cinsiyet</translation>
     </message>
     <message>
         <source>Study date</source>
-        <translation type="unfinished"></translation>
+        <translation>İnceleme tarihi</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>İnceleme</translation>
     </message>
     <message>
         <source>Accession number</source>
-        <translation type="unfinished"></translation>
+        <translation>Erişim numarası</translation>
     </message>
     <message>
         <source>Patient of this scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Bu çekimin hastası</translation>
     </message>
     <message>
         <source>Read from the files now. Angiomesh keeps none of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Şimdi dosyalardan okundu. Angiomesh bunların hiçbirini saklamaz.</translation>
     </message>
     <message>
         <source>Cannot read the patient&apos;s identity: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hastanın kimliği okunamıyor: %1</translation>
     </message>
 </context>
 <context>
@@ -4499,15 +4499,15 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     </message>
     <message>
         <source>Volume: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacim: %1</translation>
     </message>
     <message>
         <source>3D, result</source>
-        <translation type="unfinished"></translation>
+        <translation>3D, sonuç</translation>
     </message>
     <message>
         <source>MIP: result</source>
-        <translation type="unfinished"></translation>
+        <translation>MIP: sonuç</translation>
     </message>
 </context>
 <context>
@@ -4689,27 +4689,27 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     <name>angiomesh::VolumeMenu</name>
     <message>
         <source>Volume in 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>3D hacim</translation>
     </message>
     <message>
         <source>Result beside the image</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonuç görüntünün yanında</translation>
     </message>
     <message>
         <source>Ctrl+Shift+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
         <source>3D MIP</source>
-        <translation type="unfinished">3D MIP</translation>
+        <translation>3D MIP</translation>
     </message>
     <message>
         <source>Shaded, MR angiography</source>
-        <translation type="unfinished"></translation>
+        <translation>Gölgeli, MR anjiyografi</translation>
     </message>
     <message>
         <source>Shaded, CT angiography</source>
-        <translation type="unfinished"></translation>
+        <translation>Gölgeli, BT anjiyografi</translation>
     </message>
 </context>
 <context>
