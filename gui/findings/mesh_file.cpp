@@ -43,6 +43,7 @@ void MeshFile::leave() {
   name_.clear();
   limits_.clear();
   if (state_.meshKind() == MeshKind::File) state_.setMeshKind(MeshKind::Exported);
+  if (state_.besideKind() == MeshKind::File) state_.setBesideKind(MeshKind::MarchingCubes);
   models_.results.setFileMesh(nullptr, nullptr);
   Q_EMIT changed();
 }

@@ -13,7 +13,6 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
-#include <QStandardItemModel>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -30,6 +29,7 @@
 #include "gui/panel/dimmed.h"
 #include "gui/panel/named.h"
 #include "gui/panel/surface_note.h"
+#include "gui/view/mesh_chooser.h"
 
 namespace angiomesh {
 
@@ -76,11 +76,9 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, MeshInspect
 
 void InspectorPanel::addChoosers(QVBoxLayout* column) {
   auto* form = new QFormLayout;
-  mesh_ = named(new QComboBox(this), "meshShown");
-  for (int kind = 0; kind < kMeshKindCount; ++kind)
-    mesh_->addItem(meshTitle(static_cast<MeshKind>(kind)));
+  auto* mesh = named(new MeshCombo(MeshPlace::Shown, models_, state_, this), "meshShown");
   auto* row = new QHBoxLayout;
-  row->addWidget(mesh_, 1);
+  row->addWidget(mesh, 1);
   auto* openMesh = named(new QPushButton(tr("From a file…"), this), "openMeshButton");
   openMesh->setToolTip(tr("Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these"));
   row->addWidget(openMesh);
@@ -95,16 +93,15 @@ void InspectorPanel::addChoosers(QVBoxLayout* column) {
                          Qt::ToolTipRole);
   }
   form->addRow(tr("Colour"), colour_);
-  comparison_ = named(new QCheckBox(tr("Marching cubes beside it"), this), "comparison");
-  form->addRow(comparison_);
+  comparison_ = named(new QCheckBox(tr("Beside it"), this), "comparison");
+  form->addRow(comparison_,
+               named(new MeshCombo(MeshPlace::Beside, models_, state_, this), "meshBeside"));
   column->addLayout(form);
   hints_ = named(new QLabel(this), "hints");
   hints_->setWordWrap(true);
   hints_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   hints_->setMinimumHeight(kHintLines * hints_->fontMetrics().lineSpacing());
   column->addWidget(hints_);
-  connect(mesh_, &QComboBox::activated, this,
-          [this](int kind) { state_.setMeshKind(static_cast<MeshKind>(kind)); });
   connect(colour_, &QComboBox::activated, this, [this](int colour) {
     state_.setMeshColour(colour > 0 ? &triangleMeasures()[static_cast<std::size_t>(colour) - 1]
                                     : nullptr);
@@ -166,13 +163,7 @@ void InspectorPanel::refreshMeasured() {
 }
 
 void InspectorPanel::refreshState() {
-  const QSignalBlocker quietMesh(mesh_);
   const QSignalBlocker quietColour(colour_);
-  constexpr int kFile = static_cast<int>(MeshKind::File);
-  auto* items = qobject_cast<QStandardItemModel*>(mesh_->model());
-  items->item(kFile)->setEnabled(models_.results.mesh(MeshKind::File) != nullptr);
-  mesh_->setItemData(kFile, file_.name(), Qt::ToolTipRole);
-  mesh_->setCurrentIndex(static_cast<int>(state_.meshKind()));
   const TriangleMeasure* colour = state_.meshColour();
   colour_->setCurrentIndex(colour ? 1 + static_cast<int>(colour - triangleMeasures().data()) : 0);
   comparison_->setChecked(state_.comparison());

@@ -47,7 +47,6 @@ class InspectorPanel : public QWidget {
   ViewState& state_;
   MeshInspection& inspection_;
   const MeshFile& file_;
-  QComboBox* mesh_ = nullptr;
   QComboBox* colour_ = nullptr;
   QCheckBox* comparison_ = nullptr;
   QLabel* hints_ = nullptr;

@@ -47,14 +47,20 @@ ShownText contourText(const ResultModel& results, const RunModel& runs) {
 
 ShownText surfaceText(const ResultModel& results, const RunModel& runs, MeshKind kind) {
   if (results.liveSurface()) return evolving(results, runs);
-  if (results.kindAtHand(kind) == MeshKind::File) return {QObject::tr("Mesh from a file")};
+  if (results.kindAtHand(kind) == MeshKind::File) return meshText(results, kind);
   if (!results.meshFits() && results.evolveResult()) {
     const ShownText segmentation = contourText(results, runs);
     return {QObject::tr("%1, no mesh yet").arg(segmentation.text), segmentation.stale};
   }
+  return meshText(results, kind);
+}
+
+ShownText meshText(const ResultModel& results, MeshKind kind) {
+  const MeshKind atHand = results.kindAtHand(kind);
+  if (atHand == MeshKind::File) return {QObject::tr("Mesh from a file")};
   const ShownText mesh = meshText(results);
   if (mesh.text.isEmpty()) return {};
-  return {mesh.text + '\n' + meshTitle(results.kindAtHand(kind)), mesh.stale};
+  return {mesh.text + '\n' + meshTitle(atHand), mesh.stale};
 }
 
 ShownText meshText(const ResultModel& results) {

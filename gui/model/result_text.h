@@ -24,6 +24,8 @@ ShownText contourText(const ResultModel& results, const RunModel& runs);
 /// The surface of a 3D pane: the evolving one, a mesh, or that of a segmentation without a mesh.
 /// Empty where there is none.
 ShownText surfaceText(const ResultModel& results, const RunModel& runs, MeshKind kind);
+/// A mesh of the case, or the one from a file; empty where there is none.
+ShownText meshText(const ResultModel& results, MeshKind kind);
 /// Whose the tables of meshes and parts are: "result 2b".
 ShownText meshText(const ResultModel& results);
 

@@ -118,6 +118,7 @@ CaseView ViewState::caseView() const {
                 {"comparison", comparison_},
                 {"interpolated", interpolated_},
                 {"result-beside", resultBeside_},
+                {"linked", linked_},
                 {"slices3d", slices3d_}};
   for (const auto& [shown, word] : kVolumeViews) view.shown[word] = volumeView_ == shown;
   view.mesh = wordOf(meshKind_ == MeshKind::File ? MeshKind::Exported : meshKind_, kMeshes);
@@ -165,6 +166,7 @@ void ViewState::take(const CaseView& view) {
   takeShown(comparison_, "comparison");
   takeShown(resultBeside_, "result-beside");
   if (comparison_) resultBeside_ = false;
+  takeShown(linked_, "linked");
   takeShown(slices3d_, "slices3d");
   fromWord(meshKind_, view.mesh, kMeshes);
   if (view.colour == kPlain) meshColour_ = nullptr;

@@ -107,9 +107,14 @@ class ViewState : public QObject {
   /// Of triangleMeasures(): the measure that the surface is coloured by; null: none.
   [[nodiscard]] const TriangleMeasure* meshColour() const { return meshColour_; }
   void setMeshColour(const TriangleMeasure* measure) { set(meshColour_, measure); }
-  /// Marching cubes in a second 3D pane beside the mesh shown, seen by the same camera.
+  /// Another mesh in a second 3D view beside the one shown.
   [[nodiscard]] bool comparison() const { return comparison_; }
   void setComparison(bool on);
+  [[nodiscard]] MeshKind besideKind() const { return besideKind_; }
+  void setBesideKind(MeshKind kind) { set(besideKind_, kind); }
+  /// Whether the two have one camera.
+  [[nodiscard]] bool linked() const { return linked_; }
+  void setLinked(bool on) { set(linked_, on); }
 
  Q_SIGNALS:
   void changed();
@@ -144,6 +149,8 @@ class ViewState : public QObject {
   MeshKind meshKind_ = MeshKind::Exported;
   const TriangleMeasure* meshColour_ = nullptr;
   bool comparison_ = false, resultBeside_ = false;
+  MeshKind besideKind_ = MeshKind::MarchingCubes;
+  bool linked_ = true;
 };
 
 }  // namespace angiomesh

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/panel/view_grid.h"
 
+#include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QScopeGuard>
+#include <QSplitter>
 #include <algorithm>
 #include <initializer_list>
 #include <type_traits>
@@ -16,6 +17,7 @@
 #include "gui/panel/named.h"
 #include "gui/panel/surface_feed.h"
 #include "gui/panel/volume_feed.h"
+#include "gui/view/mesh_chooser.h"
 #include "gui/view/pane_focus.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
@@ -50,7 +52,8 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
     slices_[static_cast<std::size_t>(plane)] = view;
     connectSlice(view);
   }
-  pane3d_ = new QWidget(this);
+  pane3d_ = named(new QSplitter(Qt::Horizontal, this), "pane3d");
+  pane3d_->setChildrenCollapsible(false);
   surface_ = named(new SurfaceView(pane3d_), "surface3d");
   comparison_ = named(new SurfaceView(pane3d_), "comparison3d");
   comparison_->setVolumeView(VolumeView::None);
@@ -64,17 +67,21 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
     refreshCaptions();
   });
   connect(comparisonFeed_, &SurfaceFeed::arrived, this, &ViewGrid::paintComparison);
-  auto* beside = new QHBoxLayout(pane3d_);
-  beside->setContentsMargins(0, 0, 0, 0);
-  beside->setSpacing(2);
+  pane3d_->handle(1)->installEventFilter(this);
+  new MeshChooser(MeshPlace::Shown, models_, state_, surface_);
+  new MeshChooser(MeshPlace::Beside, models_, state_, comparison_);
   for (SurfaceView* view : {surface_, comparison_}) {
-    beside->addWidget(view, 1);
     connect(view, &VtkView::maximiseRequested, this, [this] { toggleMaximised(pane3d_); });
     connect(view, &SurfaceView::placePicked, this, [this](double x, double y, double z) {
       setCrosshair({x, y, z});
     });
   }
-  comparison_->shareCameraOf(*surface_);
+  connect(surface_, &SurfaceView::cameraMoved, this, [this] {
+    if (oneCamera()) comparison_->takeCameraOf(*surface_);
+  });
+  connect(comparison_, &SurfaceView::cameraMoved, this, [this] {
+    if (oneCamera()) surface_->takeCameraOf(*comparison_);
+  });
   setLargePane(slices_[2]);
   setMinimumSize(320, 320);
   new PaneFocus({slices_[0], slices_[1], slices_[2], surface_, comparison_}, this);
@@ -92,6 +99,13 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   connectPorts();
   connectInspection();
   refreshAll();
+}
+
+bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
+  // The bar between meshes moves over what they show, and changes nothing of it.
+  if (event->type() == QEvent::MouseButtonPress)
+    for (SurfaceView* view : {surface_, comparison_}) view->keepCamera();
+  return QWidget::eventFilter(watched, event);
 }
 
 void ViewGrid::goTo(double x, double y, double z, double radiusMm) {
@@ -227,8 +241,7 @@ VtkView* ViewGrid::shown3d() const { return surface_->isVisible() ? surface_ : n
 
 QString ViewGrid::titleOf(const VtkView* pane) const {
   if (pane == surface_) return tr("3D");
-  if (pane == comparison_)
-    return state_.resultBeside() ? tr("3D, result") : tr("3D, marching cubes");
+  if (pane == comparison_) return state_.resultBeside() ? tr("3D, result") : tr("3D, beside");
   return pane == slices_[2] ? tr("axial") : pane == slices_[1] ? tr("coronal") : tr("sagittal");
 }
 
@@ -382,32 +395,44 @@ void ViewGrid::paintMarks() {
                                                : std::vector<std::uint32_t>());
   };
   mark(surface_, surfaceFeed_->shown().get(), models_.results.kindAtHand(state_.meshKind()));
-  if (state_.comparison())
-    mark(comparison_, comparisonFeed_->shown().get(), MeshKind::MarchingCubes);
+  if (state_.comparison()) mark(comparison_, comparisonFeed_->shown().get(), besideKind());
 }
 
 void ViewGrid::refreshComparison() {
   const bool result = state_.resultBeside();
   const bool meshes = state_.comparison();
-  comparison_->setVisible(result || meshes);
+  const bool wanted = result || meshes;
+  const bool appears = wanted && comparison_->isHidden();
+  const bool joins = appears || (oneCamera() && !linked_);
+  linked_ = oneCamera();
+  comparison_->setVisible(wanted);
+  if (appears) pane3d_->setSizes({pane3d_->width(), pane3d_->width()});
   comparison_->setVolumeView(result ? VolumeView::Inside : VolumeView::None);
   resultFeed_->show(result ? models_.results.phi() : nullptr);
-  comparisonFeed_->show(meshes ? models_.results.mesh(MeshKind::MarchingCubes) : nullptr, false);
-  if (!meshes) return;
-  comparison_->setEdgesVisible(state_.edges());
-  paintComparison();
+  comparisonFeed_->show(meshes ? models_.results.mesh(besideKind()) : nullptr, false);
+  if (meshes) {
+    comparison_->setEdgesVisible(state_.edges());
+    paintComparison();
+  }
+  if (joins) comparison_->takeCameraOf(*surface_);
 }
+
+bool ViewGrid::oneCamera() const {
+  return state_.resultBeside() || (state_.comparison() && state_.linked());
+}
+
+MeshKind ViewGrid::besideKind() const { return models_.results.kindAtHand(state_.besideKind()); }
 
 void ViewGrid::paintComparison() {
   const std::shared_ptr<const TriMesh>& mesh = comparisonFeed_->shown();
   const std::shared_ptr<const MeasuredMeshes> colours =
-      state_.meshColour() && inspection_.of(mesh.get(), MeshKind::MarchingCubes)
-          ? inspection_.measured()
-          : nullptr;
+      state_.meshColour() && inspection_.of(mesh.get(), besideKind()) ? inspection_.measured()
+                                                                      : nullptr;
   if (mesh == comparedMesh_ && colours == comparedColours_) return;
+  if (mesh != comparedMesh_) comparison_->setPatchColours(patchColours(mesh));
   comparedMesh_ = mesh;
   comparedColours_ = colours;
-  paintQuality(*comparison_, MeshKind::MarchingCubes, colours.get());
+  paintQuality(*comparison_, besideKind(), colours.get());
   paintMarks();
 }
 
@@ -429,12 +454,10 @@ void ViewGrid::refreshCaptions() {
   surface_->setCaption(lines({projection, slices, state_.slices3d() ? overlay : QString(), hidden,
                               state_.surface() ? surfaceText_.text : QString()}),
                        surfaceText_.stale);
-  const ShownText segmented = contourText(results, models_.runs);
-  const ShownText mesh = meshText(results);
-  if (state_.resultBeside())
-    comparison_->setCaption(lines({tr("MIP: result"), segmented.text}), segmented.stale);
-  else
-    comparison_->setCaption(lines({mesh.text, meshTitle(MeshKind::MarchingCubes)}), mesh.stale);
+  const ShownText beside = state_.resultBeside() ? contourText(results, models_.runs)
+                                                 : meshText(results, state_.besideKind());
+  comparison_->setCaption(
+      lines({state_.resultBeside() ? tr("MIP: result") : QString(), beside.text}), beside.stale);
 }
 
 std::vector<std::array<double, 3>> ViewGrid::patchColours(

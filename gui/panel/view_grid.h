@@ -13,6 +13,8 @@
 #include "render/marks/port_mark.h"
 #include "render/slice/slice_pixels.h"
 
+class QSplitter;
+
 namespace angiomesh {
 
 class CasePorts;
@@ -45,8 +47,8 @@ class ViewGrid : public QWidget {
   [[nodiscard]] SurfaceView* surface() const { return surface_; }
   /// Shows the surface in 3D, with parts left out of it.
   [[nodiscard]] SurfaceFeed* surfaceFeed() const { return surfaceFeed_; }
-  /// Beside it, with the same camera: marching cubes (ViewState::comparison()) or the projection of
-  /// the result (ViewState::resultBeside()); hidden without them.
+  /// Beside it: another mesh (ViewState::comparison()) or the projection of the result
+  /// (ViewState::resultBeside()); hidden without them.
   [[nodiscard]] SurfaceView* comparison() const { return comparison_; }
 
   [[nodiscard]] PaneLayout paneLayout() const { return layout_; }
@@ -89,6 +91,10 @@ class ViewGrid : public QWidget {
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                      const QString& port, int plane);
 
+ protected:
+  /// Of the bar between two meshes.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   [[nodiscard]] int planeOf(const VtkView* view) const;
   void arrange();
@@ -102,6 +108,9 @@ class ViewGrid : public QWidget {
   void paintSurface();
   void refreshComparison();
   void paintComparison();
+  [[nodiscard]] MeshKind besideKind() const;
+  /// Whether the two 3D views are seen from one place.
+  [[nodiscard]] bool oneCamera() const;
   void refreshCaptions();
   void paintQuality(SurfaceView& view, MeshKind kind, const MeasuredMeshes* measured) const;
   void paintMarks();
@@ -118,7 +127,7 @@ class ViewGrid : public QWidget {
   CasePorts& ports_;
   MeshInspection& inspection_;
   std::array<SliceView*, 3> slices_{};  ///< by plane: sagittal, coronal, axial
-  QWidget* pane3d_ = nullptr;           ///< holds the two 3D views
+  QSplitter* pane3d_ = nullptr;         ///< holds the two 3D views
   SurfaceView* surface_ = nullptr;
   SurfaceView* comparison_ = nullptr;
   QWidget* large_ = nullptr;
@@ -135,6 +144,7 @@ class ViewGrid : public QWidget {
   std::shared_ptr<const TriMesh> shownMesh_;
   std::vector<PortMark> shownPorts_;
   std::shared_ptr<const MeasuredMeshes> shownColours_;  ///< null: plain
+  bool linked_ = true;                                  ///< as last seen
   std::shared_ptr<const TriMesh> comparedMesh_;
   std::shared_ptr<const MeasuredMeshes> comparedColours_;
 };

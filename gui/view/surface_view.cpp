@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/view/surface_view.h"
 
+#include <vtkCamera.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -225,10 +227,20 @@ void SurfaceView::resetView() {
   Q_EMIT cameraMoved();
 }
 
-void SurfaceView::shareCameraOf(SurfaceView& other) {
-  state_->scene.shareCameraOf(other.state_->scene);
-  connect(this, &SurfaceView::cameraMoved, &other, &SurfaceView::changed);
-  connect(&other, &SurfaceView::cameraMoved, this, &SurfaceView::changed);
+void SurfaceView::takeCameraOf(const SurfaceView& other) {
+  state_->scene.takeCameraOf(other.state_->scene);
+  changed();
+}
+
+void SurfaceView::keepCamera() { state_->scene.keepCamera(); }
+
+void SurfaceView::paintGL() {
+  const auto position = [this] {
+    return Eigen::Vector3d(state_->scene.renderer()->GetActiveCamera()->GetPosition());
+  };
+  const Eigen::Vector3d before = position();
+  VtkView::paintGL();
+  if (position() != before) Q_EMIT cameraMoved();
 }
 
 QImage SurfaceView::pictureTurned(double degrees, int scale, const QSize& size) {

@@ -85,8 +85,9 @@ class SurfaceView : public VtkView {
   void resetView();  ///< from anterior (from the feet when the image lies flat), fitted
   /// Takes over the camera of another view. Two views that do so on each other's cameraMoved()
   /// show their surfaces side by side.
-  /// From now on both have one camera, which follows what the other one shows.
-  void shareCameraOf(SurfaceView& other);
+  void takeCameraOf(const SurfaceView& other);
+  /// Not fitted to the pane's size any more, until the view is reset.
+  void keepCamera();
   /// picture(), once all is turned about the vertical through the middle of the view.
   [[nodiscard]] QImage pictureTurned(double degrees, int scale, const QSize& size);
 
@@ -100,7 +101,9 @@ class SurfaceView : public VtkView {
   /// `place` is empty off the surface, `port` off the ports.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                      const QString& port);
-  void cameraMoved();  ///< by the user, viewFrom(), lookAt() or resetView()
+  /// By the user, viewFrom(), lookAt(), resetView() or a fit to the pane's size; not by
+  /// takeCameraOf().
+  void cameraMoved();
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -110,6 +113,7 @@ class SurfaceView : public VtkView {
   void keyPressEvent(QKeyEvent* event) override;
   void pixelRatioChanged(double ratio) override;
   void pictureBegins() override;
+  void paintGL() override;
 
  private:
   void changed();

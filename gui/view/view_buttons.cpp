@@ -11,6 +11,14 @@
 
 namespace angiomesh {
 
+QPalette paletteOnPictures() {
+  QPalette dark(QColor(58, 66, 82), QColor(40, 46, 58));
+  for (const QPalette::ColorRole role :
+       {QPalette::ButtonText, QPalette::Text, QPalette::WindowText})
+    dark.setColor(role, QColor(236, 230, 184));
+  return dark;
+}
+
 ViewButtons::ViewButtons(SurfaceView* view) : QWidget(view) {
   const std::array<std::pair<char, QString>, 6> sides{
       {{'A', tr("From the front (A)")},
@@ -32,10 +40,7 @@ ViewButtons::ViewButtons(SurfaceView* view) : QWidget(view) {
     connect(button, &QToolButton::clicked, view, [view, from = side] { view->viewFrom(from); });
     row->addWidget(button);
   }
-  // On the dark picture, whatever the theme.
-  QPalette dark(QColor(58, 66, 82), QColor(40, 46, 58));
-  dark.setColor(QPalette::ButtonText, QColor(236, 230, 184));
-  setPalette(dark);
+  setPalette(paletteOnPictures());
   setAutoFillBackground(true);
   view->installEventFilter(this);
   place();

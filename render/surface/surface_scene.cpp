@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "render/marks/measure_marks.h"
@@ -67,7 +68,6 @@ struct SurfaceScene::Parts {
   VolumeView volumeView = VolumeView::Mip;
   bool volumeInFront = false;
   bool interactive = false, software = false, softwareKnown = false;
-  Parts* leader = nullptr;  // whose camera this is
   bool fittedOnce = false;
   // Camera position and pane size of the last fit: a camera still there follows the pane's size.
   Eigen::Vector3d fittedAt{0.0, 0.0, 0.0};
@@ -219,7 +219,6 @@ void SurfaceScene::Parts::fit() {
 }
 
 void SurfaceScene::Parts::followSize() {
-  if (leader != nullptr) return leader->followSize();
   const int* size = renderer->GetSize();
   const Eigen::Vector3d position(renderer->GetActiveCamera()->GetPosition());
   const bool resized = size[0] != fittedSize[0] || size[1] != fittedSize[1];
@@ -227,7 +226,7 @@ void SurfaceScene::Parts::followSize() {
 }
 
 void SurfaceScene::Parts::fitOnce() {
-  if (leader != nullptr || fittedOnce || (!image && surface.empty())) return;
+  if (fittedOnce || (!image && surface.empty())) return;
   fittedOnce = true;
   resetView();
 }
@@ -473,11 +472,18 @@ void SurfaceScene::lookAtFrom(const Eigen::Vector3d& lps, const Eigen::Vector3d&
   lookAt(lps, radiusMm);
 }
 
-void SurfaceScene::shareCameraOf(SurfaceScene& other) {
-  vtkCamera* camera = other.parts_->renderer->GetActiveCamera();
-  for (vtkRenderer* layer : {parts_->backRenderer.Get(), parts_->renderer.Get()})
-    layer->SetActiveCamera(camera);
-  parts_->leader = other.parts_.get();
+void SurfaceScene::takeCameraOf(const SurfaceScene& other) {
+  vtkCamera* from = other.parts_->renderer->GetActiveCamera();
+  vtkCamera* to = parts_->renderer->GetActiveCamera();
+  to->SetFocalPoint(from->GetFocalPoint());
+  to->SetPosition(from->GetPosition());
+  to->SetViewUp(from->GetViewUp());
+  to->SetViewAngle(from->GetViewAngle());
+  parts_->fittedOnce = parts_->fittedOnce || other.parts_->fittedOnce;
+}
+
+void SurfaceScene::keepCamera() {
+  parts_->fittedAt.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 void SurfaceScene::setPixelRatio(double ratio) {

@@ -110,8 +110,8 @@ class SurfaceScene {
   void lookAt(const Eigen::Vector3d& lps, double radiusMm);
   /// The same from the side of `normal`; where that is 0, from where the camera is.
   void lookAtFrom(const Eigen::Vector3d& lps, const Eigen::Vector3d& normal, double radiusMm);
-  /// From now on both have one camera, which follows what the other one shows.
-  void shareCameraOf(SurfaceScene& other);
+  void takeCameraOf(const SurfaceScene& other);
+  void keepCamera();  ///< not fitted to another size, until it is fitted again
   void setPixelRatio(double ratio);
 
  private:
