@@ -342,6 +342,33 @@ class TestScenes : public QObject {
     }
   }
 
+  void aLitVolumeIsAmongTheSurfaces() {
+    const auto image = emptyImage(Eigen::Matrix3d::Identity());
+    const Index3 voxel{20, 22, 18};
+    mark(*image, voxel);
+    const Eigen::Vector3d lps =
+        image->geometry.toPhysical(Eigen::Vector3d(voxel[0], voxel[1], voxel[2]));
+    SurfacePane pane(240, 240);
+    pane.scene.setImage(image);
+    pane.scene.setVolumeView(VolumeView::CtAngio);
+    pane.scene.viewFrom('A');
+    const auto middle = [&] {
+      const Eigen::Vector2d at = pane.scene.displayAt(lps);
+      return Frame(pane.window).at(static_cast<int>(at[0]), static_cast<int>(at[1]));
+    };
+    const auto ivory = [](const std::array<int, 3>& c) { return c[1] > 120 && c[0] > c[2]; };
+    QVERIFY(ivory(middle()));
+    const Eigen::Vector3d nearer(0.0, -8.0, 0.0);
+    pane.scene.setSurface(std::make_shared<TriMesh>(ball(lps + nearer, 4.0)));
+    QVERIFY(red(middle()));
+    pane.scene.setSurface(std::make_shared<TriMesh>(ball(lps - nearer, 4.0)));
+    QVERIFY(ivory(middle()));
+    // A projection has no depth: surfaces lie over it.
+    pane.scene.setVolumeView(VolumeView::Mip);
+    pane.scene.setMipWindow(100.0, 600.0);
+    QVERIFY(red(middle()));
+  }
+
   void bothRayCastersObeyThePatientsDirections() {
     for (const Eigen::Matrix3d& direction : {directions()[3], directions()[4]})
       for (const bool software : {true, false}) {

@@ -125,19 +125,6 @@ class TestVolume3d : public QObject {
     QVERIFY(c.state().volumeView() == VolumeView::None);
   }
 
-  void theSurfaceHidesWhatLiesBehindIt() {
-    VolumeCase c(ctTubes());
-    c.models().runs.run();
-    c.state().setVolumeView(VolumeView::CtAngio);
-    c.state().setSurface(false);
-    const QImage alone = c.surface->grabFramebuffer();
-    c.state().setSurface(true);
-    const QImage both = c.surface->grabFramebuffer();
-    QVERIFY(both != alone);
-    c.state().setVolumeView(VolumeView::None);
-    QVERIFY(c.surface->grabFramebuffer() != both);  // the body is seen in front of the wall
-  }
-
   void theResultStandsBesideTheImage() {
     VolumeCase c(ctTubes());
     c.models().runs.run();
