@@ -168,7 +168,7 @@ void SurfaceScene::Parts::chooseQuality() {
     return;
   }
   // As fine as the last frames say that fits the time: nobody waits long for a turn or a surface.
-  const double seconds = interactive ? 0.03 : 0.4;
+  const double seconds = interactive ? 0.015 : 0.4;
   const double fitting = std::pow(projectionCost / seconds, 1.0 / costExponent);
   projection.setCoarseness(std::clamp(fitting, interactive ? 1.5 : 1.0, 6.0));
 }
