@@ -30,7 +30,6 @@ TriangleMarks::TriangleMarks() {
   actor_->SetMapper(mapper_);
   vtkProperty* property = actor_->GetProperty();
   property->SetColor(kColour[0], kColour[1], kColour[2]);
-  property->SetEdgeColor(kColour[0], kColour[1], kColour[2]);
   property->LightingOff();
   setPixelRatio(1.0);
   show();
@@ -53,7 +52,8 @@ void TriangleMarks::set(const TriMesh& mesh, const std::vector<std::uint32_t>& t
   data->SetPoints(points);
   data->SetPolys(cells);
   mapper_->SetInputData(data);
-  actor_->GetProperty()->SetEdgeVisibility(triangles.size() <= kFew);
+  // Lines: the edges of a needle that covers no pixel are not drawn with its face.
+  actor_->GetProperty()->SetRepresentation(triangles.size() <= kFew ? VTK_WIREFRAME : VTK_SURFACE);
   any_ = !triangles.empty();
   show();
 }
