@@ -3147,10 +3147,6 @@ BSD-3-Clause.</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Marching cubes beside it</source>
-        <translation>Marching Cubes daneben</translation>
-    </message>
-    <message>
         <source>A click on a bar lights its triangles up in 3D; drag for more bars</source>
         <translation>Ein Klick auf einen Balken hebt seine Dreiecke in 3D hervor; für mehrere Balken ziehen</translation>
     </message>
@@ -3217,6 +3213,10 @@ BSD-3-Clause.</translation>
     <message>
         <source>Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these</source>
         <translation>Vergleicht ein Netz aus einer Datei (PLY, STL, OBJ, OFF, VTP, VTK) mit diesen</translation>
+    </message>
+    <message>
+        <source>Beside it</source>
+        <translation>Daneben</translation>
     </message>
 </context>
 <context>
@@ -3576,6 +3576,29 @@ BSD-3-Clause.</translation>
     <message>
         <source>⚠ of earlier parameters</source>
         <translation>⚠ von früheren Parametern</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::MeshChooser</name>
+    <message>
+        <source>The mesh in this view</source>
+        <translation>Das Netz in dieser Ansicht</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>Linked</source>
+        <translation>Gekoppelt</translation>
+    </message>
+    <message>
+        <source>Shows another mesh beside this one; drag the bar between them</source>
+        <translation>Zeigt ein anderes Netz neben diesem; der Balken dazwischen lässt sich ziehen</translation>
+    </message>
+    <message>
+        <source>Both views turn, move and zoom as one</source>
+        <translation>Beide Ansichten drehen, verschieben und vergrößern sich gemeinsam</translation>
     </message>
 </context>
 <context>
@@ -4466,10 +4489,6 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>3D, marching cubes</source>
-        <translation>3D, Marching Cubes</translation>
-    </message>
-    <message>
         <source>axial</source>
         <translation>axial</translation>
     </message>
@@ -4508,6 +4527,10 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     <message>
         <source>MIP: result</source>
         <translation>MIP: Ergebnis</translation>
+    </message>
+    <message>
+        <source>3D, beside</source>
+        <translation>3D, daneben</translation>
     </message>
 </context>
 <context>

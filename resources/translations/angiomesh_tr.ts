@@ -3147,10 +3147,6 @@ BSD-3-Clause.</translation>
         <translation>Renk</translation>
     </message>
     <message>
-        <source>Marching cubes beside it</source>
-        <translation>Yanında marching cubes</translation>
-    </message>
-    <message>
         <source>A click on a bar lights its triangles up in 3D; drag for more bars</source>
         <translation>Bir çubuğa tıklamak üçgenlerini 3D&apos;de aydınlatır; daha çok çubuk için sürükleyin</translation>
     </message>
@@ -3217,6 +3213,10 @@ BSD-3-Clause.</translation>
     <message>
         <source>Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these</source>
         <translation>Dosyadan bir ağı (PLY, STL, OBJ, OFF, VTP, VTK) bunlarla karşılaştırır</translation>
+    </message>
+    <message>
+        <source>Beside it</source>
+        <translation>Yanında</translation>
     </message>
 </context>
 <context>
@@ -3576,6 +3576,29 @@ BSD-3-Clause.</translation>
     <message>
         <source>⚠ of earlier parameters</source>
         <translation>⚠ önceki parametrelerden</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::MeshChooser</name>
+    <message>
+        <source>The mesh in this view</source>
+        <translation>Bu görünümdeki ağ</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Böl</translation>
+    </message>
+    <message>
+        <source>Linked</source>
+        <translation>Bağlı</translation>
+    </message>
+    <message>
+        <source>Shows another mesh beside this one; drag the bar between them</source>
+        <translation>Bunun yanında başka bir ağ gösterir; aradaki çubuk sürüklenir</translation>
+    </message>
+    <message>
+        <source>Both views turn, move and zoom as one</source>
+        <translation>İki görünüm birlikte döner, kayar ve büyür</translation>
     </message>
 </context>
 <context>
@@ -4466,10 +4489,6 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>3D, marching cubes</source>
-        <translation>3D, marching cubes</translation>
-    </message>
-    <message>
         <source>axial</source>
         <translation>aksiyel</translation>
     </message>
@@ -4508,6 +4527,10 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     <message>
         <source>MIP: result</source>
         <translation>MIP: sonuç</translation>
+    </message>
+    <message>
+        <source>3D, beside</source>
+        <translation>3B, yanındaki</translation>
     </message>
 </context>
 <context>

@@ -19,7 +19,7 @@ struct Split : WindowCase {
   Split() {
     models().files.take(twoTubes());
     click(find<QPushButton>("run"));
-    state().setMip(false);
+    state().setVolumeView(VolumeView::None);
     window->views().setLargePane(shown());
     window->views().setPaneLayout(PaneLayout::Single);
     for (auto* dock : window->findChildren<QDockWidget*>())
