@@ -39,15 +39,15 @@ void addPreprocess(FieldTable& t) {
             ANGIOMESH_MEMBER(preprocess.sigmoidEnabled),
             "map intensities through a sigmoid that keeps the range of the vessels")
       .main();
-  t.real("preprocess.sigmoid.window", "Width of the stretch",
-         ANGIOMESH_MEMBER(preprocess.sigmoidWindow), 1e-6, 1e6, "",
+  t.real("preprocess.sigmoid.window", "Stretch, width", ANGIOMESH_MEMBER(preprocess.sigmoidWindow),
+         1e-6, 1e6, "",
          "width of the sigmoid, as the viewer's window; auto: 1st to 99.8th percentile")
       .main()
       .slider(0.01, 3.0, SliderUnit::Window)
       .suggest([](const Parameters&, const FieldContext& c) { return c.window; })
       .rises("the step from dark to bright gets gentler");
-  t.real("preprocess.sigmoid.level", "Middle of the stretch",
-         ANGIOMESH_MEMBER(preprocess.sigmoidLevel), -1e6, 1e6, "",
+  t.real("preprocess.sigmoid.level", "Stretch, middle", ANGIOMESH_MEMBER(preprocess.sigmoidLevel),
+         -1e6, 1e6, "",
          "centre of the sigmoid, as the viewer's level; auto: middle of the percentiles")
       .main()
       .slider(-1.0, 2.0, SliderUnit::Level)

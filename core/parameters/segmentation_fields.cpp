@@ -67,11 +67,11 @@ void addLevelSet(FieldTable& t) {
                                                     : "it is used only with levelset.start flood";
       })
       .rises("small parts without a seed are left out");
-  t.real("levelset.gamma", "Follow the image γ", ANGIOMESH_MEMBER(levelset.gamma), 0.0, 1.0, "",
+  t.real("levelset.gamma", "Follow image γ", ANGIOMESH_MEMBER(levelset.gamma), 0.0, 1.0, "",
          "weight of the vesselness term against the curvature term")
       .main()
       .rises("the front follows the image more, and is less smooth");
-  t.real("levelset.d", "Reach into thin vessels d", ANGIOMESH_MEMBER(levelset.d), 0.0, 5.0, "",
+  t.real("levelset.d", "Thin vessels d", ANGIOMESH_MEMBER(levelset.d), 0.0, 5.0, "",
          "strength of the curvature term")
       .main()
       .rises("the front goes farther into thin vessels");
@@ -138,8 +138,7 @@ void addLumen(FieldTable& t) {
   t.boolean("levelset.refine", "Wall from the image", ANGIOMESH_MEMBER(lumen.enabled),
             "place the wall between the brightness of lumen and surroundings, after the evolution");
   t.begin(Step::Evolve, ReadOf::Scans, idleWithoutRefining);
-  t.real("levelset.refineLevel", "Least brightness of lumen", ANGIOMESH_MEMBER(lumen.level), 0.1,
-         0.9, "",
+  t.real("levelset.refineLevel", "Lumen limit", ANGIOMESH_MEMBER(lumen.level), 0.1, 0.9, "",
          "least brightness of a vessel voxel, from the surroundings (0) to the lumen (1); the wall "
          "lies half-way, or here if this is higher")
       .main()

@@ -111,8 +111,8 @@ void addSizing(FieldTable& t) {
   t.real("surface.curvatureRelax", "Relax bends", ANGIOMESH_MEMBER(surface.sizing.curvatureRelax),
          0.1, 10.0, "", "the curvature is divided by it; 3 imitates the reference program")
       .rises("longer edges where the wall is curved");
-  t.countOrNone("surface.edgesAround", "Edges around a vessel",
-                ANGIOMESH_MEMBER(surface.sizing.edgesAround), 3.0, 96.0,
+  t.countOrNone("surface.edgesAround", "Edges around", ANGIOMESH_MEMBER(surface.sizing.edgesAround),
+                3.0, 96.0,
                 "least number of edges around any vessel; none: only the curvature counts")
       .main()
       .slider(3.0, 48.0)

@@ -14,6 +14,7 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -79,10 +80,12 @@ void InspectorPanel::addChoosers(QVBoxLayout* column) {
   auto* mesh = named(new MeshCombo(MeshPlace::Shown, models_, state_, this), "meshShown");
   auto* row = new QHBoxLayout;
   row->addWidget(mesh, 1);
-  auto* openMesh = named(new QPushButton(tr("From a file…"), this), "openMeshButton");
+  auto* openMesh = named(new QToolButton(this), "openMeshButton");
+  openMesh->setText(QStringLiteral("…"));
+  openMesh->setAccessibleName(tr("Mesh from a file"));
   openMesh->setToolTip(tr("Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these"));
   row->addWidget(openMesh);
-  connect(openMesh, &QPushButton::clicked, this, &InspectorPanel::openMeshRequested);
+  connect(openMesh, &QToolButton::clicked, this, &InspectorPanel::openMeshRequested);
   form->addRow(tr("Mesh shown"), row);
   colour_ = named(new QComboBox(this), "meshColour");
   colour_->addItem(tr("plain"));

@@ -26,6 +26,9 @@ constexpr int kFewLetters = 7;
 MeshCombo::MeshCombo(MeshPlace place, CaseModels& models, ViewState& state, QWidget* parent)
     : QComboBox(parent), place_(place), models_(models), state_(state) {
   for (int kind = 0; kind < kMeshKindCount; ++kind) addItem(meshTitle(static_cast<MeshKind>(kind)));
+  // Short enough for a narrow panel; the list shows all of a name.
+  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  setMinimumContentsLength(kFewLetters);
   connect(this, &QComboBox::activated, this, [this](int index) {
     const auto kind = static_cast<MeshKind>(index);
     if (place_ == MeshPlace::Shown)

@@ -134,7 +134,7 @@
         <translation>Schnitte</translation>
     </message>
     <message>
-        <source>Edges around a vessel</source>
+        <source>Edges around</source>
         <translation>Kanten um ein Gefäß</translation>
     </message>
     <message>
@@ -150,7 +150,7 @@
         <translation>Feinste Kante</translation>
     </message>
     <message>
-        <source>Follow the image γ</source>
+        <source>Follow image γ</source>
         <translation>Bildtreue γ</translation>
     </message>
     <message>
@@ -186,8 +186,8 @@
         <translation>Kleinstes b</translation>
     </message>
     <message>
-        <source>Least brightness of lumen</source>
-        <translation>Mindesthelligkeit Lumen</translation>
+        <source>Lumen limit</source>
+        <translation>Lumengrenze</translation>
     </message>
     <message>
         <source>Least component</source>
@@ -230,8 +230,8 @@
         <translation>Methode</translation>
     </message>
     <message>
-        <source>Middle of the stretch</source>
-        <translation>Mitte der Spreizung</translation>
+        <source>Stretch, middle</source>
+        <translation>Spreizung, Mitte</translation>
     </message>
     <message>
         <source>Most iterations</source>
@@ -274,8 +274,8 @@
         <translation>Radius</translation>
     </message>
     <message>
-        <source>Reach into thin vessels d</source>
-        <translation>Bis in dünne Gefäße d</translation>
+        <source>Thin vessels d</source>
+        <translation>Dünne Gefäße d</translation>
     </message>
     <message>
         <source>Reach of the wall</source>
@@ -438,8 +438,8 @@
         <translation>Wand aus dem Bild</translation>
     </message>
     <message>
-        <source>Width of the stretch</source>
-        <translation>Breite der Spreizung</translation>
+        <source>Stretch, width</source>
+        <translation>Spreizung, Breite</translation>
     </message>
     <message>
         <source>a contour that has not come to rest goes on</source>
@@ -3207,16 +3207,16 @@ BSD-3-Clause.</translation>
         <translation>%1 Teile nicht geprüft</translation>
     </message>
     <message>
-        <source>From a file…</source>
-        <translation>Aus einer Datei…</translation>
-    </message>
-    <message>
         <source>Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these</source>
         <translation>Vergleicht ein Netz aus einer Datei (PLY, STL, OBJ, OFF, VTP, VTK) mit diesen</translation>
     </message>
     <message>
         <source>Beside it</source>
         <translation>Daneben</translation>
+    </message>
+    <message>
+        <source>Mesh from a file</source>
+        <translation>Netz aus einer Datei</translation>
     </message>
 </context>
 <context>

@@ -134,7 +134,7 @@
         <translation>Kesimler</translation>
     </message>
     <message>
-        <source>Edges around a vessel</source>
+        <source>Edges around</source>
         <translation>Damar çevresinde kenar</translation>
     </message>
     <message>
@@ -150,7 +150,7 @@
         <translation>En ince kenar</translation>
     </message>
     <message>
-        <source>Follow the image γ</source>
+        <source>Follow image γ</source>
         <translation>Görüntüyü izle γ</translation>
     </message>
     <message>
@@ -186,7 +186,7 @@
         <translation>En az b</translation>
     </message>
     <message>
-        <source>Least brightness of lumen</source>
+        <source>Lumen limit</source>
         <translation>En az lümen parlaklığı</translation>
     </message>
     <message>
@@ -230,7 +230,7 @@
         <translation>Yöntem</translation>
     </message>
     <message>
-        <source>Middle of the stretch</source>
+        <source>Stretch, middle</source>
         <translation>Germe ortası</translation>
     </message>
     <message>
@@ -274,7 +274,7 @@
         <translation>Yarıçap</translation>
     </message>
     <message>
-        <source>Reach into thin vessels d</source>
+        <source>Thin vessels d</source>
         <translation>İnce damarlara erişim d</translation>
     </message>
     <message>
@@ -438,7 +438,7 @@
         <translation>Duvar görüntüden</translation>
     </message>
     <message>
-        <source>Width of the stretch</source>
+        <source>Stretch, width</source>
         <translation>Germe genişliği</translation>
     </message>
     <message>
@@ -3207,16 +3207,16 @@ BSD-3-Clause.</translation>
         <translation>%1 parça doğrulanmadı</translation>
     </message>
     <message>
-        <source>From a file…</source>
-        <translation>Dosyadan…</translation>
-    </message>
-    <message>
         <source>Compares a mesh from a file (PLY, STL, OBJ, OFF, VTP, VTK) with these</source>
         <translation>Dosyadan bir ağı (PLY, STL, OBJ, OFF, VTP, VTK) bunlarla karşılaştırır</translation>
     </message>
     <message>
         <source>Beside it</source>
         <translation>Yanında</translation>
+    </message>
+    <message>
+        <source>Mesh from a file</source>
+        <translation>Dosyadan ağ</translation>
     </message>
 </context>
 <context>

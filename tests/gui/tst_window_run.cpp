@@ -134,7 +134,7 @@ class TestWindowRun : public QObject {
     QCOMPARE(table->item(0, 0)->text(), QString("–"));
     c.models().files.take(twoTubes());
     c.click(c.find<QPushButton>("run"));
-    for (int kind = 0; kind < kMeshKindCount; ++kind) {
+    for (int kind = 0; kind < kRunMeshCount; ++kind) {
       QCOMPARE(QLocale().toULongLong(table->item(0, kind)->text()),
                static_cast<qulonglong>(
                    c.models().results.mesh(static_cast<MeshKind>(kind))->triangles.size()));

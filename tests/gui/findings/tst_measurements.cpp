@@ -61,6 +61,8 @@ struct MeasureCase : WindowCase {
                        const JobRunnerFactory& makeRunner = makeInlineJobRunner)
       : WindowCase(makeRunner) {
     models().files.take(std::move(source));
+    for (int waited = 0; !models().document.hasCase() && waited < kPatienceMs; waited += 10)
+      QTest::qWait(10);
     settle();
     if (!segmented) return;
     models().runs.run();

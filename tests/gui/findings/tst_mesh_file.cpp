@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QToolButton>
 
 #include "core/quality/quality_table.h"
 #include "gui/inspector/histogram_widget.h"
@@ -33,7 +34,7 @@ struct Compared : WindowCase {
   }
   void open(const QString& path) {
     openPath = path;
-    click(find<QPushButton>("openMeshButton"));
+    click(find<QToolButton>("openMeshButton"));
   }
   const MeshQuality* quality() { return models().results.quality(MeshKind::File); }
   QString log() { return find<QPlainTextEdit>("log")->toPlainText(); }
@@ -163,6 +164,7 @@ class TestMeshFile : public QObject {
   void itIsReadByAWorker() {
     WindowCase c(makeThreadedJobRunner);
     c.models().files.take(twoTubes());
+    QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
     c.models().runs.run();
     QTRY_VERIFY_WITH_TIMEOUT(c.models().results.quality(MeshKind::Exported) != nullptr,
                              kPatienceMs);
