@@ -31,10 +31,11 @@ constexpr double kRadiiAround = 8.0;
 /// Width of a large pane in widths of the small ones beside it.
 constexpr int kLargeShare = 2;
 
-/// With a place for the layer; empty where no volume is shown.
-QString volumeText(VolumeView view) {
+/// Empty where no volume is shown.
+QString volumeText(VolumeView view, const QString& layer) {
   if (view == VolumeView::None) return {};
-  return view == VolumeView::Mip ? ViewGrid::tr("MIP: %1") : ViewGrid::tr("Volume: %1");
+  return (view == VolumeView::Mip ? ViewGrid::tr("MIP: %1") : ViewGrid::tr("Volume: %1"))
+      .arg(layer);
 }
 
 }  // namespace
@@ -448,7 +449,7 @@ void ViewGrid::refreshCaptions() {
       state_.overlay() ? overlayText(models_.results, *state_.overlay()).text : QString();
   const QString contour = shownPhi_ ? contourText(results, models_.runs).text : QString();
   for (SliceView* view : slices_) view->setCaption(lines({layer, overlay, contour}));
-  const QString projection = volumeText(state_.volumeShown()).arg(layer);
+  const QString projection = volumeText(state_.volumeShown(), layer);
   const QString slices = state_.slices3d() ? tr("Slices: %1").arg(layer) : QString();
   const QString hidden = surfaceFeed_->hidesParts() ? tr("Some parts hidden") : QString();
   surface_->setCaption(lines({projection, slices, state_.slices3d() ? overlay : QString(), hidden,

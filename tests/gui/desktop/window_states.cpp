@@ -53,14 +53,17 @@ class States {
   void wait(const std::function<bool()>& done) {
     for (int waited = 0; !done() && waited < kPatienceMs; waited += 20) QTest::qWait(20);
   }
+  void open() {
+    models().files.take(scan());
+    wait([this] { return models().document.hasCase(); });
+  }
   void run() {
     models().runs.run();
     wait([this] { return !models().busy(); });
   }
   void take(const char* name) {
     QTest::qWait(1500);
-    const QPixmap shot =
-        window_.screen()->grabWindow(0, 0, 0, kWindow.width(), kWindow.height());
+    const QPixmap shot = window_.screen()->grabWindow(0, 0, 0, kWindow.width(), kWindow.height());
     const QString path = folder_ + '/' + name + ".png";
     if (!shot.save(path, "PNG", 0)) failed_ = true;
     std::printf("%s\n", qPrintable(path));
@@ -82,7 +85,7 @@ void showBeginning(States& s, MainWindow& window) {
   window.open("no-such-scan.nii.gz");
   s.take("error");
   s.models().files.take(scan());
-  window.views().setCrosshair({24.0, 24.0, 24.0});
+  s.open();
   s.take("review-before-a-run");
 }
 
@@ -164,7 +167,7 @@ int drive(const QString& folder, const QString& language) {
   if (language != "en") {
     s.take(qPrintable("empty-" + language));
     s.models().files.take(scan());
-    s.trigger("workspaceTune");
+    s.open();
     s.run();
     s.take(qPrintable("tune-" + language));
     s.trigger("workspaceMesh");
