@@ -4,24 +4,15 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include "core/base/error.h"
-#include "io/dicom/dicom_source.h"
+#include "io/dicom/dicom_file_header.h"
 
 namespace angiomesh {
 namespace {
 
-// A longer one is no text of these elements, see PS3.5, table 6.2-1.
-constexpr std::uint32_t kLongestText = 1024;
-
-std::string textOf(DcmItem& item, const DcmTagKey& tag) {
-  DcmElement* element = nullptr;
-  OFString value;
-  if (item.findAndGetElement(tag, element).bad() || element->getLengthField() > kLongestText ||
-      element->getOFStringArray(value).bad())
-    return {};
+std::string textOf(const DicomHeader& header, const DcmTagKey& tag) {
   std::string text;
   // No control character reaches the screen.
-  for (const char c : value)
+  for (const char c : header.text(tag))
     if (static_cast<unsigned char>(c) >= ' ' && c != 127) text += c;
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
@@ -47,21 +38,12 @@ std::string nameOf(std::string text) {
 }  // namespace
 
 DicomIdentityTexts readDicomIdentity(const std::filesystem::path& file) {
-  const DicomSource source(file);
-  DcmFileFormat format;
-  const OFCondition status =
-      format.loadFileUntilTag(source.path().c_str(), EXS_Unknown, EGL_noChange, kLongestText,
-                              ERM_autoDetect, DCM_PixelData);
-  if (status.bad())
-    throw IoError("the header cannot be read", file.filename().string(),
-                  "check that the series is still there and can be read");
-  DcmDataset& data = *format.getDataset();
-  // Where it fails, the texts are as they are in the file.
-  data.convertToUTF8();
-  return {nameOf(textOf(data, DCM_PatientName)),      textOf(data, DCM_PatientID),
-          dateOf(textOf(data, DCM_PatientBirthDate)), textOf(data, DCM_PatientSex),
-          dateOf(textOf(data, DCM_StudyDate)),        textOf(data, DCM_StudyDescription),
-          textOf(data, DCM_AccessionNumber)};
+  DicomHeader header(file);
+  header.toUtf8();
+  return {nameOf(textOf(header, DCM_PatientName)),      textOf(header, DCM_PatientID),
+          dateOf(textOf(header, DCM_PatientBirthDate)), textOf(header, DCM_PatientSex),
+          dateOf(textOf(header, DCM_StudyDate)),        textOf(header, DCM_StudyDescription),
+          textOf(header, DCM_AccessionNumber)};
 }
 
 }  // namespace angiomesh

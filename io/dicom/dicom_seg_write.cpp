@@ -16,7 +16,7 @@
 #include "core/base/error.h"
 #include "core/base/formatted.h"
 #include "core/pipeline/report.h"
-#include "io/dicom/dicom_source.h"
+#include "io/dicom/dicom_file_header.h"
 #include "io/dicom/dicom_uid.h"
 #include "io/dicom/slice_orientation.h"
 #include "io/file/files.h"
@@ -29,7 +29,6 @@ namespace fs = std::filesystem;
 constexpr double kOnSlice = 0.01;  // of the distance of slices
 constexpr double kSameDirection = 1e-3;
 constexpr double kSamePlace = 0.1;  // of the pixel spacing
-constexpr std::uint32_t kLongestText = 1024;
 
 struct Code {
   const char* value;
@@ -79,50 +78,26 @@ void putCode(DcmItem& in, const DcmTagKey& sequence, const Code& code) {
   put(item, DCM_CodeMeaning, code.meaning);
 }
 
-/// The header of one file of the series.
-class SourceHeader {
- public:
-  explicit SourceHeader(const fs::path& file) {
-    const DicomSource source(file);
-    const OFCondition status =
-        format_.loadFileUntilTag(source.path().c_str(), EXS_Unknown, EGL_noChange, kLongestText,
-                                 ERM_autoDetect, DCM_PixelData);
-    checkOpened(file, status);
-    if (status.bad())
-      throw IoError("the header of a source image is damaged", file.filename().string(),
-                    kCopyAgain);
-  }
+/// Empty where it is not there.
+void copy(DcmItem& to, const DicomHeader& source, const DcmTagKey& tag) {
+  put(to, tag, source.text(tag));
+}
+void copyIfThere(DcmItem& to, const DicomHeader& source, const DcmTagKey& tag) {
+  if (const std::string value = source.text(tag); !value.empty()) put(to, tag, value);
+}
 
-  [[nodiscard]] std::string text(const DcmTagKey& tag) {
-    DcmElement* element = nullptr;
-    OFString value;
-    if (format_.getDataset()->findAndGetElement(tag, element).bad() ||
-        element->getLengthField() > kLongestText || element->getOFStringArray(value).bad())
-      return {};
-    return value.c_str();
-  }
-  /// Empty where it is not there.
-  void copy(DcmItem& to, const DcmTagKey& tag) { put(to, tag, text(tag)); }
-  void copyIfThere(DcmItem& to, const DcmTagKey& tag) {
-    if (const std::string value = text(tag); !value.empty()) put(to, tag, value);
-  }
-
- private:
-  DcmFileFormat format_;
-};
-
-void putPatientAndStudy(DcmItem& data, SourceHeader& source, DicomIdentity identity) {
+void putPatientAndStudy(DcmItem& data, const DicomHeader& source, DicomIdentity identity) {
   if (identity == DicomIdentity::OfSource) {
-    source.copyIfThere(data, DCM_SpecificCharacterSet);
+    copyIfThere(data, source, DCM_SpecificCharacterSet);
     for (const DcmTagKey& tag :
          {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate,
           DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber,
           DCM_StudyInstanceUID})
-      source.copy(data, tag);
+      copy(data, source, tag);
     for (const DcmTagKey& tag :
          {DCM_IssuerOfPatientID, DCM_PatientAge, DCM_PatientSize, DCM_PatientWeight,
           DCM_StudyDescription, DCM_PatientIdentityRemoved, DCM_DeidentificationMethod})
-      source.copyIfThere(data, tag);
+      copyIfThere(data, source, tag);
   } else {
     for (const DcmTagKey& tag :
          {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate,
@@ -136,7 +111,7 @@ void putPatientAndStudy(DcmItem& data, SourceHeader& source, DicomIdentity ident
     put(data, DCM_StudyInstanceUID, newDicomUid());
 }
 
-void putSeries(DcmItem& data, SourceHeader& source) {
+void putSeries(DcmItem& data, const DicomHeader& source) {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   localtime_r(&now, &local);
@@ -163,12 +138,12 @@ void putSeries(DcmItem& data, SourceHeader& source) {
   put(data, DCM_SoftwareVersions, versionText());
   const std::string frame = source.text(DCM_FrameOfReferenceUID);
   put(data, DCM_FrameOfReferenceUID, frame.empty() ? newDicomUid() : frame);
-  source.copy(data, DCM_PositionReferenceIndicator);
+  copy(data, source, DCM_PositionReferenceIndicator);
   const bool lossy = source.text(DCM_LossyImageCompression) == "01";
   put(data, DCM_LossyImageCompression, lossy ? "01" : "00");
   if (lossy) {
-    source.copyIfThere(data, DCM_LossyImageCompressionRatio);
-    source.copyIfThere(data, DCM_LossyImageCompressionMethod);
+    copyIfThere(data, source, DCM_LossyImageCompressionRatio);
+    copyIfThere(data, source, DCM_LossyImageCompressionMethod);
   }
 }
 
@@ -326,7 +301,7 @@ void writeSegmentation(const Volume<std::uint8_t>& mask, const DicomStack& serie
                        DicomIdentity identity, const fs::path& path) {
   const Geometry& g = mask.geometry;
   checkGrid(g, series, path);
-  SourceHeader source(series.fileOf(series.frames.front()).path);
+  const DicomHeader source(series.fileOf(series.frames.front()).path);
   DcmFileFormat format;
   DcmDataset& data = *format.getDataset();
   putPatientAndStudy(data, source, identity);

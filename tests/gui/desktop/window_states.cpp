@@ -31,7 +31,7 @@ namespace {
 constexpr int kPatienceMs = 300000;
 const QSize kWindow(1280, 800);
 
-/// A bifurcation with a narrowing would be two; this one has branches and an end at each side.
+/// Small, so that each state is there within seconds.
 Source scan() {
   PhantomParams params;
   params.kind = PhantomKind::VesselTree;
