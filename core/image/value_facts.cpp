@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <mutex>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -35,7 +37,106 @@ void keyRange(const float* values, std::size_t count, std::int32_t* least, std::
   *greatest = high;
 }
 
+/// The upper and the lower half of a key, moved so that the least key is 0.
+inline std::size_t upperHalf(std::int32_t key) {
+  return (static_cast<std::uint32_t>(key) ^ 0x80000000U) >> 16;
+}
+inline std::size_t lowerHalf(std::int32_t key) { return static_cast<std::uint32_t>(key) & 0xffffU; }
+
+constexpr std::size_t kGrain = std::size_t{1} << 16;
+constexpr std::size_t kHalves = std::size_t{1} << 16;
+using Counts = std::vector<std::uint64_t>;
+
+/// How many voxels have each number that `binOf` gives for a key; `bins` itself is not counted.
+template <class BinOf>
+Counts counted(const BigVector<float>& values, std::size_t bins, const BinOf& binOf) {
+  // So few blocks that making their counters and adding them up is no work.
+  constexpr std::size_t kManyAtOnce = std::size_t{1} << 21;
+  Counts counts(bins + 1);
+  std::mutex mutex;
+  parallelFor(0, values.size(), kManyAtOnce, [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t> own(bins + 1);
+    for (std::size_t i = first; i < last; ++i) ++own[binOf(keyOf(values[i]))];
+    const std::lock_guard lock(mutex);
+    for (std::size_t b = 0; b < own.size(); ++b) counts[b] += own[b];
+  });
+  counts.pop_back();
+  return counts;
+}
+
+/// The bin that holds the item of a rank, and how many lie in the bins before.
+std::pair<std::size_t, std::uint64_t> binOfRank(const std::uint64_t* counts, std::uint64_t rank) {
+  std::size_t bin = 0;
+  std::uint64_t before = 0;
+  while (before + counts[bin] <= rank) before += counts[bin++];
+  return {bin, before};
+}
+
+/// The values of ascending ranks, found by counting: a radix selection on the halves of the keys,
+/// which reads the voxels twice and neither copies nor sorts them.
+std::vector<float> valuesOfRanks(const BigVector<float>& values,
+                                 const std::vector<std::uint64_t>& ranks) {
+  const Counts upper = counted(values, kHalves, [](std::int32_t key) { return upperHalf(key); });
+  std::vector<std::pair<std::size_t, std::uint64_t>> place;  // upper half, rank among its own
+  std::vector<std::uint32_t> group(kHalves, 0);              // of upper halves that are looked into
+  std::uint32_t groups = 0;
+  for (const std::uint64_t rank : ranks) {
+    const auto [half, before] = binOfRank(upper.data(), rank);
+    if (place.empty() || place.back().first != half) group[half] = ++groups;
+    place.emplace_back(half, rank - before);
+  }
+  const std::size_t bins = groups * kHalves;
+  const Counts lower = counted(values, bins, [&](std::int32_t key) {
+    const std::uint32_t of = group[upperHalf(key)];
+    return of == 0 ? bins : (of - 1) * kHalves + lowerHalf(key);
+  });
+  std::vector<float> found;
+  for (const auto& [half, rank] : place) {
+    const std::size_t low = binOfRank(lower.data() + (group[half] - 1) * kHalves, rank).first;
+    const auto bits = static_cast<std::uint32_t>((half << 16) | low) ^ 0x80000000U;
+    found.push_back(valueOf(std::bit_cast<std::int32_t>(bits)));
+  }
+  return found;
+}
+
 }  // namespace
+
+std::array<float, 2> valueRange(const Volume<float>& image) {
+  std::int32_t least = std::numeric_limits<std::int32_t>::max(), greatest = -least - 1;
+  std::mutex mutex;
+  parallelFor(0, image.voxels.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    std::int32_t low = 0, high = 0;
+    keyRange(image.voxels.data() + first, last - first, &low, &high);
+    const std::lock_guard lock(mutex);
+    least = std::min(least, low);
+    greatest = std::max(greatest, high);
+  });
+  return {valueOf(least), valueOf(greatest)};
+}
+
+std::vector<double> percentiles(const Volume<float>& image, const std::vector<double>& fractions) {
+  const std::size_t last = image.voxels.size() - 1;
+  std::vector<std::uint64_t> ranks;
+  std::vector<double> exact;
+  for (const double fraction : fractions) {
+    exact.push_back(std::clamp(fraction, 0.0, 1.0) * static_cast<double>(last));
+    const auto below = static_cast<std::uint64_t>(exact.back());
+    ranks.insert(ranks.end(), {below, std::min<std::uint64_t>(below + 1, last)});
+  }
+  std::vector<std::uint64_t> ascending = ranks;
+  std::sort(ascending.begin(), ascending.end());
+  const std::vector<float> values = valuesOfRanks(image.voxels, ascending);
+  const auto valueAt = [&](std::uint64_t rank) {
+    const auto at = std::lower_bound(ascending.begin(), ascending.end(), rank);
+    return static_cast<double>(values[static_cast<std::size_t>(at - ascending.begin())]);
+  };
+  std::vector<double> result;
+  for (std::size_t n = 0; n < fractions.size(); ++n) {
+    const double below = valueAt(ranks[2 * n]), above = valueAt(ranks[2 * n + 1]);
+    result.push_back(below + (exact[n] - static_cast<double>(ranks[2 * n])) * (above - below));
+  }
+  return result;
+}
 
 void ValueFacts::add(const ValueFacts& other) {
   least = std::min(least, other.least);
@@ -62,7 +163,6 @@ ValueFacts valueFacts(const float* values, std::size_t count, std::size_t first)
 }
 
 ValueFacts valueFacts(const Volume<float>& image) {
-  constexpr std::size_t kGrain = std::size_t{1} << 16;
   ValueFacts facts;
   std::mutex mutex;
   parallelFor(0, image.voxels.size(), kGrain, [&](std::size_t first, std::size_t last) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/statistics.h"
 #include "core/image/voxels.h"
 
 namespace angiomesh {
@@ -33,19 +32,6 @@ bool Geometry::operator==(const Geometry& other) const {
   return size == other.size && (spacing - other.spacing).cwiseAbs().maxCoeff() < tolerance &&
          (origin - other.origin).cwiseAbs().maxCoeff() < tolerance * 100 &&
          (direction - other.direction).cwiseAbs().maxCoeff() < tolerance;
-}
-
-std::array<float, 2> valueRange(const Volume<float>& image) {
-  const auto [lo, hi] = std::minmax_element(image.voxels.begin(), image.voxels.end());
-  return {*lo, *hi};
-}
-
-std::vector<double> percentiles(const Volume<float>& image, const std::vector<double>& fractions) {
-  BigVector<float> values = image.voxels;
-  std::vector<double> result;
-  for (const double fraction : fractions)
-    result.push_back(percentile(values, std::clamp(fraction, 0.0, 1.0)));
-  return result;
 }
 
 double interpolateLinear(const Volume<float>& image, const Eigen::Vector3d& index) {

@@ -76,8 +76,8 @@ struct Volume {
 /// Smallest and largest value of a non-empty volume.
 std::array<float, 2> valueRange(const Volume<float>& image);
 
-/// Of the voxels the percentile() at each of the given fractions (0..1): linear between ranks.
-/// Works on a copy.
+/// Of the voxels of a non-empty volume the percentile() at each of the given fractions (0..1):
+/// linear between ranks.
 std::vector<double> percentiles(const Volume<float>& image, const std::vector<double>& fractions);
 
 /// Trilinear interpolation at a continuous index, clamped to the border.

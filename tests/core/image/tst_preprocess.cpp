@@ -2,6 +2,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -186,6 +187,40 @@ class TestPreprocess : public QObject {
     image.voxels = {40.0F, 0.0F, 10.0F, 30.0F, 20.0F};
     const auto p = percentiles(image, {0.0, 0.5, 0.625, 1.0});
     QVERIFY(p[0] == 0.0 && p[1] == 20.0 && std::fabs(p[2] - 25.0) < 1e-9 && p[3] == 40.0);
+  }
+
+  void percentilesAreThoseOfTheSortedVoxels_data() {
+    QTest::addColumn<float>("scale");
+    QTest::addColumn<bool>("whole");
+    QTest::newRow("whole numbers") << 900.0F << true;
+    QTest::newRow("around nought") << 1.0F << false;
+    QTest::newRow("tiny") << 1e-41F << false;
+    QTest::newRow("huge") << 3e38F << false;
+  }
+  void percentilesAreThoseOfTheSortedVoxels() {
+    QFETCH(float, scale);
+    QFETCH(bool, whole);
+    Geometry g = cube(1);
+    g.size = {211, 173, 67};  // some blocks, and the last of them not full
+    Volume<float> image(g);
+    std::mt19937 random(7);
+    for (float& voxel : image.voxels) {
+      voxel = (static_cast<float>(random() >> 8) / 8388608.0F - 1.0F) * scale;
+      if (whole) voxel = std::round(voxel);
+    }
+    std::vector<double> sorted(image.voxels.begin(), image.voxels.end());
+    std::sort(sorted.begin(), sorted.end());
+    // In no order, some twice, and ranks side by side.
+    const std::vector<double> fractions{0.998, 0.01, 0.5, 0.5, 0.0, 1.0, 0.123456, 0.5000001};
+    const std::vector<double> found = percentiles(image, fractions);
+    for (std::size_t n = 0; n < fractions.size(); ++n) {
+      const double rank = fractions[n] * static_cast<double>(sorted.size() - 1);
+      const auto low = static_cast<std::size_t>(rank);
+      const double above = sorted[std::min(low + 1, sorted.size() - 1)];
+      QCOMPARE(found[n], sorted[low] + (rank - std::floor(rank)) * (above - sorted[low]));
+    }
+    QCOMPARE(static_cast<double>(valueRange(image)[0]), sorted.front());
+    QCOMPARE(static_cast<double>(valueRange(image)[1]), sorted.back());
   }
 
   void axesAreAlike_data() {
