@@ -3,6 +3,7 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -28,7 +29,13 @@ WhyPanel::WhyPanel(CaseModels& models, const ViewGrid& views, const JobRunnerFac
       views_(views),
       slot_(models.timer, makeRunner,
             [this](const std::shared_ptr<ReasonJob>& job) { finish(*job); }) {
-  auto* column = new QVBoxLayout(this);
+  // What is said of a voxel may be long, and takes no room from the panes.
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget(scroll);
+  auto* column = new QVBoxLayout(content);
   column->setContentsMargins(6, 4, 6, 4);
   sentence_ = named(new QLabel(this), "whySentence");
   sentence_->setWordWrap(true);
@@ -52,6 +59,7 @@ WhyPanel::WhyPanel(CaseModels& models, const ViewGrid& views, const JobRunnerFac
   for (std::size_t i = 0; i < rows.size(); ++i) {
     auto* name = new QLabel(rows[i].first, this);
     values_[i] = named(new QLabel(this), QStringLiteral("why%1").arg(i));
+    values_[i]->setWordWrap(true);
     values_[i]->setTextInteractionFlags(Qt::TextSelectableByMouse);
     name->setToolTip(rows[i].second);
     values_[i]->setToolTip(rows[i].second);
@@ -59,6 +67,10 @@ WhyPanel::WhyPanel(CaseModels& models, const ViewGrid& views, const JobRunnerFac
   }
   column->addLayout(form);
   column->addStretch(1);
+  scroll->setWidget(content);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
   connect(&views_, &ViewGrid::crosshairMoved, this, &WhyPanel::ask);
   connect(&models_.results, &ResultModel::resultsChanged, this, &WhyPanel::ask);
   connect(&models_.files, &CaseFiles::caseChanged, this, &WhyPanel::ask);
