@@ -11,6 +11,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QResizeEvent>
 #include <QScopeGuard>
 #include <QTimer>
 #include <QWheelEvent>
@@ -86,6 +87,13 @@ void SurfaceView::changed() {
   state_->scene.setInteractive(true);
   state_->refine.start();
   requestRender();
+}
+
+void SurfaceView::resizeEvent(QResizeEvent* event) {
+  // Before the pane draws itself at its new size.
+  state_->scene.setInteractive(true);
+  state_->refine.start();
+  VtkView::resizeEvent(event);
 }
 
 void SurfaceView::setImage(std::shared_ptr<const Volume<float>> image) {

@@ -111,6 +111,7 @@ class SurfaceView : public VtkView {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void pixelRatioChanged(double ratio) override;
   void pictureBegins() override;
   void paintGL() override;

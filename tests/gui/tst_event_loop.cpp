@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <ctime>
 #include <string>
 
+#include "core/phantom/phantom.h"
 #include "window_case.h"
 
 using namespace angiomesh;
@@ -13,6 +15,21 @@ namespace {
 
 /// The bar is 0.05 s; on a machine that others share, the processor's time doubles.
 constexpr double kLongest = 0.1;
+/// Events beyond it are listed, s.
+constexpr double kTold = 0.03;
+
+/// The sample, or by hand a phantom of the size in ANGIOMESH_EVENTS, as 512,512,120.
+void openVolume(MainWindow& window) {
+  const QStringList sizes = qEnvironmentVariable("ANGIOMESH_EVENTS").split(',');
+  if (sizes.size() != 3) {
+    window.openSample();
+    return;
+  }
+  PhantomParams params;
+  params.size = {sizes[0].toInt(), sizes[1].toInt(), sizes[2].toInt()};
+  params.noiseSigma = 20.0;
+  window.models().files.take(makeSource(makePhantom(params, {}).image, "phantom"));
+}
 
 double threadSeconds() {
   timespec now{};
@@ -31,10 +48,17 @@ class WatchedApplication : public QApplication {
     ++nested_;
     const QEvent::Type type = event->type();
     const std::string name = receiver->metaObject()->className();
+    QElapsedTimer clock;
+    clock.start();
     const double start = threadSeconds();
     const bool done = QApplication::notify(receiver, event);
     const double spent = threadSeconds() - start;
     --nested_;
+    longestByTheClock =
+        std::max(longestByTheClock, 1e-9 * static_cast<double>(clock.nsecsElapsed()));
+    if (spent > kTold)
+      qInfo("%s %d: %.0f ms of the processor, %.0f by the clock", name.c_str(), type, 1e3 * spent,
+            1e-6 * static_cast<double>(clock.nsecsElapsed()));
     if (spent > longest) {
       longest = spent;
       longestEvent = name + " " + std::to_string(type);
@@ -42,7 +66,7 @@ class WatchedApplication : public QApplication {
     return done;
   }
 
-  double longest = 0.0;
+  double longest = 0.0, longestByTheClock = 0.0;
   std::string longestEvent;
 
  private:
@@ -59,10 +83,10 @@ class TestEventLoop : public QObject {
  private Q_SLOTS:
   void noEventOfARunIsLong() {
     WindowCase c(makeThreadedJobRunner);
-    c.window->openSample();
+    openVolume(*c.window);
     QTRY_VERIFY_WITH_TIMEOUT(c.models().document.hasCase(), kPatienceMs);
     QTest::qWait(1000);  // the pictures of the volume
-    application().longest = 0.0;
+    application().longest = application().longestByTheClock = 0.0;
     QSignalSpy snapshots(&c.models().runs, &RunModel::snapshotArrived);
     c.models().runs.run();
     QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), kPatienceMs);
@@ -71,7 +95,8 @@ class TestEventLoop : public QObject {
     QVERIFY(snapshots.size() > 0);
     const QString what = QString::fromStdString(application().longestEvent) +
                          QString(": %1 ms").arg(1e3 * application().longest, 0, 'f', 1);
-    qInfo("longest: %s", qPrintable(what));
+    qInfo("longest: %s; %.1f by the clock", qPrintable(what),
+          1e3 * application().longestByTheClock);
     QVERIFY2(application().longest < kLongest, qPrintable(what));
   }
 };

@@ -80,6 +80,16 @@ class TestVolume3d : public QObject {
     QVERIFY(c.state().volumeView() == VolumeView::Mip);
   }
 
+  void aPaneOfAnotherSizeIsDrawnQuicklyAtFirst() {
+    VolumeCase c(ctTubes());
+    QTest::qWait(600);
+    const QImage atRest = c.surface->grabFramebuffer();
+    c.window->resize(c.window->width(), c.window->height() - 40);
+    QTRY_VERIFY(c.surface->height() < atRest.height());
+    const QImage quick = c.surface->grabFramebuffer();
+    QTRY_VERIFY(c.surface->grabFramebuffer() != quick);
+  }
+
   void theRightClickOfThePaneHasTheMenu() {
     VolumeCase c(ctTubes());
     const QPoint at = c.surface->rect().center();
