@@ -46,4 +46,15 @@ PlaneTurn SliceGrip::knobMoved(const Eigen::Vector2d& at) const {
   return scene_.turnedBy(turnBefore_, scene_.angleAt(at[0], at[1]) - angleBefore_);
 }
 
+void SliceGrip::takeRoi(const Eigen::Vector2d& at) {
+  roiCorner_ = scene_.lpsAt(at[0], at[1]);
+  roiBefore_ = scene_.roi();
+}
+
+std::optional<RoiBox> SliceGrip::roiMoved(const Eigen::Vector2d& at) const {
+  const RoiBox whole = volumeBox(scene_.image()->geometry);
+  return boxBetween(roiBefore_.value_or(whole), whole, scene_.axes().plane, roiCorner_,
+                    scene_.lpsAt(at[0], at[1]));
+}
+
 }  // namespace angiomesh

@@ -10,8 +10,8 @@
 
 namespace angiomesh {
 
-/// What the left button can take hold of in a slice pane: the ports, and the knobs of the
-/// crosshair. Places are display positions.
+/// What the left button can take hold of in a slice pane: the ports, the knobs of the crosshair, and
+/// the corner of a region of interest. Places are display positions.
 class SliceGrip {
  public:
   explicit SliceGrip(SliceScene& scene) : scene_(scene) {}
@@ -33,6 +33,11 @@ class SliceGrip {
   bool takeKnob(const Eigen::Vector2d& at);
   [[nodiscard]] PlaneTurn knobMoved(const Eigen::Vector2d& at) const;
 
+  void takeRoi(const Eigen::Vector2d& at);
+  /// From the corner taken to here; none where it would hold no voxel.
+  [[nodiscard]] std::optional<RoiBox> roiMoved(const Eigen::Vector2d& at) const;
+  [[nodiscard]] const std::optional<RoiBox>& roiBefore() const { return roiBefore_; }
+
  private:
   SliceScene& scene_;
   Tool tool_ = Tool::Navigate;
@@ -40,6 +45,8 @@ class SliceGrip {
   QString port_;
   PlaneTurn turnBefore_;
   double angleBefore_ = 0.0;
+  Eigen::Vector3d roiCorner_{0.0, 0.0, 0.0};
+  std::optional<RoiBox> roiBefore_;
 };
 
 }  // namespace angiomesh

@@ -41,8 +41,6 @@ struct SliceView::State {
   ColourLayer colourLayer;
   bool interpolated = true;
   QString caption;
-  Eigen::Vector3d roiCorner{0.0, 0.0, 0.0};
-  std::optional<RoiBox> roiBefore;
   SlabMode lastSlabMode = SlabMode::Mip;
   std::optional<QPointF> pointer;  // over the pane
   QString valueLayer, valueUnit, overlayName;
@@ -192,7 +190,7 @@ void SliceView::setMeasures(std::vector<MeasureMark> marks) {
 
 void SliceView::setTool(Tool tool) {
   if (tool == state_->tool) return;  // a drag under way goes on
-  if (state_->drag == Drag::Roi) setRoi(state_->roiBefore);
+  if (state_->drag == Drag::Roi) setRoi(state_->grip.roiBefore());
   if (state_->drag != Drag::Port) state_->drag = Drag::None;
   state_->tool = tool;
   state_->grip.setTool(tool);
@@ -283,13 +281,6 @@ void SliceView::dragContrast(const QPointF& moved, bool fine) {
   Q_EMIT windowLevelChanged(window, level);
 }
 
-std::optional<RoiBox> SliceView::roiTo(const QPointF& position) const {
-  const SliceScene& scene = state_->scene;
-  const RoiBox whole = volumeBox(scene.image()->geometry);
-  return boxBetween(state_->roiBefore.value_or(whole), whole, scene.axes().plane, state_->roiCorner,
-                    lpsAt(position));
-}
-
 void SliceView::mousePressEvent(QMouseEvent* event) {
   State& s = *state_;
   if (s.drag != Drag::None) return;  // a second button while one is down
@@ -301,8 +292,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   if (s.tool == Tool::DrawRoi) {
     s.drag = Drag::Roi;
-    s.roiCorner = lpsAt(event->position());
-    s.roiBefore = s.scene.roi();
+    s.grip.takeRoi(toDisplay(event->position()));
   } else if (!event->modifiers().testFlag(Qt::ControlModifier) &&
              s.grip.takePort(toDisplay(event->position()))) {
     s.drag = Drag::Port;
@@ -348,7 +338,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
       break;
     case Drag::Roi:
       if (!s.mayBeClick)
-        if (const std::optional<RoiBox> box = roiTo(position)) setRoi(box);
+        if (const auto box = s.grip.roiMoved(toDisplay(position))) setRoi(box);
       break;
     case Drag::Turn:
       if (!s.mayBeClick) Q_EMIT turnChanged(s.grip.knobMoved(toDisplay(position)));
@@ -371,10 +361,10 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   const Drag ended = s.drag;
   s.drag = Drag::None;
   if (ended == Drag::Roi && !s.mayBeClick) {
-    if (const std::optional<RoiBox> box = roiTo(event->position()))
+    if (const auto box = s.grip.roiMoved(toDisplay(event->position())))
       Q_EMIT roiDrawn(*box);
     else
-      setRoi(s.roiBefore);
+      setRoi(s.grip.roiBefore());
   }
   if (ended == Drag::Port && !s.mayBeClick) Q_EMIT portDropped();
   if (!s.mayBeClick) return;

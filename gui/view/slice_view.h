@@ -113,7 +113,6 @@ class SliceView : public VtkView {
   void pictureBegins() override;
 
  private:
-  [[nodiscard]] std::optional<RoiBox> roiTo(const QPointF& position) const;
   void moveCrosshair(const QPointF& position);
   void stepSlices(int towardsHead);
   void stepSlab(int steps);
