@@ -48,15 +48,16 @@ void addSection(MeasureMark& mark, const CrossSection& section) {
   mark.diameters.push_back(section.widest);
 }
 
-MeasureMark markOf(const Measurement& m) {
+/// @param taken its places are shown as points also where they are not what is measured
+MeasureMark markOf(const Measurement& m, bool taken) {
   MeasureMark mark;
-  mark.label = m.name;
+  mark.name = mark.label = m.name;
   mark.labelLps = m.places.back();
   if (m.kind == MeasurementKind::Distance) {
     mark.lines.push_back({m.places[0], m.places[1]});
-    mark.points = m.places;
     mark.label = measurementValue(m).toStdString();
   }
+  if (taken || m.kind == MeasurementKind::Distance) mark.points = m.places;
   for (const CrossSection& section : m.sections) addSection(mark, section);
   for (std::size_t i = 1; i < m.profile.size(); ++i)
     mark.lines.push_back({m.profile[i - 1].pointLps, m.profile[i].pointLps});
@@ -64,13 +65,17 @@ MeasureMark markOf(const Measurement& m) {
   return mark;
 }
 
-}  // namespace
-
-std::vector<MeasureMark> measureMarks(const CaseMeasures& measures) {
+/// Of all measurements, and of places picked so far.
+std::vector<MeasureMark> measureMarks(const CaseMeasures& measures,
+                                      const std::optional<MarkPoint>& dragged) {
   std::vector<MeasureMark> marks;
   for (const Measurement& m : measures.all()) {
-    marks.push_back(markOf(m));
-    marks.back().selected = &m == measures.selected();
+    const bool selected = &m == measures.selected();
+    Measurement seen = m;
+    if (dragged && dragged->mark == m.name && dragged->point < seen.places.size())
+      seen.places[dragged->point] = dragged->lps;
+    marks.push_back(markOf(seen, selected));
+    marks.back().selected = selected;
     marks.back().dimmed = measures.isEarlier(m);
   }
   if (!measures.picked().empty()) {
@@ -80,6 +85,8 @@ std::vector<MeasureMark> measureMarks(const CaseMeasures& measures) {
   }
   return marks;
 }
+
+}  // namespace
 
 MeasureMenu::MeasureMenu(QMainWindow* window, CaseModels& models, ViewState& state,
                          CaseMeasures& measures, MeasurePanel& panel, ViewGrid& views,
@@ -167,6 +174,7 @@ void MeasureMenu::connectPanes() {
             [this, plane](double x, double y, double z) {
               showBand(plane, {x, y, z});
             });
+    connectDragging(views_.slice(plane));
   }
   link(views_.surface());
   connect(&measures_, &CaseMeasures::goTo, &views_, &ViewGrid::goTo);
@@ -175,7 +183,26 @@ void MeasureMenu::connectPanes() {
   });
 }
 
+void MeasureMenu::connectDragging(const SliceView* pane) {
+  connect(pane, &SliceView::markPressed, &measures_, &CaseMeasures::select);
+  connect(pane, &SliceView::markDragged, this, [this](const MarkPoint& point) {
+    dragged_ = point;
+    dropped_ = false;
+    showMarks();
+  });
+  connect(pane, &SliceView::markDropped, this, [this] {
+    // Shown there until it is measured, or cannot be.
+    dropped_ = true;
+    measures_.movePlace(QString::fromStdString(dragged_->mark), dragged_->point, dragged_->lps);
+    refresh();
+  });
+}
+
 void MeasureMenu::refresh() {
+  if (dropped_ && !measures_.busy()) {
+    dragged_.reset();
+    dropped_ = false;
+  }
   const bool any = models_.document.hasCase();
   const Measurement* selected = measures_.selected();
   enableActions(window_, {"toolDistance"}, any);
@@ -202,7 +229,7 @@ void MeasureMenu::follow() {
 }
 
 void MeasureMenu::showMarks() {
-  std::vector<MeasureMark> marks = measureMarks(measures_);
+  std::vector<MeasureMark> marks = measureMarks(measures_, dragged_);
   if (marks == shown_) return;
   shown_ = std::move(marks);
   for (int plane = 0; plane < 3; ++plane) views_.slice(plane)->setMeasures(shown_);

@@ -36,6 +36,7 @@ class MeasureMenu : public QObject {
   void buildTools();
   void buildEdits();
   void connectPanes();
+  void connectDragging(const SliceView* pane);
   void refresh();
   void follow();
   void showMarks();
@@ -52,9 +53,8 @@ class MeasureMenu : public QObject {
   QMenu* menu_;
   Tool tool_ = Tool::Navigate;
   std::vector<MeasureMark> shown_;
+  std::optional<MarkPoint> dragged_;  ///< a place on its way elsewhere
+  bool dropped_ = false;              ///< it is there, and being measured
 };
-
-/// The marks of all measurements, and of places picked so far.
-std::vector<MeasureMark> measureMarks(const CaseMeasures& measures);
 
 }  // namespace angiomesh

@@ -29,6 +29,10 @@ QString editText(MeasurementKind kind) {
   return {};
 }
 
+QString runFirst() {
+  return CaseMeasures::tr("Run to Evolve first: there is no wall to measure yet.");
+}
+
 }  // namespace
 
 CaseMeasures::CaseMeasures(CaseModels& models, const JobRunnerFactory& makeRunner, QObject* parent)
@@ -117,7 +121,7 @@ void CaseMeasures::pick(MeasurementKind kind, const Eigen::Vector3d& lps) {
   if (kind != pickedKind_) picked_.clear();
   pickedKind_ = kind;
   if (kind != MeasurementKind::Distance && !ready()) {
-    tell(tr("Run to Evolve first: there is no wall to measure yet."));
+    tell(runFirst());
     return;
   }
   picked_.push_back(lps);
@@ -132,13 +136,13 @@ void CaseMeasures::pick(MeasurementKind kind, const Eigen::Vector3d& lps) {
     tell(tr("The case holds %1 measurements, which is the most: delete some first.").arg(kMost));
     return;
   }
-  request(std::move(measurement), false);
+  request(std::move(measurement), editText(kind));
 }
 
-void CaseMeasures::request(Measurement measurement, bool again) {
+void CaseMeasures::request(Measurement measurement, const QString& edit) {
   auto job = std::make_shared<MeasureJob>();
   job->measurement = std::move(measurement);
-  job->again = again;
+  job->edit = edit.toStdString();
   tell(tr("Measuring…"));
   queue_.push_back(std::move(job));
   startNext();
@@ -157,8 +161,7 @@ void CaseMeasures::finish(MeasureJob& job) {
   // Also where it had been measured by then: the case that it is of is gone.
   if (!job.progress.cancelled()) {
     if (job.error.empty())
-      note(std::move(job.measurement),
-           job.again ? tr("measure again") : editText(job.measurement.kind));
+      note(std::move(job.measurement), QString::fromStdString(job.edit));
     else
       tell(tr("Not measured: %1").arg(QString::fromStdString(job.error).simplified()));
   }
@@ -219,7 +222,19 @@ QString CaseMeasures::rename(const QString& name, const QString& wanted) {
 
 void CaseMeasures::measureAgain(const QString& name) {
   const Measurement* m = find(name);
-  if (m && ready()) request(*m, true);
+  if (m && ready()) request(*m, tr("measure again"));
+}
+
+void CaseMeasures::movePlace(const QString& name, std::size_t place, const Eigen::Vector3d& lps) {
+  const Measurement* m = find(name);
+  if (!m || place >= m->places.size()) return;
+  if (m->kind != MeasurementKind::Distance && !ready()) {
+    tell(runFirst());
+    return;
+  }
+  Measurement moved = *m;
+  moved.places[place] = lps;
+  request(std::move(moved), tr("move %1").arg(name));
 }
 
 void CaseMeasures::exportTable(const QString& path) {

@@ -57,6 +57,8 @@ class CaseMeasures : public QObject {
   QString rename(const QString& name, const QString& wanted);
   /// At the same places, on the wall that is shown.
   void measureAgain(const QString& name);
+  /// With one of its places elsewhere, mm LPS.
+  void movePlace(const QString& name, std::size_t place, const Eigen::Vector3d& lps);
 
   /// All of them as a table of comma-separated values.
   void exportTable(const QString& path);
@@ -68,7 +70,7 @@ class CaseMeasures : public QObject {
 
  private:
   void refreshGround();
-  void request(Measurement measurement, bool again);
+  void request(Measurement measurement, const QString& edit);
   void startNext();
   void finish(MeasureJob& job);
   void finishFile(const MeasurementsFileJob& job);

@@ -25,7 +25,7 @@ struct MeasureGround {
 struct MeasureJob {
   MeasureGround ground;
   Measurement measurement;  ///< kind, name and places; after execute() all of it
-  bool again = false;       ///< one of that name was measured before
+  std::string edit;         ///< what it is called when undone
   Progress progress;
 
   void execute() noexcept;

@@ -27,6 +27,7 @@ CutPlane SliceGrip::portMoved(const Eigen::Vector2d& at, bool free) {
 Qt::CursorShape SliceGrip::cursorAt(const Eigen::Vector2d& at) const {
   if (const std::optional<PortHit> hit = portAt(at))
     return hit->grip == PortDrag::Grip::Turn ? Qt::PointingHandCursor : Qt::SizeAllCursor;
+  if (markAt(at)) return Qt::SizeAllCursor;
   if (knobAt(at)) return Qt::PointingHandCursor;
   return tool_ == Tool::Navigate ? Qt::ArrowCursor : Qt::CrossCursor;
 }
@@ -44,6 +45,23 @@ bool SliceGrip::takeKnob(const Eigen::Vector2d& at) {
 
 PlaneTurn SliceGrip::knobMoved(const Eigen::Vector2d& at) const {
   return scene_.turnedBy(turnBefore_, scene_.angleAt(at[0], at[1]) - angleBefore_);
+}
+
+std::optional<MarkPoint> SliceGrip::markAt(const Eigen::Vector2d& at) const {
+  const bool grabs = tool_ == Tool::Navigate || measuredBy(tool_);
+  return grabs ? measures_.pointAt(at) : std::nullopt;
+}
+
+bool SliceGrip::takeMark(const Eigen::Vector2d& at) {
+  mark_ = markAt(at);
+  markTakenAt_ = scene_.lpsAt(at[0], at[1]);
+  return mark_.has_value();
+}
+
+MarkPoint SliceGrip::markMoved(const Eigen::Vector2d& at) const {
+  MarkPoint moved = *mark_;
+  moved.lps += scene_.lpsAt(at[0], at[1]) - markTakenAt_;
+  return moved;
 }
 
 void SliceGrip::takeRoi(const Eigen::Vector2d& at) {

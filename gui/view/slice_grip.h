@@ -6,15 +6,18 @@
 #include <optional>
 
 #include "gui/model/mouse_tool.h"
+#include "render/slice/slice_measures.h"
 #include "render/slice/slice_scene.h"
 
 namespace angiomesh {
 
-/// What the left button can take hold of in a slice pane: the ports, the knobs of the crosshair, and
-/// the corner of a region of interest. Places are display positions.
+/// What the left button can take hold of in a slice pane: the ports, the knobs of the crosshair,
+/// the points of measurements, and the corner of a region of interest. Places are display
+/// positions.
 class SliceGrip {
  public:
-  explicit SliceGrip(SliceScene& scene) : scene_(scene) {}
+  SliceGrip(SliceScene& scene, const SliceMeasures& measures)
+      : scene_(scene), measures_(measures) {}
 
   void setTool(Tool tool) { tool_ = tool; }
 
@@ -33,18 +36,27 @@ class SliceGrip {
   bool takeKnob(const Eigen::Vector2d& at);
   [[nodiscard]] PlaneTurn knobMoved(const Eigen::Vector2d& at) const;
 
+  bool takeMark(const Eigen::Vector2d& at);
+  /// The point taken, dragged there: its distance from the slice stays as it was.
+  [[nodiscard]] MarkPoint markMoved(const Eigen::Vector2d& at) const;
+
   void takeRoi(const Eigen::Vector2d& at);
   /// From the corner taken to here; none where it would hold no voxel.
   [[nodiscard]] std::optional<RoiBox> roiMoved(const Eigen::Vector2d& at) const;
   [[nodiscard]] const std::optional<RoiBox>& roiBefore() const { return roiBefore_; }
 
  private:
+  [[nodiscard]] std::optional<MarkPoint> markAt(const Eigen::Vector2d& at) const;
+
   SliceScene& scene_;
+  const SliceMeasures& measures_;
   Tool tool_ = Tool::Navigate;
   std::optional<PortDrag> drag_;
   QString port_;
   PlaneTurn turnBefore_;
   double angleBefore_ = 0.0;
+  std::optional<MarkPoint> mark_;
+  Eigen::Vector3d markTakenAt_{0.0, 0.0, 0.0};
   Eigen::Vector3d roiCorner_{0.0, 0.0, 0.0};
   std::optional<RoiBox> roiBefore_;
 };

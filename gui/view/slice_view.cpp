@@ -20,7 +20,7 @@ namespace angiomesh {
 
 namespace {
 
-enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port, Turn };
+enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port, Mark, Turn };
 
 constexpr double dimmedOpacity = 0.45;
 constexpr double pixelsForUsualWindow = 400.0;  // of a drag
@@ -30,8 +30,8 @@ constexpr double clickDistance = 3.0;           // Qt pixels: a shorter way is a
 
 struct SliceView::State {
   SliceScene scene;
-  SliceGrip grip{scene};
   SliceMeasures measures{scene};
+  SliceGrip grip{scene, measures};
   Tool tool = Tool::Navigate;
   MouseScheme scheme = MouseScheme::Radiology;
   Drag drag = Drag::None;
@@ -191,7 +191,7 @@ void SliceView::setMeasures(std::vector<MeasureMark> marks) {
 void SliceView::setTool(Tool tool) {
   if (tool == state_->tool) return;  // a drag under way goes on
   if (state_->drag == Drag::Roi) setRoi(state_->grip.roiBefore());
-  if (state_->drag != Drag::Port) state_->drag = Drag::None;
+  if (state_->drag != Drag::Port && state_->drag != Drag::Mark) state_->drag = Drag::None;
   state_->tool = tool;
   state_->grip.setTool(tool);
   showPointer(state_->last);
@@ -297,6 +297,9 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
              s.grip.takePort(toDisplay(event->position()))) {
     s.drag = Drag::Port;
     Q_EMIT portPressed(s.grip.port());
+  } else if (s.grip.takeMark(toDisplay(event->position()))) {
+    s.drag = Drag::Mark;
+    Q_EMIT markPressed(QString::fromStdString(s.grip.markMoved(toDisplay(s.pressed)).mark));
   } else if (s.grip.takeKnob(toDisplay(event->position()))) {
     s.drag = Drag::Turn;
   } else if (s.scheme == MouseScheme::Engineering && s.tool == Tool::Navigate) {
@@ -343,6 +346,9 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     case Drag::Turn:
       if (!s.mayBeClick) Q_EMIT turnChanged(s.grip.knobMoved(toDisplay(position)));
       break;
+    case Drag::Mark:
+      if (!s.mayBeClick) Q_EMIT markDragged(s.grip.markMoved(toDisplay(position)));
+      break;
     case Drag::Port:
       dragPort(position, event->modifiers().testFlag(Qt::ShiftModifier));
       break;
@@ -367,14 +373,16 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
       setRoi(s.grip.roiBefore());
   }
   if (ended == Drag::Port && !s.mayBeClick) Q_EMIT portDropped();
+  if (ended == Drag::Mark && !s.mayBeClick) Q_EMIT markDropped();
   if (!s.mayBeClick) return;
   const std::optional<Eigen::Vector3d> place = picked();
   if (!place) return;
   const Eigen::Vector3d& p = *place;
-  if (ended == Drag::Contrast && s.tool == Tool::Navigate) moveCrosshair(s.pressed);
-  if (ended == Drag::Contrast && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
-  if (ended == Drag::Contrast && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
-  if (ended == Drag::Contrast && measuredBy(s.tool)) Q_EMIT measurePicked(p[0], p[1], p[2]);
+  const bool clicked = ended == Drag::Contrast || ended == Drag::Mark;
+  if (clicked && s.tool == Tool::Navigate) moveCrosshair(s.pressed);
+  if (clicked && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
+  if (clicked && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
+  if (clicked && measuredBy(s.tool)) Q_EMIT measurePicked(p[0], p[1], p[2]);
   if (ended == Drag::Zoom)
     Q_EMIT menuRequested(event->globalPosition().toPoint(), p,
                          s.grip.nameOf(s.grip.portAt(toDisplay(s.pressed))));

@@ -87,6 +87,10 @@ class SliceView : public VtkView {
   void seedPicked(double x, double y, double z);
   void cutPicked(double x, double y, double z);
   void measurePicked(double x, double y, double z);
+  /// The point of a measurement is taken, dragged over the slice, and left where it was last.
+  void markPressed(const QString& name);
+  void markDragged(const MarkPoint& point);
+  void markDropped();
   /// `port` is empty off the ports.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                      const QString& port);

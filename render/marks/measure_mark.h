@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace angiomesh {
 
 /// A measurement as the panes show it, mm LPS.
 struct MeasureMark {
+  std::string name;  ///< of the measurement; empty: nothing takes hold of its points
   std::vector<std::array<Eigen::Vector3d, 2>> lines;
   std::vector<std::vector<Eigen::Vector3d>> outlines;  ///< closed and flat, of sections
   /// Of sections; a slice shows only those that lie in it from end to end.
@@ -21,6 +23,13 @@ struct MeasureMark {
   bool dimmed = false;  ///< of an earlier wall
 
   [[nodiscard]] bool operator==(const MeasureMark& other) const = default;
+};
+
+/// A point of a named mark.
+struct MarkPoint {
+  std::string mark;
+  std::size_t point = 0;
+  Eigen::Vector3d lps{0.0, 0.0, 0.0};
 };
 
 /// What is drawn of a mark in a scene's own coordinates.

@@ -23,6 +23,8 @@ using Eigen::Vector3d;
 constexpr double kDepth = 2.7;
 /// What lies in a slice without a slab, in slices on either side.
 constexpr double kHalfSlice = 0.75;
+/// Of Qt, to take hold of a point.
+constexpr double kReachPixels = 7.0;
 
 Vector3d flat(const Vector3d& p) { return {p.x(), p.y(), kDepth}; }
 
@@ -103,9 +105,18 @@ struct SliceMeasures::Parts {
   int plane = -1, slice = -1;
   double slabMm = 0.0;
   bool fresh = false;
+  double pixelRatio = 1.0;
 
+  /// How far from the slice a mark is shown in it, slices.
+  [[nodiscard]] double halfSlices() const;
   void follow();
 };
+
+double SliceMeasures::Parts::halfSlices() const {
+  const Slab& slab = scene.slab();
+  if (slab.mode == SlabMode::None) return kHalfSlice;
+  return std::max(kHalfSlice, 0.5 * slab.thicknessMm / scene.grid().spacing[scene.axes().across]);
+}
 
 void SliceMeasures::Parts::follow() {
   const std::shared_ptr<const Volume<float>>& image = scene.image();
@@ -121,8 +132,8 @@ void SliceMeasures::Parts::follow() {
     slice = scene.slice();
     slabMm = slab;
     const SlicePlane flatPlane(grid, scene.axes(), slice);
-    const double half = std::max(kHalfSlice, 0.5 * slab / grid.spacing[scene.axes().across]);
-    for (const MeasureMark& mark : marks) drawn.push_back(drawnInSlice(mark, flatPlane, half));
+    for (const MeasureMark& mark : marks)
+      drawn.push_back(drawnInSlice(mark, flatPlane, halfSlices()));
   }
   overlay.show(drawn);
 }
@@ -141,6 +152,26 @@ void SliceMeasures::set(std::vector<MeasureMark> marks) {
   parts_->fresh = false;
 }
 
-void SliceMeasures::setPixelRatio(double ratio) { parts_->overlay.setPixelRatio(ratio); }
+void SliceMeasures::setPixelRatio(double ratio) {
+  parts_->pixelRatio = ratio;
+  parts_->overlay.setPixelRatio(ratio);
+}
+
+std::optional<MarkPoint> SliceMeasures::pointAt(const Eigen::Vector2d& at) const {
+  const SliceScene& scene = parts_->scene;
+  if (!scene.image()) return std::nullopt;
+  const SlicePlane plane(scene.grid(), scene.axes(), scene.slice());
+  std::optional<MarkPoint> found;
+  double least = kReachPixels * parts_->pixelRatio;
+  for (const MeasureMark& mark : parts_->marks)
+    for (std::size_t i = 0; i < mark.points.size() && !mark.name.empty(); ++i) {
+      const Vector3d& point = mark.points[i];
+      const double distance = (scene.displayAt(point) - at).norm();
+      if (distance > least || std::fabs(plane.fromLps(point).z()) > parts_->halfSlices()) continue;
+      least = distance;
+      found = MarkPoint{mark.name, i, point};
+    }
+  return found;
+}
 
 }  // namespace angiomesh

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/marks/measure_mark.h"
@@ -26,6 +28,9 @@ class SliceMeasures {
 
   void set(std::vector<MeasureMark> marks);
   void setPixelRatio(double ratio);
+  /// The point of a named mark that the slice shows nearest to a display position, if it is within
+  /// reach.
+  [[nodiscard]] std::optional<MarkPoint> pointAt(const Eigen::Vector2d& at) const;
 
  private:
   struct Parts;

@@ -2500,6 +2500,10 @@ BSD-3-Clause.</translation>
         <source>proximal</source>
         <translation>proximal</translation>
     </message>
+    <message>
+        <source>move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::CasePorts</name>

@@ -2500,6 +2500,10 @@ BSD-3-Clause.</translation>
         <source>proximal</source>
         <translation>proksimal</translation>
     </message>
+    <message>
+        <source>move %1</source>
+        <translation>taşıma: %1</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::CasePorts</name>

@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 #include <cmath>
+#include <functional>
 
 #include "core/measure/vessel_profile.h"
 #include "gui/findings/case_measures.h"
@@ -92,6 +93,19 @@ struct MeasureCase : WindowCase {
     QTest::mouseClick(slice(2), Qt::LeftButton, Qt::NoModifier, at);
     return slice(2)->lpsAt(at);
   }
+
+  /// Drags what is under a place of a pane to another place, in two steps. @returns where to
+  Eigen::Vector3d drag(SliceView* pane, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                       const std::function<void()>& underWay = {}) {
+    const QPoint start = pane->positionOf(from).toPoint(), end = pane->positionOf(to).toPoint();
+    QTest::mousePress(pane, Qt::LeftButton, Qt::NoModifier, start);
+    QTest::mouseMove(pane, (start + end) / 2);
+    QTest::mouseMove(pane, end);
+    if (underWay) underWay();
+    QTest::mouseRelease(pane, Qt::LeftButton, Qt::NoModifier, end);
+    settle();
+    return from + pane->lpsAt(end) - pane->lpsAt(start);
+  }
 };
 
 }  // namespace
@@ -166,6 +180,82 @@ class TestMeasurements : public QObject {
     QCOMPARE(c.measures().all().size(), std::size_t(1));
     middle(moved(28.0));
     QCOMPARE(middle(moved(10.0)), 0);
+  }
+
+  void anEndOfADistanceIsDragged() {
+    MeasureCase c(twoTubes(), false);
+    const Geometry& grid = c.models().document.image()->geometry;
+    const auto at = [&](double i, double j) { return grid.toPhysical({i, j, 20.0}); };
+    c.state().setTool(Tool::MeasureDistance);
+    const Eigen::Vector3d from = c.clickSlice(at(8.0, 12.0)), to = c.clickSlice(at(30.0, 25.0));
+    c.state().setTool(Tool::Navigate);
+    c.settle();
+    const auto [window, level] = c.state().windowLevel();
+    const Eigen::Vector3d crosshair = c.window->views().crosshair();
+    const QImage before = c.slice(2)->picture(1);
+    const Eigen::Vector3d moved = c.drag(c.slice(2), to, at(12.0, 26.0), [&] {
+      QVERIFY(c.slice(2)->picture(1) != before);
+      QVERIFY((c.last().places[1] - to).norm() < 1e-9);
+    });
+    QVERIFY((moved - to).norm() > 5.0);
+    QCOMPARE(c.measures().all().size(), std::size_t(1));
+    QVERIFY((c.last().places[0] - from).norm() < 1e-9);
+    QVERIFY((c.last().places[1] - moved).norm() < 1e-9);
+    QCOMPARE(c.value(0), QLocale().toString((moved - from).norm(), 'f', 2) + " mm");
+    // Nothing else follows such a drag, and it is one edit.
+    QCOMPARE(c.state().windowLevel(), std::pair(window, level));
+    QVERIFY(c.window->views().crosshair() == crosshair);
+    QCOMPARE(c.models().document.undoStack()->undoText(), QString("move Distance 1"));
+    QTest::keyClick(c.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY((c.last().places[1] - to).norm() < 1e-9);
+    c.settle();
+    QCOMPARE(c.slice(2)->picture(1), before);
+    // In a slice that does not show it, there is nothing to take hold of.
+    c.slice(2)->setSlice(c.slice(2)->slice() + 5);
+    c.drag(c.slice(2), to, at(12.0, 26.0));
+    QVERIFY((c.last().places[1] - to).norm() < 1e-9);
+    QVERIFY(c.state().windowLevel() != std::pair(window, level));
+  }
+
+  void whileTheToolMeasuresAnEndIsClickedOrDragged() {
+    MeasureCase c(twoTubes(), false);
+    const Geometry& grid = c.models().document.image()->geometry;
+    const auto at = [&](double i, double j) { return grid.toPhysical({i, j, 20.0}); };
+    c.state().setTool(Tool::MeasureDistance);
+    c.clickSlice(at(8.0, 12.0));
+    const Eigen::Vector3d to = c.clickSlice(at(30.0, 25.0));
+    c.clickSlice(to);  // the next one begins where this one ends
+    QCOMPARE(c.measures().picked().size(), std::size_t(1));
+    c.clickSlice(at(30.0, 8.0));
+    QCOMPARE(c.measures().all().size(), std::size_t(2));
+    c.drag(c.slice(2), at(8.0, 12.0), at(10.0, 30.0));
+    QCOMPARE(c.measures().all().size(), std::size_t(2));
+    QVERIFY((c.measures().all()[0].places[0] - at(10.0, 30.0)).norm() < 0.5);
+  }
+
+  void aSectionIsDraggedAlongItsVessel() {
+    MeasureCase c(narrowedTube());
+    c.state().setTool(Tool::MeasureSection);
+    c.clickSlice(c.inside(0.1));
+    c.state().setTool(Tool::Navigate);
+    c.settle();
+    const CrossSection wide = c.last().sections.at(0);
+    const Eigen::Vector3d place = c.last().places[0];
+    const Geometry& grid = c.models().document.image()->geometry;
+    Eigen::Vector3d narrow = grid.toIndex(place);
+    narrow[2] = 27.5;
+    c.drag(c.slice(1), place, grid.toPhysical(narrow));
+    QCOMPARE(c.measures().all().size(), std::size_t(1));
+    QVERIFY2(c.last().sections.at(0).areaMm2 < 0.4 * wide.areaMm2, qPrintable(c.value(0)));
+    // Off the vessel it is not measured, and goes back.
+    const QImage before = c.slice(1)->picture(1);
+    const Eigen::Vector3d there = c.last().places[0];
+    Eigen::Vector3d outside = grid.toIndex(there);
+    outside[0] = 3.0;
+    c.drag(c.slice(1), there, grid.toPhysical(outside));
+    QVERIFY2(c.notice().contains("there is no vessel"), qPrintable(c.notice()));
+    QVERIFY((c.last().places[0] - there).norm() < 1e-9);
+    QCOMPARE(c.slice(1)->picture(1), before);
   }
 
   void theMenuOfAPlaceMeasures() {
