@@ -12,8 +12,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/formatted.h"
 #include "gui/view/slice_grip.h"
+#include "gui/view/slice_text.h"
 #include "render/slice/slice_measures.h"
 
 namespace angiomesh {
@@ -43,12 +43,13 @@ struct SliceView::State {
   QString caption;
   SlabMode lastSlabMode = SlabMode::Mip;
   std::optional<QPointF> pointer;  // over the pane
-  QString valueLayer, valueUnit, overlayName;
+  ValueNames names;
   QStringList hovered;  // lines on what is under the pointer
 };
 
 SliceView::SliceView(QWidget* parent) : VtkView(parent), state_(std::make_unique<State>()) {
   renderWindow()->AddRenderer(state_->scene.renderer());
+  state_->scene.setWords(sliceWords());
 }
 
 SliceView::~SliceView() { releaseGl(); }
@@ -136,13 +137,13 @@ void SliceView::setCaption(const QString& lines) {
 }
 
 void SliceView::setValueNames(const QString& layer, const QString& unit) {
-  state_->valueLayer = layer;
-  state_->valueUnit = unit;
+  state_->names.layer = layer;
+  state_->names.unit = unit;
   hover();
 }
 
 void SliceView::setColourLayer(const ColourLayer& layer, const QString& name) {
-  state_->overlayName = name;
+  state_->names.overlay = name;
   if (layer == state_->colourLayer) return;
   state_->colourLayer = layer;
   state_->scene.setColourLayer(layer);
@@ -474,18 +475,7 @@ void SliceView::hover() {
   const std::optional<Eigen::Vector3d> lps =
       s.pointer ? std::optional(lpsAt(*s.pointer)) : std::nullopt;
   const std::optional<SliceScene::Probe> probe = lps ? s.scene.probe(*lps) : std::nullopt;
-  QStringList lines;
-  if (probe) {
-    QStringList value{s.valueLayer, QString::number(static_cast<double>(probe->value), 'g', 5),
-                      s.valueUnit};
-    value.removeAll(QString());
-    if (probe->overlay)
-      value << QStringLiteral("(%1 %2)").arg(
-          s.overlayName, QString::number(static_cast<double>(*probe->overlay), 'g', 3));
-    const Index3& v = probe->voxel;
-    lines << tr("%1, voxel %2,%3,%4").arg(value.join(' ')).arg(v[0]).arg(v[1]).arg(v[2])
-          << QString::fromStdString(placeText(*lps));
-  }
+  const QStringList lines = probe ? probeLines(*probe, s.names, *lps) : QStringList();
   if (lines == s.hovered) return;
   s.hovered = lines;
   s.scene.setPointerText(lines.join('\n').toStdString());

@@ -60,9 +60,4 @@ std::string orientationLetters(const Eigen::Vector3d& directionLps) {
   return letters;
 }
 
-const char* planeName(int plane) {
-  constexpr std::array<const char*, 3> names{"Sagittal", "Coronal", "Axial"};
-  return names[static_cast<std::size_t>(std::clamp(plane, 0, 2))];
-}
-
 }  // namespace angiomesh

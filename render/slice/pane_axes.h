@@ -31,7 +31,5 @@ PaneAxes paneAxes(const Geometry& geometry, int plane);
 /// off the nearest axis.
 std::string orientationLetters(const Eigen::Vector3d& directionLps);
 
-/// "Sagittal", "Coronal", "Axial"
-const char* planeName(int plane);
 
 }  // namespace angiomesh

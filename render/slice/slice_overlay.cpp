@@ -13,6 +13,7 @@
 #include <vtkTextProperty.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/base/formatted.h"
 #include "render/stage/stage.h"
@@ -31,6 +32,11 @@ void style(vtkTextActor* actor, int size, bool centredAcross, bool rightAligned,
   if (rightAligned) property->SetJustificationToRight();
   if (centredUpwards) property->SetVerticalJustificationToCentered();
   if (top) property->SetVerticalJustificationToTop();
+}
+
+std::string turnedText(std::string text, double degrees) {
+  const std::size_t at = text.find("%1");
+  return at == std::string::npos ? text : text.replace(at, 2, formatted("%.0f", degrees));
 }
 
 std::string lengthText(double mm) {
@@ -52,6 +58,7 @@ struct SliceOverlay::Parts {
   vtkNew<vtkTextActor> left, right, top, bottom, upperLeft, upperRight, lowerLeft, barText;
   vtkNew<vtkPolyData> bar;
   vtkNew<vtkActor2D> barActor;
+  SliceWords words;
 
   std::array<vtkTextActor*, 8> texts() {
     return {left, right, top, bottom, upperLeft, upperRight, lowerLeft, barText};
@@ -83,6 +90,8 @@ void SliceOverlay::setVisible(bool visible) {
   for (vtkTextActor* text : parts_->texts()) text->SetVisibility(visible);
 }
 
+void SliceOverlay::setWords(SliceWords words) { parts_->words = std::move(words); }
+
 void SliceOverlay::setLetters(const PaneAxes& axes) {
   parts_->right->SetInput(orientationLetters(axes.rightLps).c_str());
   parts_->left->SetInput(orientationLetters(-axes.rightLps).c_str());
@@ -94,19 +103,20 @@ void SliceOverlay::setTexts(const Texts& texts) {
   constexpr std::array<const char*, 3> rising{"L", "P", "S"};
   constexpr std::array<const char*, 3> falling{"R", "A", "I"};
   const auto plane = static_cast<std::size_t>(texts.plane);
+  const SliceWords& words = parts_->words;
   const std::string where =
       texts.turnedDeg > 0.05
-          ? formatted("turned by %.0f°", texts.turnedDeg)
+          ? turnedText(words.turned, texts.turnedDeg)
           : formatted("%s %.1f mm", texts.alongMm >= 0.0 ? rising[plane] : falling[plane],
                       std::abs(texts.alongMm));
-  parts_->upperLeft->SetInput(formatted("%s %d/%d\n%s%s", planeName(texts.plane), texts.slice + 1,
-                                        texts.count, where.c_str(),
-                                        texts.patientAxes ? "\nPatient axes" : "")
+  parts_->upperLeft->SetInput(formatted("%s %d/%d\n%s%s", words.planes[plane].c_str(),
+                                        texts.slice + 1, texts.count, where.c_str(),
+                                        texts.patientAxes ? ("\n" + words.patientAxes).c_str() : "")
                                   .c_str());
-  constexpr std::array<const char*, 4> slabs{"", "MIP", "MinIP", "Mean"};
   const std::string slab =
       texts.slab.mode != SlabMode::None
-          ? formatted("%s %.1f mm\n", slabs[static_cast<std::size_t>(texts.slab.mode)],
+          ? formatted("%s %.1f mm\n",
+                      words.slabs[static_cast<std::size_t>(texts.slab.mode)].c_str(),
                       texts.slab.thicknessMm)
           : std::string();
   parts_->upperRight->SetInput((slab + texts.caption).c_str());

@@ -15,6 +15,14 @@ namespace angiomesh {
 /// A round length (1, 2 or 5 times a power of ten, mm) of at most `longestMm`.
 double scaleBarLengthMm(double longestMm);
 
+/// What a slice is called in the language of the window, UTF-8.
+struct SliceWords {
+  std::array<std::string, 3> planes{"Sagittal", "Coronal", "Axial"};
+  std::array<std::string, 4> slabs{"", "MIP", "MinIP", "Mean"};  ///< by SlabMode
+  std::string turned = "turned by %1°";                          ///< %1: degrees
+  std::string patientAxes = "Patient axes";
+};
+
 /// What lies flat on a pane: direction letters in the middle of the four edges, lines of text in
 /// the upper and lower left and upper right corners, a scale bar in the lower right one.
 class SliceOverlay {
@@ -25,6 +33,8 @@ class SliceOverlay {
   SliceOverlay& operator=(const SliceOverlay&) = delete;
 
   void setVisible(bool visible);
+  /// From the next setTexts() on.
+  void setWords(SliceWords words);
   void setLetters(const PaneAxes& axes);
   /// What the lines of text say of a slice.
   struct Texts {

@@ -416,6 +416,11 @@ ViewRay SliceScene::rayAt(double displayX, double displayY) const {
   return {lpsAt(displayX, displayY), across.normalized()};
 }
 
+void SliceScene::setWords(const SliceWords& words) {
+  parts_->overlay->setWords(words);
+  parts_->showTexts();
+}
+
 void SliceScene::setCaption(const std::string& lines) {
   parts_->texts.caption = lines;
   parts_->showTexts();

@@ -20,6 +20,8 @@ class vtkRenderer;
 
 namespace angiomesh {
 
+struct SliceWords;
+
 /// A level set whose zero contour a slice shows; it may live on another grid than the image.
 struct ContourLayer {
   std::shared_ptr<const Volume<float>> phi;
@@ -91,6 +93,7 @@ class SliceScene {
   [[nodiscard]] PortDrag grabPort(const PortHit& hit, double displayX, double displayY) const;
   /// Through the slice, across it.
   [[nodiscard]] ViewRay rayAt(double displayX, double displayY) const;
+  void setWords(const SliceWords& words);
   /// Lines under the slab in the upper right corner, on what the pane shows.
   void setCaption(const std::string& lines);
   /// Lines above window and level in the lower left corner, on what is under the pointer.

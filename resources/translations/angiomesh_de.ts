@@ -4376,6 +4376,38 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
         <source>%1, voxel %2,%3,%4</source>
         <translation>%1, Voxel %2,%3,%4</translation>
     </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>um %1° gedreht</translation>
+    </message>
+    <message>
+        <source>Patient axes</source>
+        <translation>Patientenachsen</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::StepPanel</name>

@@ -4376,6 +4376,38 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
         <source>%1, voxel %2,%3,%4</source>
         <translation>%1, voksel %2,%3,%4</translation>
     </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Aksiyel</translation>
+    </message>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>MinIP</source>
+        <translation>MinIP</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Ortalama</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>%1° döndürülmüş</translation>
+    </message>
+    <message>
+        <source>Patient axes</source>
+        <translation>Hasta eksenleri</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::StepPanel</name>

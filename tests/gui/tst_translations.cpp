@@ -11,6 +11,7 @@
 #include "core/parameters/field.h"
 #include "gui/language.h"
 #include "gui/model/step_text.h"
+#include "gui/view/slice_text.h"
 
 using namespace angiomesh;
 
@@ -118,6 +119,8 @@ class TestTranslations : public QObject {
     QVERIFY(labelOf(field) != QString::fromStdString(field.label));
     QVERIFY(labelOf(field).contains(QStringLiteral("ξ")));
     QVERIFY(stepTitle(Step::Evolve) != factsOf(Step::Evolve).title);
+    QVERIFY(sliceWords().planes[1] != SliceWords().planes[1]);
+    QVERIFY(sliceWords().slabs[3] != SliceWords().slabs[3]);
     QCoreApplication::removeTranslator(&texts);
     QCOMPARE(labelOf(field), QString::fromStdString(field.label));
   }
