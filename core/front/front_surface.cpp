@@ -58,10 +58,7 @@ bool WallSurface::turn(const FrontPoint& a, const FrontPoint& b, const ApexWish&
     double step =
         rate > 0.2 * slope * circle.radius ? -jet.value / rate : (jet.value > 0.0 ? -0.2 : 0.2);
     step = std::clamp(step, -0.5, 0.5);
-    if (turned + step <= below || turned + step >= above) {
-      step = 0.5 * (below + above) - turned;
-      if (above - below < 1e-9) return false;
-    }
+    if (turned + step <= below || turned + step >= above) step = 0.5 * (below + above) - turned;
     turned += step;
     if (std::fabs(turned) > 0.999 * kLargestTurn) return false;
     // The tangent half-angle form keeps the direction a unit vector to rounding.

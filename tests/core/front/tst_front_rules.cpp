@@ -3,8 +3,12 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "core/front/front_rules.h"
+#include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 
 using namespace angiomesh;
 using Eigen::Vector2d;
@@ -35,6 +39,7 @@ class Sheet : private Plane, public FrontRules {
  public:
   using FrontRules::addVertex;
   using FrontRules::Class;
+  using FrontRules::dropEdge;
   using FrontRules::Edge;
   using FrontRules::halfCornerTangent;
   using FrontRules::legal;
@@ -78,11 +83,33 @@ class Sheet : private Plane, public FrontRules {
     return legal(frame, base, apex, frame.flat({x, y, 0.0}), relaxed);
   }
   FrontPoint& point(std::uint32_t v) { return vertices_[v]; }
+  [[nodiscard]] std::size_t edgesKept() const { return edges_.size(); }
 
   std::uint32_t from = 0, to = 0, base = 0;
 
  private:
   double length_;
+};
+
+// A zero set in a volume of 33 mm, and the corners that bases along x turn to.
+class Turned {
+ public:
+  explicit Turned(const std::function<double(const Vector3d&)>& phi)
+      : field_(analytic::fieldOf(analytic::sampled(analytic::cube(33), phi))),
+        size_(field_, SizingParams{}) {}
+  // Of a triangle with sides of 16 mm in the plane z = 16 unless said.
+  template <class Surface>
+  [[nodiscard]] std::optional<FrontPoint> corner(const Vector3d& middle = {16.0, 8.0, 16.0}) const {
+    const FrontPoint a{middle - 8.0 * Vector3d::UnitX(), Vector3d::UnitZ(), 16.0};
+    const FrontPoint b{middle + 8.0 * Vector3d::UnitX(), Vector3d::UnitZ(), 16.0};
+    FrontPoint apex;
+    if (!Surface(field_, size_).turn(a, b, {8.0, 16.0 * kHigh}, apex)) return std::nullopt;
+    return apex;
+  }
+
+ private:
+  SplineField field_;
+  GuidanceField size_;
 };
 
 }  // namespace
@@ -91,6 +118,53 @@ class TestFrontRules : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  // However phi bends on the way, the corner turns to where it is 0 and keeps its distance.
+  void cornersTurnToTheWall() {
+    const double high = 16.0 * kHigh;
+    for (const double steep : {0.05, 0.5, 1.2})
+      for (const double turn : {-1.0, -0.3, 0.1, 0.3, 0.9}) {
+        const double wall = 16.0 + high * std::sin(turn);
+        const auto apex = Turned([&](const Vector3d& p) {
+                            return std::atan(steep * (p.z() - wall));
+                          }).corner<WallSurface>();
+        QVERIFY(apex.has_value());
+        const double off = (apex->point - Vector3d(16.0, 8.0 + high * std::cos(turn), wall)).norm();
+        QVERIFY(isBelow(off, 0.05));
+        QVERIFY((apex->normal - Vector3d::UnitZ()).norm() < 1e-9);
+      }
+    // Not by more than 60 degrees.
+    for (const double wall : {16.0 - 1.01 * high, 16.0 + 1.01 * high})
+      QVERIFY(!Turned([&](const Vector3d& p) { return p.z() - wall; }).corner<WallSurface>());
+  }
+
+  // Caps are flat, and end at the wall and at the volume's edges.
+  void cornersOfCapsStayInside() {
+    const Turned vessel([](const Vector3d& p) { return p.y() - 24.0; });
+    const double high = 16.0 * kHigh;
+    for (const double y : {8.0, 23.9 - high}) {
+      const auto apex = vessel.corner<CapSurface>({16.0, y, 0.0});
+      QVERIFY(apex && (apex->point - Vector3d(16.0, y + high, 0.0)).norm() < 1e-12);
+    }
+    QVERIFY(!vessel.corner<CapSurface>({16.0, 24.1 - high, 0.0}));
+    const Turned everywhere([](const Vector3d&) { return -1.0; });
+    QVERIFY(everywhere.corner<CapSurface>({16.0, 31.9 - high, 0.0}));
+    QVERIFY(!everywhere.corner<CapSurface>({16.0, 32.1 - high, 0.0}));
+  }
+
+  // A front takes as much room as it is long, however far it went.
+  void edgesThatWentMakeRoomForNewOnes() {
+    Sheet sheet;
+    const std::uint32_t a = sheet.vertex(2.0, 0.0), b = sheet.vertex(2.0, 1.0);
+    const std::size_t kept = sheet.edgesKept() + 2;
+    for (int n = 0; n < 10; ++n) {
+      const std::uint32_t there = sheet.edge(a, b), back = sheet.edge(b, a);
+      sheet.loop({there, back});
+      sheet.dropEdge(there);
+      sheet.dropEdge(back);
+      QCOMPARE(sheet.edgesKept(), kept);
+    }
+  }
+
   // What is left beside a free corner must hold triangles without small angles: it keeps about
   // three quarters of an edge from vertices and half of one from edges.
   void aFreeCornerKeepsOffVertices() {
