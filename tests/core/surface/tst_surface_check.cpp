@@ -161,6 +161,22 @@ class TestSurfaceCheck : public QObject {
     QVERIFY(doubtOf(oneBall().checked(mesh)).contains("more than one fan"));
   }
 
+  // Two parts that touch in a point have a rim each, whatever the order of their edges is.
+  void rimsThatTouchAreCountedInEachPart() {
+    for (const bool inTurn : {false, true}) {
+      TriMesh mesh;
+      mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+      mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
+      if (inTurn) mesh.triangles = {{0, 1, 3}, {0, 2, 4}};
+      const SurfaceCheck check = checkManifold(patchOf(mesh), SurfaceBorder::Cap);
+      QCOMPARE(check.components.size(), std::size_t{2});
+      for (const SurfaceComponent& c : check.components) {
+        QCOMPARE(c.boundaryLoops, 1);
+        QCOMPARE(c.triangles, std::size_t{1});
+      }
+    }
+  }
+
   void aMissingPartIsSaid() {
     const SurfaceBed& bed = twoBalls();
     const PatchMesh one = ballPatch(kLarge, kLargeRadius, 3);
