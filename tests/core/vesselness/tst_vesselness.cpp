@@ -16,6 +16,7 @@
 #include "core/vesselness/thickest.h"
 #include "core/vesselness/vesselness.h"
 #include "tests/core/analytic.h"
+#include "tests/core/bars.h"
 #include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
@@ -284,6 +285,20 @@ class TestVesselness : public QObject {
     QCOMPARE(*withScalesFromImage(given, tube(20.0, 0.0, {0.5, 0.5, 0.5})).sigmaMaxMm, 2.5);
     const Volume<float> even(cube(20), 7.0F);
     QCOMPARE(thickestRadiusMm(even, Polarity::Bright), 0.0);
+  }
+
+  // Of four blocks along each axis the first three: blocks outside are the last ones, and the
+  // largest ball in the box, which goes on beyond the volume, touches its sides.
+  void aBoxInACornerIsAsThickAsItsSides() {
+    for (const double voxel : {0.5, 1.0, 2.0}) {
+      Geometry g = cube(16);
+      g.spacing.setConstant(voxel);
+      Volume<float> image(g, 0.0F);
+      for (int k = 0; k < 12; ++k)
+        for (int j = 0; j < 12; ++j)
+          for (int i = 0; i < 12; ++i) image.at(i, j, k) = 100.0F;
+      QVERIFY(isNear(thickestRadiusMm(image, Polarity::Bright), 10.0 * voxel, 1e-6));
+    }
   }
 
   void cancelIsPassedOn() {
