@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
 
+#include "core/openings/held_planes.h"
 #include "core/openings/port.h"
 #include "tests/core/mesh_shapes.h"
 
@@ -39,6 +40,37 @@ class TestPort : public QObject {
       QVERIFY(std::abs(ports[n].equivalentDiameterMm() - 2.0 / std::sqrt(shapes::pi)) < 1e-12);
     }
     QCOMPARE(ports[2].areaMm2, 0.0);
+  }
+
+  // A box of one voxel in a grid: its sides in the outermost planes are caps, and its corners stay
+  // in them, whatever the axes' directions are.
+  void sidesInBordersAreHeld() {
+    for (const bool mirrored : {false, true})
+      for (int grid = 0; grid < 8; ++grid) {
+        Index3 size{};
+        for (std::size_t a = 0; a < 3; ++a) size[a] = (grid >> a & 1) != 0 ? 3 : 2;
+        const Geometry g = shapes::obliqueGeometry(size, mirrored);
+        TriMesh mesh = shapes::cube();
+        for (Eigen::Vector3d& p : mesh.points) p = g.toPhysical(p);
+        const HeldPlanes held(mesh, &g, {});
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+          const auto& [a, b, c] = mesh.triangles[t];
+          // Bit a of a corner's number: x, y, z = 1.
+          const unsigned low = ~(a | b | c) & 7U, high = a & b & c;
+          bool border = low != 0;
+          for (unsigned axis = 0; axis < 3; ++axis)
+            border = border || ((high >> axis & 1U) != 0 && size[axis] == 2);
+          QCOMPARE(held.isCap(t), border);
+        }
+        for (std::uint32_t v = 0; v < 8; ++v) {
+          int planes = 0;
+          for (unsigned axis = 0; axis < 3; ++axis)
+            planes += (v >> axis & 1U) == 0 || size[axis] == 2 ? 1 : 0;
+          QCOMPARE(held.count(v), std::min(planes, 2));
+        }
+        const HeldPlanes free(mesh, nullptr, {});
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) QVERIFY(!free.isCap(t));
+      }
   }
 
   void aPortOpensInItsPlaneAlone() {

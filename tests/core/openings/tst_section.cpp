@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -129,6 +130,26 @@ class TestSection : public QObject {
       for (const Vector3d& p : section.loops.front()) QVERIFY((p - centre).dot(along) > 0.4);
       QVERIFY(section.covers(centre + 2.0 * along) && !section.covers(centre - 2.0 * along));
     }
+  }
+
+  // The eight nodes around one form a ring about as thin as a step, with crossings of which some
+  // lie outside: it is whole from wherever it is followed.
+  void aRingOfEightNodesIsWhole() {
+    const Vector3d n = Vector3d::UnitZ();
+    const Vector3d u = n.unitOrthogonal(), v = n.cross(u);
+    const Vector3d centre{15.3, 15.6, 15.4};
+    const SplineField field = fieldOf(shapes::sampled(analytic::cube(32), [&](const Vector3d& p) {
+      const double square = std::pow((p - centre).dot(u), 2) + std::pow((p - centre).dot(v), 2);
+      return (square - 0.8 * 0.8) * (square - 1.6 * 1.6);
+    }));
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        if (i == 0 && j == 0) continue;
+        const Section section = sectionOf(field, {centre + i * u + j * v, n}, {}, 1);
+        QCOMPARE(section.loops.size(), std::size_t{2});
+        QCOMPARE(std::count(section.lattice.inside.begin(), section.lattice.inside.end(), 1), 8);
+        QVERIFY((section.centreLps - centre).norm() < 0.05);
+      }
   }
 
   void whatIsNoSectionIsRefused() {
