@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/quality/local_wall.h"
 #include "core/quality/roughness.h"
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
@@ -50,6 +51,18 @@ TriMesh roughened(TriMesh mesh, double sigma, bool tube, std::uint64_t seed = 1)
   return mesh;
 }
 
+/// The wall around a vertex, in a frame that leans by 30 degrees against the normal.
+LocalWall leaning(const TriMesh& mesh, std::uint32_t vertex, double turn, bool graph) {
+  const MeshRings rings(mesh);
+  std::vector<char> marks(mesh.points.size(), 0);
+  std::vector<std::uint32_t> found;
+  rings.around(vertex, 0.0, 0, graph ? 2 : 4, marks, found);
+  const Vector3d normal = rings.normalAt(vertex);
+  const Vector3d aside = Eigen::AngleAxisd(turn, normal) * normal.unitOrthogonal();
+  return LocalWall::fit(mesh, found, (std::sqrt(0.75) * normal + 0.5 * aside).normalized(), graph)
+      .value();
+}
+
 }  // namespace
 
 class TestRoughness : public QObject {
@@ -81,6 +94,21 @@ class TestRoughness : public QObject {
           QVERIFY(isBelow(r->angleDeg, 5e-3));
         }
       }
+  }
+
+  /// What a wall is does not depend on the frame that it is measured in.
+  void aLeaningFrameSeesTheSameWall() {
+    TriMesh ball = scaled(shapes::icosphere(5), 3.0);
+    constexpr std::uint32_t vertex = 1234;
+    for (const double turn : {0.0, 0.7, 1.6, 2.5, 4.0, 5.3}) {
+      QVERIFY(isNear(leaning(ball, vertex, turn, true).meanCurvature(), 1.0 / 3.0, 0.003));
+      const LocalWall wall = leaning(ball, vertex, turn, false);
+      const Vector3d& on = ball.points[vertex];
+      for (const double off : {-0.05, 0.0, 0.05}) {
+        const Vector3d foot = wall.foot((1.0 + off) * on);
+        QVERIFY(isNear(foot.norm(), 3.0, 1e-4));
+      }
+    }
   }
 
   /// A vessel that bends at five times its radius is far smoother than noise of 0.01 radius.
