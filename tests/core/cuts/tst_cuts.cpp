@@ -222,6 +222,28 @@ class TestCuts : public QObject {
     }
   }
 
+  // Just beyond a cut the nearest voxels are still those that are left. Within two voxels' height a
+  // point counts as cut off all the same, where it belongs to the cut vessel and not to one beside.
+  void wallsJustBeyondACutAreCutOff() {
+    const Vector3d one{9.3, 15.6, 0.0}, other{23.4, 15.4, 0.0};
+    const Cut cut(shapes::sampled(analytic::cube(32),
+                                  [&](const Vector3d& p) {
+                                    return std::min(
+                                        analytic::tube(p, one, Vector3d::UnitZ(), 4.0),
+                                        analytic::tube(p, other, Vector3d::UnitZ(), 4.0));
+                                  }),
+                  {{one + Vector3d(0.0, 0.0, 15.05), Vector3d::UnitZ()}});
+    for (int turn = 0; turn < 12; ++turn) {
+      const double angle = turn * shapes::pi / 6.0;
+      const Vector3d wall(4.0 * std::cos(angle), 4.0 * std::sin(angle), 0.0);
+      for (const auto& [z, taken] : {std::pair{14.9, false}, std::pair{15.3, true},
+                                     std::pair{16.9, true}, std::pair{25.0, true}}) {
+        QCOMPARE(cut.away.beyond(one + wall + Vector3d(0.0, 0.0, z)), taken);
+        QVERIFY(!cut.away.beyond(other + wall + Vector3d(0.0, 0.0, z)));
+      }
+    }
+  }
+
   void aTipOfACapsuleIsCutOff() {
     const Geometry g = analytic::cube(36);
     const Vector3d from{10.2, 11.1, 9.4}, to{25.3, 24.2, 26.1};
