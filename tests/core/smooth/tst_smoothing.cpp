@@ -11,6 +11,7 @@
 #include "core/mesh/triangle_tree.h"
 #include "core/quality/mesh_quality.h"
 #include "core/smooth/smoothing.h"
+#include "core/smooth/wall_places.h"
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 
@@ -358,6 +359,23 @@ class TestSmoothing : public QObject {
     QVERIFY(rim > 20);
     QCOMPARE(measureQuality(smooth).boundaryLoops, std::size_t{2});
     QVERIFY(furthestFromWall(smooth, *scene.field) <= 0.05);
+  }
+
+  // Both rims of a tube that ends in the outermost planes of voxel centres are of its wall.
+  void openRimsAreAlikeAtBothEnds() {
+    const Scene scene = tubeScene(3.0, SurfaceBorder::Open);
+    const Geometry& g = scene.phi.geometry;
+    const WallPlaces places(scene.mesh, scene.field.get(), {},
+                            std::vector<char>(scene.mesh.points.size(), 0));
+    int rims[2] = {0, 0};
+    for (std::size_t v = 0; v < scene.mesh.points.size(); ++v) {
+      const double k = g.toIndex(scene.mesh.points[v]).z();
+      const bool low = k<1e-6, high = k> g.size[2] - 1 - 1e-6;
+      QCOMPARE(places.mesh.place[v].planes(), low || high ? 1 : 0);
+      QVERIFY(places.mesh.place[v].wall && places.offWall[v] == 0 && places.fixed[v] == 0);
+      if (low || high) ++rims[high ? 1 : 0];
+    }
+    QVERIFY(rims[0] > 10 && rims[0] == rims[1]);
   }
 
   void noiseStaysSound() {
