@@ -160,6 +160,25 @@ class TestHandles : public QObject {
     QCOMPARE(apart[0].component + apart[1].component, 3);
   }
 
+  // Beside noise, whose holes open and fill while it grows, a ring keeps the one that it has, found
+  // before those or after.
+  void holesThatFillTakeNoneElsewhere() {
+    Geometry g = cube(17);
+    g.size[2] = 36;
+    for (const double radius : {1.0, 2.0})
+      for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        Volume<float> phi = clamped(g, [&](const Eigen::Vector3d& x) {
+          return torus(x, {8.0, 8.0, 30.0}, 5.0, radius);
+        });
+        for (std::size_t i = 0; i < g.offset(0, 0, 20); ++i)
+          phi.voxels[i] = static_cast<float>(randomNormal(seed, i) - 0.4);
+        const std::vector<Handle> handles = handlesOf(phi);
+        QCOMPARE(std::count_if(handles.begin(), handles.end(),
+                               [](const Handle& h) { return h.placeLps.z() > 23.0; }),
+                 1);
+      }
+  }
+
   void aHoleThroughAVesselIsShort() {
     const Geometry g = cube(32);
     // In a wide one the section is deepest far from the hole, and the loop shortest beside it.
