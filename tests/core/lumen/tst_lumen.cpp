@@ -170,6 +170,60 @@ class TestLumen : public QObject {
     QCOMPARE(connectedComponents(insideMask(phi)).sizes.size(), 2U);
   }
 
+  // Where two cores meet side by side in a voxel as bright as a wall, it stays outside and well off
+  // the wall. Elsewhere phi is the wall's level less the share of brightness, just outside as well.
+  void whereNeighboursMeetIsClearOfTheWall() {
+    Volume<float> image(analytic::cube(32), 0.0F);
+    Volume<std::uint8_t> found(image.geometry);
+    const auto square = [](int i, int j) { return std::max(std::abs(i), std::abs(j)); };
+    for (std::size_t n = 0; n < image.voxels.size(); ++n) {
+      const auto [i, j, k] = image.geometry.indexOf(n);
+      const int off = std::min(square(i - 12, j - 16), square(i - 18, j - 16));
+      if (off <= 2) image.voxels[n] = 100.0F;
+      if (i == 15 && j == 16) image.voxels[n] = 60.0F;
+      if (off == 3 && j == 19) image.voxels[n] = 46.0F;
+      if (off <= 3) found.voxels[n] = off <= 1 ? 2 : 1;
+    }
+    LumenParams params;
+    params.level = 0.5;
+    const Volume<float> phi = refineLumen(image, found, params, Polarity::Bright);
+    QCOMPARE(connectedComponents(insideMask(phi)).sizes.size(), 2U);
+    for (int k = 4; k < 28; ++k) {
+      QCOMPARE(phi.at(15, 16, k), 0.1F);
+      QVERIFY(isNear(static_cast<double>(phi.at(12, 19, k)), 0.04, 0.02));
+      QVERIFY(phi.at(14, 16, k) < -0.4F && phi.at(16, 16, k) < -0.4F);
+    }
+  }
+
+  // A mirrored scan has the mirrored wall and evidence, to its last voxel.
+  void sidesAreAlike() {
+    const Geometry g = analytic::cube(32);
+    Volume<float> image(g);
+    Volume<std::uint8_t> found(g), other(g);
+    for (std::size_t i = 0; i < image.voxels.size(); ++i) {
+      const double off =
+          analytic::tube(voxelCentre(g, i), Vector3d::Zero(), Vector3d::Ones().normalized(), 3.0);
+      image.voxels[i] = static_cast<float>(brightness(off) + 5.0 * randomNormal(7, i));
+      found.voxels[i] = off < -1.0 ? 2 : off < 0.4 ? 1 : 0;
+    }
+    Volume<float> back = image;
+    std::reverse(back.voxels.begin(), back.voxels.end());
+    std::reverse_copy(found.voxels.begin(), found.voxels.end(), other.voxels.begin());
+    WallEvidence one, two;
+    const Volume<float> phi = refineLumen(image, found, {}, Polarity::Bright, {}, &one);
+    Volume<float> mirrored = refineLumen(back, other, {}, Polarity::Bright, {}, &two);
+    std::reverse(mirrored.voxels.begin(), mirrored.voxels.end());
+    QVERIFY(isBelow(analytic::mostApart(phi, mirrored), 1e-4));
+    std::reverse(two.lumen.begin(), two.lumen.end());
+    std::reverse(two.around.begin(), two.around.end());
+    QCOMPARE(one.lumen.size(), two.lumen.size());
+    double most = 0.0;
+    for (std::size_t c = 0; c < one.lumen.size(); ++c)
+      most = std::max({most, std::fabs(static_cast<double>(one.lumen[c]) - two.lumen[c]),
+                       std::fabs(static_cast<double>(one.around[c]) - two.around[c])});
+    QVERIFY(isBelow(most, 1e-3));
+  }
+
   // A thin vessel that fades for a stretch stays one.
   void bridgesAFadingStretch() {
     const Volume<float> distance = tubeDistance(1.5);
