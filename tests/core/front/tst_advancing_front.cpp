@@ -9,6 +9,7 @@
 
 #include "core/base/random.h"
 #include "core/front/advancing_front.h"
+#include "core/front/border_curves.h"
 #include "core/front/fill_loop.h"
 #include "core/mesh/mesh_faults.h"
 #include "core/mesh/tri_mesh.h"
@@ -398,6 +399,38 @@ class TestAdvancingFront : public QObject {
     }
     QCOMPARE(front.close(), std::size_t{1});
     QCOMPARE(front.triangles().size(), std::size_t{6});
+  }
+
+  // Of an edge of the volume that passes in and out of vessels, what is inside is the caps',
+  // whichever axis it runs along and from whichever end.
+  void edgesOfTheVolumeAreCapsWhereTheyAreInside() {
+    const Geometry g = analytic::cube(40);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int side = 0; side < 4; ++side) {
+        Vector3d edge = Vector3d::Zero();
+        edge[(axis + 1) % 3] = side % 2 * 39.0;
+        edge[(axis + 2) % 3] = side / 2 * 39.0;
+        const Vector3d along = Vector3d::Unit(axis);
+        const SplineField field = analytic::fieldOf(analytic::sampled(g, [&](const Vector3d& p) {
+          double least = 1e9;
+          for (const auto& [at, radius] : {std::pair{0.0, 4.3}, std::pair{11.0, 3.4},
+                                           std::pair{22.5, 4.8}, std::pair{33.0, 3.1}})
+            least = std::min(least, analytic::ball(p, edge + at * along, radius));
+          return least;
+        }));
+        const GuidanceField size(field, SizingParams::printed());
+        const BorderCurves curves = borderCurves(field, size, EndPlanes(g), {}, true);
+        std::size_t inside = 0;
+        for (std::size_t v = 0; v < curves.points.size(); ++v) {
+          if (curves.place[v].wall || curves.place[v].planes() != 2) continue;
+          ++inside;
+          QVERIFY(field.valueAt(curves.points[v].point) < 0.0);
+        }
+        QVERIFY(inside > 10);
+        std::size_t caps = 0;
+        for (const auto& loops : curves.caps) caps += loops.size();
+        QCOMPARE(caps, std::size_t{9});
+      }
   }
 
   void fillingsCoverTheirPolygon() {
