@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -250,6 +251,31 @@ class TestGuidanceField : public QObject {
     QVERIFY(std::fabs(guidance.estimatedAreaMm2() / area - 1.0) < 0.02);
     const double triangles = area / (std::sqrt(3.0) / 4.0 * edge * edge);
     QVERIFY(std::fabs(guidance.estimatedTriangles() / triangles - 1.0) < 0.05);
+  }
+
+  // Where edges are longer than cells, the samples stand for what of the zero set lies in all
+  // cells, none left out and none counted twice, however they are found.
+  void samplesHaveTheAreaOfAllCells() {
+    SizingParams params = curvatureOnly();
+    params.edgeMinMm = 2.0;
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      Volume<float> phi(cube(16));
+      for (std::size_t i = 0; i < phi.voxels.size(); ++i)
+        phi.voxels[i] = static_cast<float>(randomNormal(seed, i));
+      const SplineField field(phi, SplineKind::InterpolatingBspline);
+      double area = 0.0;
+      for (const GuidanceField::Sample& sample : GuidanceField(field, params).samples())
+        area += sample.areaMm2;
+      double expected = 0.0;
+      for (int cell = 0; cell < 15 * 15 * 15; ++cell) {
+        std::array<double, 8> corner{};
+        for (int c = 0; c < 8; ++c)
+          corner[static_cast<std::size_t>(c)] = field.atVoxel(
+              cell % 15 + (c & 1), cell / 15 % 15 + (c >> 1 & 1), cell / 225 + (c >> 2 & 1));
+        expected += zeroSetArea(corner, Eigen::Matrix3d::Identity());
+      }
+      QVERIFY(isNear(area / expected, 1.0, 1e-9));
+    }
   }
 
   void endsOnInputOfAnyKind() {
