@@ -7,7 +7,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/phantom/appearance.h"
 #include "core/phantom/phantom.h"
+#include "core/phantom/shape.h"
 #include "core/phantom/truth_json.h"
 #include "tests/core/bars.h"
 #include "tests/core/phantom_case.h"
@@ -127,6 +129,31 @@ class TestPhantomLooks : public QObject {
       }
     }
     QVERIFY(tips > 3);
+  }
+
+  // From the root to the tip that is farthest along the vessels; sooner in shorter branches.
+  void fadeIsLinearAlongTheLongestWay() {
+    for (const PhantomKind kind : {PhantomKind::Tree, PhantomKind::VesselTree}) {
+      PhantomParams params = paramsOf(kind, 96);
+      params.fadePercent = 50.0;
+      const Shape shape = makeShape(params);
+      const auto& lines = shape.centreLines;
+      std::vector<double> end(lines.size(), 0.0);  // along the vessels, from the root
+      std::size_t last = 0;
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        end[i] = (lines[i].to - lines[i].from).norm();
+        if (lines[i].parent >= 0) end[i] += end[static_cast<std::size_t>(lines[i].parent)];
+        if (end[i] > end[last]) last = i;
+      }
+      const VesselFade fade(params, shape);
+      int passed = 0;
+      for (int i = static_cast<int>(last); i >= 0; ++passed) {
+        const auto at = static_cast<std::size_t>(i);
+        QVERIFY(isNear(fade.at(lines[at].to), 1.0 - 0.5 * end[at] / end[last], 0.01));
+        i = lines[at].parent;
+      }
+      QVERIFY(passed > 3);
+    }
   }
 
   void ricianNoiseHasItsMeanInTheBackgroundAndInTheLumen() {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "core/base/random.h"
 #include "core/phantom/curve_tube.h"
@@ -175,6 +177,32 @@ class TestWallTruth : public QObject {
       QVERIFY2(thickest > 6.0 && thickest < 8.0, QByteArray::number(thickest));
       QCOMPARE(connectedComponents(phantom.truth).sizes.size(), std::size_t{1});
       QVERIFY(WallTruth(params).branchings().size() >= 6);
+    }
+  }
+
+  // Branches leave their parent for good and keep off all others: no two vessels touch but where
+  // one leaves the other.
+  void branchesOfAVesselTreeKeepApart() {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      PhantomParams params = paramsOf(PhantomKind::VesselTree, 128, 4.0);
+      params.randomSeed = seed;
+      const Shape shape = makeShape(params);
+      const double gap = std::max(3.0, 1.5 * shape.blendMm);
+      for (std::size_t n = 3; n < shape.solids.size(); ++n) {
+        const CurveTube& tube = std::get<CurveTube>(shape.solids[n]);
+        const Vector3d start = tube.centreAt(0.0);
+        for (std::size_t other = 0; other < n; ++other) {
+          // The parent is the one that the start lies deep in. It is left at 0.14 turns or more.
+          const double depth = -signedDistance(shape.solids[other], start);
+          const double beside = 1.2 * (depth + tube.radiusAt(0.0) + gap) / std::sin(0.28 * M_PI);
+          for (double t = 0.0; t <= tube.length(); t += 0.0625) {
+            const Vector3d p = tube.centreAt(t);
+            if (depth > 0.0 && (p - start).norm() < beside) continue;
+            const double clear = signedDistance(shape.solids[other], p) - tube.radiusAt(t);
+            QVERIFY(isAbove(clear, gap - 1e-9));
+          }
+        }
+      }
     }
   }
 
