@@ -110,6 +110,20 @@ void spoil(PatchMesh& mesh, const Scene& scene) {
   }
 }
 
+// Puts a vertex into the middle of a triangle, which becomes the first of three.
+void cutInThree(PatchMesh& mesh, std::size_t triangle) {
+  const auto [a, b, c] = mesh.mesh.triangles[triangle];
+  std::vector<Vector3d>& points = mesh.mesh.points;
+  const auto middle = static_cast<std::uint32_t>(points.size());
+  points.emplace_back((points[a] + points[b] + points[c]) / 3.0);
+  mesh.place.push_back(Place::onWall());
+  mesh.mesh.triangles[triangle] = {a, b, middle};
+  mesh.mesh.triangles.push_back({b, c, middle});
+  mesh.mesh.triangles.push_back({c, a, middle});
+  mesh.patch.resize(mesh.mesh.triangles.size(), 0);
+  mesh.origin.resize(mesh.mesh.triangles.size(), mesh.origin.front());
+}
+
 void verifyBars(const PatchMesh& result, const Scene& scene) {
   const TriMesh& mesh = result.mesh;
   const double voxel = scene.field->geometry().voxelMm();
@@ -170,6 +184,22 @@ class TestRemesh : public QObject {
     verifyBars(mesh, scene);
     QVERIFY(std::all_of(mesh.origin.begin(), mesh.origin.end(),
                         [](FaceOrigin o) { return o == FaceOrigin::Front; }));
+  }
+
+  // Five triangles in each good one: flips and relaxation leave angles that only work on the worst
+  // triangles, one by one, makes good.
+  void uselessVerticesLeaveNoBadAngle() {
+    const Scene scene = makeScene("torus");
+    PatchMesh mesh = remesh(scene.start, *scene.field, *scene.size, scene.ends());
+    const std::size_t good = mesh.mesh.triangles.size();
+    for (std::size_t t = 0; t < good; ++t)
+      for (int n = 0; n < 2; ++n) cutInThree(mesh, t);
+    QVERIFY(measureQuality(mesh.mesh).minAngleMin < 10.0);
+    improveTriangles(mesh, *scene.field, *scene.size, scene.ends());
+    const MeshQuality q = measureQuality(mesh.mesh);
+    QVERIFY(q.closed && q.euler == scene.euler);
+    QVERIFY(isAbove(q.minAngleMin, 33.0));
+    QVERIFY(isBelow(q.maxAngleMax, 105.0));
   }
 
   void theNumberOfThreadsDoesNotMatter() {
