@@ -89,7 +89,7 @@ class TestEventLoop : public QObject {
     application().longest = application().longestByTheClock = 0.0;
     QSignalSpy snapshots(&c.models().runs, &RunModel::snapshotArrived);
     c.models().runs.run();
-    QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.models().runs.running(), 10 * kPatienceMs);
     QVERIFY(c.models().runs.state(Step::Quality) == StepState::Fresh);
     QVERIFY(c.models().results.mesh(MeshKind::Exported)->triangles.size() > 4 * kCoarseTriangles);
     QVERIFY(snapshots.size() > 0);
