@@ -118,6 +118,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   });
   connect(centre_, &CentralArea::openRequested, this, [this](const QString& path) { open(path); });
   connect(views_, &ViewGrid::hovered, hover_, &QLabel::setText);
+  connect(views_, &ViewGrid::crosshairMoved, this,
+          [this] { models_->live.setFocus(views_->crosshair()); });
   refreshTitle();
   refreshActions();
   portMenu_->refresh();

@@ -7,6 +7,7 @@ CaseModels::CaseModels(const JobRunnerFactory& makeRunner, const std::filesystem
     : document(log),
       results(document, log, timer, makeRunner),
       runs(document, results, log, timer, makeRunner),
+      live(document, results, runs, timer, makeRunner),
       files(document, results, runs, log, timer, makeRunner, recovery),
       exports(results, log, timer, makeRunner) {
   QObject::connect(&files, &CaseFiles::loadingChanged, &runs, &RunModel::statesChanged);

@@ -5,6 +5,7 @@
 
 #include "gui/model/case_files.h"
 #include "gui/model/exports.h"
+#include "gui/model/live_preview.h"
 
 namespace angiomesh {
 
@@ -19,6 +20,7 @@ struct CaseModels {
   CaseDocument document;
   ResultModel results;
   RunModel runs;
+  LivePreview live;
   CaseFiles files;
   Exports exports;
 

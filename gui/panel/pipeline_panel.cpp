@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/panel/pipeline_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,6 +9,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -31,7 +33,7 @@ constexpr int kStepMargins = 30;
 }  // namespace
 
 PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
-    : QWidget(parent), models_(models) {
+    : QWidget(parent), models_(models), preview_(&models.live) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
   auto* top = new QHBoxLayout;
@@ -46,6 +48,7 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
   top->addWidget(run_);
   top->addWidget(cancel_);
   column->addLayout(top);
+  column->addWidget(buildLive());
 
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
@@ -87,6 +90,53 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
   refreshPreset();
   refreshFailure();
   refreshButtons();
+}
+
+QWidget* PipelinePanel::buildLive() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  live_ = named(new QCheckBox(tr("Live"), bar), "live");
+  live_->setToolTip(
+      tr("Tries what is changed below Seeds at once, in a box around the crosshair. The result "
+         "stays as it is until you run."));
+  liveSide_ = named(new QSpinBox(bar), "liveSide");
+  liveSide_->setRange(LivePreview::kLeastSide, LivePreview::kGreatestSide);
+  liveSide_->setSingleStep(8);
+  liveSide_->setValue(models_.live.side());
+  liveSide_->setKeyboardTracking(false);
+  liveSide_->setToolTip(tr("Side of the box in voxels: a smaller one answers faster"));
+  liveStatus_ = named(new QLabel(bar), "liveStatus");
+  liveStatus_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(live_);
+  row->addWidget(liveSide_);
+  row->addWidget(liveStatus_, 1);
+  connect(live_, &QCheckBox::toggled, &models_.live, &LivePreview::setOn);
+  connect(liveSide_, &QSpinBox::valueChanged, &models_.live, &LivePreview::setSide);
+  connect(&models_.live, &LivePreview::changed, this, &PipelinePanel::refreshLive);
+  connect(&models_.document, &CaseDocument::parametersChanged, this, &PipelinePanel::refreshLive);
+  connect(&models_.results, &ResultModel::resultsChanged, this, &PipelinePanel::refreshLive);
+  connect(&models_.runs, &RunModel::statesChanged, this, &PipelinePanel::refreshLive);
+  refreshLive();
+  return bar;
+}
+
+void PipelinePanel::refreshLive() {
+  const QSignalBlocker quiet(live_);
+  live_->setChecked(models_.live.on());
+  liveStatus_->setText(models_.live.status());
+  liveStatus_->setToolTip(models_.live.status());
+  liveStatus_->setEnabled(models_.live.phi() != nullptr);
+}
+
+void PipelinePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (preview_) preview_->setWatched(true);
+}
+
+void PipelinePanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (preview_) preview_->setWatched(false);
 }
 
 QWidget* PipelinePanel::buildNotes() {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 
+#include "gui/model/live_preview.h"
+
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSpinBox;
 
 namespace angiomesh {
 
@@ -18,14 +23,25 @@ class PipelinePanel : public QWidget {
  public:
   explicit PipelinePanel(CaseModels& models, QWidget* parent = nullptr);
 
+ protected:
+  // While the panel is open, somebody tunes.
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
  private:
+  QWidget* buildLive();
   QWidget* buildNotes();
+  void refreshLive();
   void refreshFailure();
   void refreshPreset();
   void refreshButtons();
 
   CaseModels& models_;
   QLabel* failure_ = nullptr;
+  QPointer<LivePreview> preview_;  ///< goes before the panel is hidden for good
+  QCheckBox* live_ = nullptr;
+  QSpinBox* liveSide_ = nullptr;
+  QLabel* liveStatus_ = nullptr;
   QComboBox* preset_;
   QPushButton* run_;
   QPushButton* cancel_;

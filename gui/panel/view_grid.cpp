@@ -96,6 +96,7 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   });
   connect(&models_.document, &CaseDocument::parametersChanged, this, &ViewGrid::refreshEdits);
   connect(&models_.document, &CaseDocument::edited, this, &ViewGrid::refreshSegmentation);
+  connect(&models_.live, &LivePreview::changed, this, &ViewGrid::refreshPreview);
   connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
   connectPorts();
   connectInspection();
@@ -342,8 +343,15 @@ void ViewGrid::refreshSegmentation() {
     phiDimmed_ = stale;
     for (SliceView* view : slices_) view->setContour(phi, stale);
   }
+  refreshPreview();
   refreshSurface();
   refreshComparison();
+  refreshCaptions();
+}
+
+void ViewGrid::refreshPreview() {
+  for (SliceView* view : slices_)
+    view->setPreview(state_.contours() ? models_.live.phi() : nullptr);
   refreshCaptions();
 }
 
@@ -448,7 +456,8 @@ void ViewGrid::refreshCaptions() {
   const QString overlay =
       state_.overlay() ? overlayText(models_.results, *state_.overlay()).text : QString();
   const QString contour = shownPhi_ ? contourText(results, models_.runs).text : QString();
-  for (SliceView* view : slices_) view->setCaption(lines({layer, overlay, contour}));
+  const QString preview = state_.contours() && models_.live.phi() ? tr("Preview in the box") : QString();
+  for (SliceView* view : slices_) view->setCaption(lines({layer, overlay, contour, preview}));
   const QString projection = volumeText(state_.volumeShown(), layer);
   const QString slices = state_.slices3d() ? tr("Slices: %1").arg(layer) : QString();
   const QString hidden = surfaceFeed_->hidesParts() ? tr("Some parts hidden") : QString();

@@ -39,6 +39,7 @@ struct SliceView::State {
   QPointF pressed, last;
   WindowLimits limits;
   ColourLayer colourLayer;
+  ContourLayer contour, preview;
   bool interpolated = true;
   QString caption;
   SlabMode lastSlabMode = SlabMode::Mip;
@@ -119,12 +120,22 @@ void SliceView::chooseSlab(const Slab& slab) {
 }
 
 void SliceView::setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed) {
+  state_->contour.phi = std::move(phi);
+  state_->contour.opacity = dimmed ? dimmedOpacity : 1.0;
+  showContours();
+}
+
+void SliceView::setPreview(std::shared_ptr<const Volume<float>> phi) {
+  if (phi == state_->preview.phi) return;
+  state_->scene.setPreviewGrid(phi ? std::optional(phi->geometry) : std::nullopt);
+  state_->preview = {std::move(phi), kPreviewColour, 1.0};
+  showContours();
+}
+
+void SliceView::showContours() {
   std::vector<ContourLayer> layers;
-  if (phi) {
-    layers.emplace_back();
-    layers.back().phi = std::move(phi);
-    if (dimmed) layers.back().opacity = dimmedOpacity;
-  }
+  for (const ContourLayer& layer : {state_->contour, state_->preview})
+    if (layer.phi) layers.push_back(layer);
   state_->scene.setContours(std::move(layers));
   requestRender();
 }

@@ -50,6 +50,8 @@ class SliceView : public VtkView {
   /// The zero level set to outline; it may live on another grid. Null removes it.
   void setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed = false);
   /// What the pane shows, in lines.
+  /// The segmentation that is tried in a part of the volume; null: none.
+  void setPreview(std::shared_ptr<const Volume<float>> phi);
   void setCaption(const QString& lines);
   /// What the values under the pointer are of, and their unit; either may be empty.
   void setValueNames(const QString& layer, const QString& unit);
@@ -117,6 +119,7 @@ class SliceView : public VtkView {
   void pictureBegins() override;
 
  private:
+  void showContours();
   void moveCrosshair(const QPointF& position);
   void stepSlices(int towardsHead);
   void stepSlab(int steps);

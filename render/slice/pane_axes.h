@@ -31,5 +31,4 @@ PaneAxes paneAxes(const Geometry& geometry, int plane);
 /// off the nearest axis.
 std::string orientationLetters(const Eigen::Vector3d& directionLps);
 
-
 }  // namespace angiomesh

@@ -152,17 +152,17 @@ std::vector<std::array<Eigen::Vector2d, 2>> zeroContour(const Volume<float>& phi
   return segments;
 }
 
-std::vector<Eigen::Vector2d> boxSection(const RoiBox& box, const SlicePlane& plane) {
+namespace {
+
+/// The part of a slice in which depthOf(side, lps) is not negative for any of six sides, in order
+/// around it.
+template <class Depth>
+std::vector<Eigen::Vector2d> sectionOf(const SlicePlane& plane, const Depth& depthOf) {
   const double far =
       10.0 * (plane.width() * plane.pixelWidthMm() + plane.height() * plane.pixelHeightMm() + 1.0);
   std::vector<Eigen::Vector2d> polygon{{-far, -far}, {far, -far}, {far, far}, {-far, far}};
   for (int side = 0; side < 6; ++side) {
-    const int axis = side % 3;
-    const double sign = side < 3 ? 1.0 : -1.0;
-    const double bound = box[at(side)];
-    const auto depth = [&](const Eigen::Vector2d& xy) {
-      return sign * (plane.toLps(xy)[axis] - bound);
-    };
+    const auto depth = [&](const Eigen::Vector2d& xy) { return depthOf(side, plane.toLps(xy)); };
     std::vector<Eigen::Vector2d> clipped;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const Eigen::Vector2d& a = polygon[k];
@@ -175,6 +175,21 @@ std::vector<Eigen::Vector2d> boxSection(const RoiBox& box, const SlicePlane& pla
     polygon = std::move(clipped);
   }
   return polygon;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> boxSection(const RoiBox& box, const SlicePlane& plane) {
+  return sectionOf(plane, [&](int side, const Eigen::Vector3d& lps) {
+    return (side < 3 ? 1.0 : -1.0) * (lps[side % 3] - box[at(side)]);
+  });
+}
+
+std::vector<Eigen::Vector2d> gridSection(const Geometry& grid, const SlicePlane& plane) {
+  return sectionOf(plane, [&](int side, const Eigen::Vector3d& lps) {
+    const double index = grid.toIndex(lps)[side % 3];
+    return side < 3 ? index + 0.5 : grid.size[at(side % 3)] - 0.5 - index;
+  });
 }
 
 std::optional<RoiBox> boxBetween(RoiBox box, const RoiBox& whole, int plane,

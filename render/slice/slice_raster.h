@@ -54,6 +54,8 @@ std::vector<std::array<Eigen::Vector2d, 2>> zeroContour(const Volume<float>& phi
 
 /// Where a box of patient space cuts the plane: a convex polygon, empty when it does not.
 std::vector<Eigen::Vector2d> boxSection(const RoiBox& box, const SlicePlane& plane);
+/// The same of the box that the voxels of a grid fill.
+std::vector<Eigen::Vector2d> gridSection(const Geometry& grid, const SlicePlane& plane);
 
 /// `box` between two corners that were drawn on a pane of `plane` (0 sagittal, 1 coronal, 2 axial),
 /// whose depth it keeps, within `whole`. Nothing where nothing would be left.

@@ -53,7 +53,7 @@ struct SliceScene::Parts {
   SlicePixels pixels{renderer};
   SliceViewport view{renderer};
   std::vector<std::unique_ptr<SliceLayer>> contourLayers;
-  SliceLayer roiLine, seedDots;
+  SliceLayer roiLine, previewLine, seedDots;
   CrosshairArms crosshair{renderer};
   SliceMarks ports{renderer};
   std::unique_ptr<SliceOverlay> overlay;
@@ -64,6 +64,7 @@ struct SliceScene::Parts {
   std::vector<ContourLayer> contours;
   std::vector<Eigen::Vector3d> seeds;
   std::optional<RoiBox> roi;
+  std::optional<Geometry> preview;
   PlaneTurn turn;
   PaneGrid pane;
   SlicePlane plane;
@@ -89,7 +90,8 @@ struct SliceScene::Parts {
   void showCrosshair();
   void showPorts() { ports.show(plane, image != nullptr, portDepth, pixelRatio); }
   void showSeeds();
-  void showRoi();
+  void showBoxes();
+  void showBox(SliceLayer& line, const std::vector<Eigen::Vector2d>& polygon) const;
   void showTexts();
 };
 
@@ -98,8 +100,9 @@ SliceScene::Parts::Parts() {
   renderer->GetActiveCamera()->ParallelProjectionOn();
 
   roiLine.colour(0.35, 0.80, 1.0);
+  previewLine.colour(kPreviewColour[0], kPreviewColour[1], kPreviewColour[2]);
   seedDots.actor->GetProperty()->RenderPointsAsSpheresOn();
-  for (SliceLayer* layer : {&roiLine, &seedDots}) {
+  for (SliceLayer* layer : {&roiLine, &previewLine, &seedDots}) {
     layer->actor->VisibilityOff();
     renderer->AddActor(layer->actor);
   }
@@ -141,7 +144,7 @@ void SliceScene::Parts::showSlice() {
   showContours();
   showPorts();
   showSeeds();
-  showRoi();
+  showBoxes();
   showTexts();
 }
 
@@ -217,15 +220,20 @@ void SliceScene::Parts::showSeeds() {
   seedDots.actor->GetProperty()->SetPointSize(static_cast<float>(7.0 * pixelRatio));
 }
 
-void SliceScene::Parts::showRoi() {
-  const std::vector<Eigen::Vector2d> polygon =
-      image && roi ? boxSection(*roi, plane) : std::vector<Eigen::Vector2d>();
-  roiLine.actor->SetVisibility(!polygon.empty());
-  roiLine.actor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixelRatio));
+void SliceScene::Parts::showBoxes() {
+  const std::vector<Eigen::Vector2d> nothing;
+  showBox(roiLine, image && roi ? boxSection(*roi, plane) : nothing);
+  showBox(previewLine, image && preview ? gridSection(*preview, plane) : nothing);
+}
+
+void SliceScene::Parts::showBox(SliceLayer& line,
+                                const std::vector<Eigen::Vector2d>& polygon) const {
+  line.actor->SetVisibility(!polygon.empty());
+  line.actor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixelRatio));
   std::vector<std::array<Eigen::Vector2d, 2>> sides;
   for (std::size_t k = 0; k < polygon.size(); ++k)
     sides.push_back({polygon[k], polygon[(k + 1) % polygon.size()]});
-  roiLine.setSegments(sides, roiDepth);
+  line.setSegments(sides, roiDepth);
 }
 
 void SliceScene::Parts::showTexts() {
@@ -261,7 +269,7 @@ void SliceScene::setImage(std::shared_ptr<const Volume<float>> image) {
     p.showContours();
     p.showPorts();
     p.showSeeds();
-    p.showRoi();
+    p.showBoxes();
     p.showTexts();
     return;
   }
@@ -433,7 +441,12 @@ void SliceScene::setPointerText(const std::string& lines) {
 
 void SliceScene::setRoi(const std::optional<RoiBox>& roi) {
   parts_->roi = roi;
-  parts_->showRoi();
+  parts_->showBoxes();
+}
+
+void SliceScene::setPreviewGrid(const std::optional<Geometry>& grid) {
+  parts_->preview = grid;
+  parts_->showBoxes();
 }
 
 const std::optional<RoiBox>& SliceScene::roi() const { return parts_->roi; }

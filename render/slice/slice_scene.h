@@ -29,6 +29,9 @@ struct ContourLayer {
   double opacity = 1.0;
 };
 
+/// Of the outlines of a preview, RGB, 0..1.
+inline constexpr std::array<double, 3> kPreviewColour{0.3, 0.95, 0.5};
+
 /// One slice pane: the image's native voxels along one grid axis, or values between them in a plane
 /// that is turned, with overlays. The scene is flat:
 /// its world is the slice in mm, so that no direction matrix ever reaches the renderer. Display
@@ -100,6 +103,8 @@ class SliceScene {
   void setPointerText(const std::string& lines);
   void setRoi(const std::optional<RoiBox>& roi);
   [[nodiscard]] const std::optional<RoiBox>& roi() const;
+  /// Outlines the voxels of a grid, those of a preview.
+  void setPreviewGrid(const std::optional<Geometry>& grid);
 
   void fit();
   void zoom(double factor, double displayX, double displayY);  ///< about a display position

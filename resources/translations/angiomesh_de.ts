@@ -3259,6 +3259,41 @@ BSD-3-Clause.</translation>
     </message>
 </context>
 <context>
+    <name>angiomesh::LivePreview</name>
+    <message>
+        <source>open a scan first</source>
+        <translation>erst einen Scan öffnen</translation>
+    </message>
+    <message>
+        <source>a run is on</source>
+        <translation>es wird gerechnet</translation>
+    </message>
+    <message>
+        <source>evolving…</source>
+        <translation>entwickelt sich …</translation>
+    </message>
+    <message>
+        <source>in %1 s</source>
+        <translation>in %1 s</translation>
+    </message>
+    <message>
+        <source>level set only</source>
+        <translation>nur für Level-Set</translation>
+    </message>
+    <message>
+        <source>run once first</source>
+        <translation>erst einmal rechnen</translation>
+    </message>
+    <message>
+        <source>run anew first</source>
+        <translation>erst neu rechnen</translation>
+    </message>
+    <message>
+        <source>move a slider below</source>
+        <translation>unten Regler bewegen</translation>
+    </message>
+</context>
+<context>
     <name>angiomesh::LogPanel</name>
     <message>
         <source>Warning: </source>
@@ -3960,6 +3995,18 @@ BSD-3-Clause.</translation>
         <source>✕ %1 failed: %2</source>
         <translation>✕ %1 fehlgeschlagen: %2</translation>
     </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Tries what is changed below Seeds at once, in a box around the crosshair. The result stays as it is until you run.</source>
+        <translation>Probiert Änderungen unterhalb der Saatpunkte sofort aus, in einem Kasten um das Fadenkreuz. Das Ergebnis bleibt, wie es ist, bis Sie rechnen.</translation>
+    </message>
+    <message>
+        <source>Side of the box in voxels: a smaller one answers faster</source>
+        <translation>Kantenlänge des Kastens in Voxeln: Ein kleinerer antwortet schneller</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::PortMenu</name>
@@ -4567,6 +4614,10 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     <message>
         <source>3D, beside</source>
         <translation>3D, daneben</translation>
+    </message>
+    <message>
+        <source>Preview in the box</source>
+        <translation>Vorschau im Kasten</translation>
     </message>
 </context>
 <context>

@@ -3259,6 +3259,41 @@ BSD-3-Clause.</translation>
     </message>
 </context>
 <context>
+    <name>angiomesh::LivePreview</name>
+    <message>
+        <source>open a scan first</source>
+        <translation>önce bir tarama açın</translation>
+    </message>
+    <message>
+        <source>a run is on</source>
+        <translation>hesaplanıyor</translation>
+    </message>
+    <message>
+        <source>evolving…</source>
+        <translation>evriliyor…</translation>
+    </message>
+    <message>
+        <source>in %1 s</source>
+        <translation>%1 sn</translation>
+    </message>
+    <message>
+        <source>level set only</source>
+        <translation>yalnız düzey kümesi</translation>
+    </message>
+    <message>
+        <source>run once first</source>
+        <translation>önce çalıştırın</translation>
+    </message>
+    <message>
+        <source>run anew first</source>
+        <translation>yeniden çalıştırın</translation>
+    </message>
+    <message>
+        <source>move a slider below</source>
+        <translation>alttan bir ayar değiştirin</translation>
+    </message>
+</context>
+<context>
     <name>angiomesh::LogPanel</name>
     <message>
         <source>Warning: </source>
@@ -3960,6 +3995,18 @@ BSD-3-Clause.</translation>
         <source>✕ %1 failed: %2</source>
         <translation>✕ %1 başarısız: %2</translation>
     </message>
+    <message>
+        <source>Live</source>
+        <translation>Canlı</translation>
+    </message>
+    <message>
+        <source>Tries what is changed below Seeds at once, in a box around the crosshair. The result stays as it is until you run.</source>
+        <translation>Tohumlar adımının altındaki değişiklikleri artı imleç çevresindeki kutuda hemen dener. Siz çalıştırana kadar sonuç değişmez.</translation>
+    </message>
+    <message>
+        <source>Side of the box in voxels: a smaller one answers faster</source>
+        <translation>Kutunun voksel cinsinden kenarı: küçük kutu daha hızlı yanıt verir</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::PortMenu</name>
@@ -4567,6 +4614,10 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     <message>
         <source>3D, beside</source>
         <translation>3B, yanındaki</translation>
+    </message>
+    <message>
+        <source>Preview in the box</source>
+        <translation>Kutudaki önizleme</translation>
     </message>
 </context>
 <context>

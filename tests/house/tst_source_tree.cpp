@@ -105,6 +105,7 @@ const std::map<std::string, std::string> kMayInclude{
      "base image field mesh preprocess vesselness phantom levelset topology distance lumen "
      "centreline openings sizing contour cuts front remesh smooth surface quality measure "
      "parameters"},
+    {"core/preview", "base image preprocess pipeline"},
     {"io/file", ""},
     {"io/volume", "file"},
     {"io/dicom", "file volume"},
