@@ -134,7 +134,7 @@ EvolveResult makeSegmentation(const Volume<float>& image,
   vessels.reset();
   Volume<std::uint8_t> found;
   Volume<float> phi;
-  LiveSnapshots snapshots(options.snapshots, progress);
+  LiveSnapshots snapshots(options, progress);
   const double evolved = params.lumen.enabled ? 0.3 : 0.9;  // share of the step's time
   {
     Volume<float> start;

@@ -9,10 +9,11 @@
 
 namespace angiomesh {
 
-LiveSnapshots::LiveSnapshots(std::shared_ptr<Mailbox<EvolutionSnapshot>> mailbox,
-                             const Progress& progress)
-    : mailbox_(std::move(mailbox)), progress_(progress.sub(0.0, 0.0)) {
-  if (mailbox_) maker_ = std::jthread([this] { makeSurfaces(); });
+LiveSnapshots::LiveSnapshots(const RunOptions& options, const Progress& progress)
+    : mailbox_(options.snapshots),
+      frontsAlone_(options.frontsAlone),
+      progress_(progress.sub(0.0, 0.0)) {
+  if (mailbox_ && !frontsAlone_) maker_ = std::jthread([this] { makeSurfaces(); });
 }
 
 LiveSnapshots::~LiveSnapshots() {
@@ -38,7 +39,7 @@ void LiveSnapshots::post(const LevelSetEvolution& evolution) {
 }
 
 void LiveSnapshots::keep(const LevelSetEvolution& evolution) {
-  if (!mailbox_) return;
+  if (!mailbox_ || frontsAlone_) return;
   const Clock::time_point start = Clock::now();
   if (!kept_.empty() && (evolution.iterations() < kept_.back()->iterations + keptEvery_ ||
                          keepingSeconds_ > kKeepingShare * secondsSince(began_)))

@@ -18,8 +18,8 @@ namespace angiomesh {
 /// is made on a thread of its own, so that the evolution waits for a copy of phi only.
 class LiveSnapshots {
  public:
-  /// @param mailbox null: nothing is posted   @param progress ends the making of a surface
-  LiveSnapshots(std::shared_ptr<Mailbox<EvolutionSnapshot>> mailbox, const Progress& progress);
+  /// By the options' snapshots and frontsAlone.   @param progress ends the making of a surface
+  LiveSnapshots(const RunOptions& options, const Progress& progress);
   /// Waits for the surface of the last snapshot.
   ~LiveSnapshots();
   LiveSnapshots(const LiveSnapshots&) = delete;
@@ -38,6 +38,7 @@ class LiveSnapshots {
   void thinOut();
 
   std::shared_ptr<Mailbox<EvolutionSnapshot>> mailbox_;
+  bool frontsAlone_;
   Progress progress_;
   std::mutex mutex_;
   std::condition_variable changed_;

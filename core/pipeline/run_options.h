@@ -62,6 +62,7 @@ struct RunOptions {
   Step until = Step::Quality;
   std::shared_ptr<Mailbox<EvolutionSnapshot>> snapshots;  ///< empty: none are made
   double snapshotSeconds = 0.2;                           ///< least time between two
+  bool frontsAlone = false;  ///< of snapshots: no surface is made, and no earlier front kept
   std::shared_ptr<EvolutionControl> control;
   /// Else the pipeline remembers no step's result, and that of the vesselness, which nothing after
   /// the evolution needs, is empty if the run goes so far.

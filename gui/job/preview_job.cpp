@@ -11,7 +11,7 @@ namespace angiomesh {
 namespace {
 
 /// Between two pictures of the front, s.
-constexpr double kBetweenFronts = 0.1;
+constexpr double kBetweenFronts = 0.2;
 
 }  // namespace
 
@@ -21,6 +21,7 @@ void PreviewJob::execute() noexcept {
     RunOptions options;
     options.snapshots = snapshots;
     options.snapshotSeconds = kBetweenFronts;
+    options.frontsAlone = true;
     phi = previewInBox(ground, box, params, options, progress).phi;
   } catch (const Cancelled&) {
     phi.reset();

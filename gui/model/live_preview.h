@@ -18,7 +18,7 @@ class LivePreview : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kUsualSide = 48, kLeastSide = 16, kGreatestSide = 512;  ///< voxels
+  static constexpr int kUsualSide = 40, kLeastSide = 16, kGreatestSide = 512;  ///< voxels
 
   LivePreview(CaseDocument& document, ResultModel& results, RunModel& runs, JobTimer& timer,
               const JobRunnerFactory& makeRunner, QObject* parent = nullptr);
