@@ -119,7 +119,8 @@ void LivePreview::watch(PreviewJob& job) {
 }
 
 void LivePreview::finish(const PreviewJob& job) {
-  if (job.phi) {
+  // Also where it had ended by then, what nobody wants any more is not shown.
+  if (job.phi && !job.progress.cancelled()) {
     phi_ = job.phi;
     shownKey_ = triedKey_;
     seconds_ = job.seconds;
