@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -11,6 +10,7 @@
 #include "core/base/json_text.h"
 #include "core/openings/port_json.h"
 #include "io/file/files.h"
+#include "io/file/json_place.h"
 
 namespace angiomesh {
 namespace {
@@ -21,60 +21,18 @@ using Json = nlohmann::ordered_json;
 constexpr int kSchema = 1;
 constexpr double kTolerance = 1e-3;
 
-/// What a reader says about a value and where it stands.
-class Place {
- public:
-  Place(const fs::path& path, std::string name) : path_(path), name_(std::move(name)) {}
-
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(name_ + " " + what, path_.string(),
-                     "correct the file, or write it again with angiomesh");
-  }
-  [[nodiscard]] Place in(const std::string& key) const {
-    return {path_, name_.empty() ? key : name_ + "." + key};
-  }
-  [[nodiscard]] Place at(std::size_t n) const {
-    return {path_, name_ + "[" + std::to_string(n) + "]"};
-  }
-
- private:
-  const fs::path& path_;
-  std::string name_;
-};
-
-/// The object's values in the order of `keys`: these and no others.
-std::vector<Json> valuesOf(const Json& object, const std::vector<std::string>& keys,
-                           const Place& place) {
-  if (!object.is_object()) place.refuse("is no object");
-  std::vector<Json> values;
-  for (const std::string& key : keys) {
-    if (!object.contains(key)) place.in(key).refuse("is missing");
-    values.push_back(object.at(key));
-  }
-  for (const auto& entry : object.items())
-    if (std::find(keys.begin(), keys.end(), entry.key()) == keys.end())
-      place.in(entry.key()).refuse("is not known");
-  return values;
-}
-
-double numberIn(const Json& value, const Place& place) {
-  // JSON has no infinity, but 1e999 reads as one.
-  if (!value.is_number() || !std::isfinite(value.get<double>())) place.refuse("is no number");
-  return value.get<double>();
-}
-
-Eigen::Vector3d vectorIn(const Json& value, const Place& place) {
-  if (!value.is_array() || value.size() != 3) place.refuse("is no list of three numbers");
+Eigen::Vector3d vectorIn(const Json& value, const JsonPlace& place) {
+  const std::vector<Json> three = threeIn(value, place);
   Eigen::Vector3d vector;
-  for (std::size_t a = 0; a < 3; ++a) vector[static_cast<int>(a)] = numberIn(value[a], place.at(a));
+  for (std::size_t a = 0; a < 3; ++a) vector[static_cast<int>(a)] = numberIn(three[a], place.at(a));
   return vector;
 }
 
-void expect(const Json& value, const Json& wanted, const Place& place) {
+void expect(const Json& value, const Json& wanted, const JsonPlace& place) {
   if (value != wanted) place.refuse("is not " + wanted.dump());
 }
 
-BorderSlant slantIn(const Json& json, const Place& place) {
+BorderSlant slantIn(const Json& json, const JsonPlace& place) {
   const std::vector<Json> values = valuesOf(
       json, {"angle_deg", "area_ratio", "section_area_mm2", "section_centre_mm", "axis"}, place);
   BorderSlant slant;
@@ -88,12 +46,12 @@ BorderSlant slantIn(const Json& json, const Place& place) {
   return slant;
 }
 
-bool isBorder(const Json& kind, const Place& place) {
+bool isBorder(const Json& kind, const JsonPlace& place) {
   if (kind != kBorderKind && kind != kCutKind) place.refuse("is neither \"cut\" nor \"border\"");
   return kind == kBorderKind;
 }
 
-Port portIn(const Json& json, const Place& place) {
+Port portIn(const Json& json, const JsonPlace& place) {
   std::vector<std::string> keys{"name", "centre_mm", "normal", "area_mm2",
                                 "equivalent_diameter_mm"};
   const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
@@ -102,8 +60,7 @@ Port portIn(const Json& json, const Place& place) {
   if (has("kind")) keys.emplace_back("kind");
   const std::vector<Json> values = valuesOf(json, keys, place);
   Port port;
-  if (!values[0].is_string()) place.in("name").refuse("is no text");
-  port.name = values[0].get<std::string>();
+  port.name = textIn(values[0], place.in("name"));
   port.centreLps = vectorIn(values[1], place.in("centre_mm"));
   port.normalLps = vectorIn(values[2], place.in("normal"));
   port.areaMm2 = numberIn(values[3], place.in("area_mm2"));
@@ -155,16 +112,12 @@ std::vector<Port> readPorts(const fs::path& path) {
   if (json.is_discarded()) throw IoError("the file is no JSON", path.string(), kCopyAgain);
   if (!json.is_object() || !json.contains("schema") || !json.contains("ports"))
     throw InputError("not a file of ports", path.string(), "give a ports.json");
-  const Place root(path, "");
-  const Json& schema = json.at("schema");
-  if (schema.is_number_integer() && schema.get<std::int64_t>() > kSchema)
-    throw InputError("the ports were written by a newer Angiomesh (schema " + schema.dump() + ")",
-                     path.string(), "update the program");
+  const JsonPlace root(path.string());
+  checkSchema(json.at("schema"), kSchema, "the ports were", path.string());
   const std::vector<Json> values = valuesOf(json, {"schema", "frame", "unit", "ports"}, root);
-  expect(values[0], kSchema, root.in("schema"));
   expect(values[1], "LPS", root.in("frame"));
   expect(values[2], "mm", root.in("unit"));
-  const Place place = root.in("ports");
+  const JsonPlace place = root.in("ports");
   if (!values[3].is_array()) place.refuse("is no list");
   std::vector<Port> ports;
   std::set<std::string> names;
