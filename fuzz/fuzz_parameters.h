@@ -5,6 +5,8 @@
 
 #include "core/parameters/field.h"
 #include "fuzz/fuzz_readers.h"
+#include "io/recipe/command_line.h"
+#include "io/recipe/recipe_file.h"
 #include "io/vessel/ports_file.h"
 
 namespace angiomesh::fuzz {
@@ -34,11 +36,24 @@ inline void readCut(const std::string& text) {
   });
 }
 
+/// A recipe, or parameters alone, comes back from what is written of it.
+inline void checkRecipe(const Recipe& recipe) {
+  const std::string text = recipeText(recipe);
+  const Recipe back = recipeFromText(text, preset("thesis"), "fuzz");
+  expect(recipeText(back) == text, "another recipe in JSON");
+  expect(recipeHash(back) == recipeHash(recipe), "another hash of the same recipe");
+  expect(commandLine(back.params) == commandLine(recipe.params), "another command line");
+}
+
 /// As the options of a command: JSON, then the lines of --set, --cut and --name-port.
 inline void readOptions(std::string_view json, std::string_view settings, std::string_view cuts,
                         std::string_view names) {
   Parameters params = preset("angiomesh");
-  attempt([&] { params = parametersFromJson(json, params, "fuzz"); });
+  attempt([&] {
+    const Recipe recipe = recipeFromText(json, params, "fuzz");
+    must([&] { checkRecipe(recipe); });
+    params = recipe.params;
+  });
   must([&] { checkParameters(params); });
   for (const std::string_view setting : partsOf(settings, '\n'))
     attempt([&] {
@@ -86,7 +101,7 @@ inline void readPortsText(std::string_view text) {
   });
 }
 
-/// Between form feeds: the text of --params; lines of --set; lines of --cut; lines of --name-port;
+/// Between form feeds: the text of --recipe; lines of --set; lines of --cut; lines of --name-port;
 /// a ports.json.
 inline void readParametersInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<std::string_view> parts = partsOf(textOf(data, size), '\f');

@@ -12,6 +12,7 @@
 #include "io/case/case_file.h"
 #include "io/case/case_journal.h"
 #include "io/mesh/mesh_io.h"
+#include "io/recipe/recipe_file.h"
 #include "io/vessel/ports_file.h"
 #include "io/volume/image_write.h"
 #include "tests/core/random_parameters.h"
@@ -411,9 +412,14 @@ void makeParameters(const fs::path& folder) {
   for (const std::string& name : presetNames()) save(folder / name, parametersToJson(preset(name)));
   for (std::uint64_t n = 0; n < 3; ++n)
     save(folder / ("random-" + std::to_string(n)), parametersToJson(randomParameters(n)));
+  Recipe recipe;
+  recipe.program = "0.3.0";
+  recipe.source = RecipeSource{"0123456789abcdef", {6, 4, 2}, {1.0, 1.0, 2.5}};
+  save(folder / "recipe", recipeText(recipe));
   int number = 0;
   for (const char* json :
-       {"{\"levelset\": {\"xi\": 31, \"d\": 0.25}}", "{\"levelset.xi\": 31}",
+       {R"({"schema": 1, "program": "0.3.0", "parameters": {"levelset.xi": 31}})",
+        "{\"levelset\": {\"xi\": 31, \"d\": 0.25}}", "{\"levelset.xi\": 31}",
         "{\"surface.edgesAround\": 0}",
         "{\"vesselness\": {\"scales\": \"auto\", \"measure\": \"frangi\"}}",
         "{\"seeds.points\": [1, 2, 3.5e1, -4, 5, 6], \"preprocess.roi\": \"none\"}",

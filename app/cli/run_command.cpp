@@ -12,7 +12,6 @@
 #include "app/session/summary.h"
 #include "core/base/error.h"
 #include "core/image/projection.h"
-#include "core/parameters/field.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/pipeline/segments.h"
@@ -21,6 +20,8 @@
 #include "io/file/files.h"
 #include "io/file/staged_folder.h"
 #include "io/mesh/mesh_io.h"
+#include "io/recipe/methods_text.h"
+#include "io/recipe/recipe_file.h"
 #include "io/scan/image_io.h"
 #include "io/vessel/ports_file.h"
 #include "io/volume/image_write.h"
@@ -32,11 +33,12 @@ namespace {
 constexpr double kLoaded = 0.02;
 constexpr double kComputed = 0.95;
 
-/// All files that a run may leave; surface.png is the picture that `snapshot` adds.
-const std::vector<std::string> kRunFiles{"preprocessed.nrrd", "vesselness.nrrd",    "phi.nrrd",
-                                         "mask.nrrd",         "vessels.ply",        "vessels.stl",
-                                         "params.json",       "marching-cubes.ply", "report.json",
-                                         "preview.png",       "surface.png",        "ports.json"};
+/// All files that a run may leave; surface.png is the picture that `snapshot` adds, params.json is
+/// of version 0.2 and before.
+const std::vector<std::string> kRunFiles{
+    "preprocessed.nrrd", "vesselness.nrrd", "phi.nrrd",           "mask.nrrd",   "vessels.ply",
+    "vessels.stl",       "recipe.json",     "marching-cubes.ply", "report.json", "preview.png",
+    "surface.png",       "ports.json",      "methods.txt",        "params.json"};
 
 struct RunCommandOptions {
   ParameterOptions settings;
@@ -114,12 +116,6 @@ void writeVolumes(const RunResult& result, Step until, const Volume<float>* phi,
   }
 }
 
-/// The last mesh of a run, null where it made none.
-const TriMesh* finalMesh(const RunResult& result) {
-  if (result.smoothed) return result.smoothed.get();
-  return result.surface ? result.surface->mesh.get() : nullptr;
-}
-
 /// What a solver could not take of the last mesh, in words.
 std::string faultOf(const RunResult& result, const Progress& progress) {
   const TriMesh* mesh = finalMesh(result);
@@ -150,6 +146,7 @@ void writeSurface(const RunResult& result, const StagedFolder& folder) {
   add("vessels.ply", *mesh);
   folder.add("ports.json",
              [&](const std::filesystem::path& place) { writePorts(result.ports, place); });
+  addText(folder, "methods.txt", methodsText(result));
   // Who cuts or names openings wants their names, which only the text form has.
   if (!result.surface->sectionAreasMm2.empty() || !result.params.ports.names.empty()) {
     write.encoding = MeshEncoding::Ascii;
@@ -163,7 +160,7 @@ void writeSurface(const RunResult& result, const StagedFolder& folder) {
 }
 
 int run(const RunCommandOptions& options, const Progress& progress) {
-  const Parameters params = options.settings.parameters();
+  const Recipe recipe = options.settings.recipe();
   RunOptions runOptions;
   runOptions.keepResults = false;
   runOptions.keepOnFailure = true;
@@ -177,8 +174,9 @@ int run(const RunCommandOptions& options, const Progress& progress) {
   std::optional<Volume<std::uint8_t>> truth;
   if (!options.truth.empty()) truth = readTruth(options.truth);
   const Loaded loaded = load(options, progress.sub(0.0, kLoaded));
+  for (const std::string& warning : recipeWarnings(recipe, loaded.source)) printWarning(warning);
   Pipeline pipeline(loaded.source);
-  RunResult result = pipeline.run(params, runOptions, progress.sub(kLoaded, kComputed));
+  RunResult result = pipeline.run(recipe.params, runOptions, progress.sub(kLoaded, kComputed));
   addLoadStage(result, loaded.stage);
 
   const Progress writing = progress.sub(kComputed, 1.0);
@@ -202,7 +200,7 @@ int run(const RunCommandOptions& options, const Progress& progress) {
     folder.add("preview.png", [&](const std::filesystem::path& place) {
       writePng(previewPicture(*loaded.source.image, *phi), place);
     });
-  addText(folder, "params.json", parametersToJson(params));
+  addText(folder, "recipe.json", recipeText(recipeOf(recipe.params, loaded.source)));
   addText(folder, "report.json", runReportJson(result, measures));
   writing.report(1.0);
   folder.commit();

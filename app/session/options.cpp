@@ -43,10 +43,10 @@ std::vector<double> parseNumbers(const std::string& text, std::size_t count,
   return numbers;
 }
 
-Parameters ParameterOptions::parameters() const {
-  Parameters params = preset(presetName);
-  if (!paramsFile.empty())
-    params = parametersFromJson(readText(paramsFile, kMostJsonBytes), params, paramsFile);
+Recipe ParameterOptions::recipe() const {
+  Recipe recipe;
+  Parameters& params = recipe.params = preset(presetName);
+  if (!recipeFile.empty()) recipe = readRecipe(recipeFile, params);
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos)
@@ -67,14 +67,14 @@ Parameters ParameterOptions::parameters() const {
   if (cutBorders) params.ports.cutBorders = true;
   params.ports.names.insert(params.ports.names.end(), portNames.begin(), portNames.end());
   validate(params);
-  return params;
+  return recipe;
 }
 
 void addSettings(CLI::App& command, ParameterOptions& options) {
   command.add_option("--preset", options.presetName,
                      "Parameters to start from: angiomesh, ct, thesis");
-  command.add_option("--params", options.paramsFile,
-                     "JSON file of parameters, such as the params.json of a run");
+  command.add_option("--recipe,--params", options.recipeFile,
+                     "The recipe.json of a run or an exported one, or a JSON file of parameters");
   command
       .add_option("--set", options.settings,
                   "One parameter as key=value; may be repeated ('angiomesh-cli parameters' lists "

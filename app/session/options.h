@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/parameters/parameters.h"
+#include "io/recipe/recipe_file.h"
 #include "io/scan/image_io.h"
 
 namespace angiomesh::cli {
@@ -17,11 +18,11 @@ namespace angiomesh::cli {
 std::vector<double> parseNumbers(const std::string& text, std::size_t count,
                                  const std::string& option);
 
-/// --preset, --params, --set, --seed, --roi, --ports, --cut, --cut-ends, --cut-borders and
+/// --preset, --recipe, --set, --seed, --roi, --ports, --cut, --cut-ends, --cut-borders and
 /// --name-port.
 struct ParameterOptions {
   std::string presetName = "angiomesh";
-  std::string paramsFile;
+  std::string recipeFile;
   std::vector<std::string> settings;
   std::vector<std::string> seeds;
   std::string roi;
@@ -31,12 +32,13 @@ struct ParameterOptions {
   std::vector<std::string> portNames;
   bool cutBorders = false;
 
-  /// Preset, then file, then --set, --seed, --roi and the cuts, checked. @throws InputError,
-  /// IoError
-  [[nodiscard]] Parameters parameters() const;
+  /// The recipe's, with the parameters of the preset, then of the file, then of --set, --seed,
+  /// --roi and the cuts, checked. @throws InputError, IoError
+  [[nodiscard]] Recipe recipe() const;
+  [[nodiscard]] Parameters parameters() const { return recipe().params; }
 };
 
-/// Adds --preset, --params and --set to a command.
+/// Adds --preset, --recipe (or --params) and --set to a command.
 void addSettings(CLI::App& command, ParameterOptions& options);
 
 /// Adds --ports, --cut, --cut-ends, --cut-borders and --name-port to a command that makes a

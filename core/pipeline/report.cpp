@@ -202,7 +202,25 @@ std::optional<double> peakMemoryMb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts in units of 1024 bytes
 }
 
+template <class T>
+void addBytes(std::string& bytes, const std::vector<T>& values) {
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
 }  // namespace
+
+const TriMesh* finalMesh(const RunResult& result) {
+  if (result.smoothed) return result.smoothed.get();
+  return result.surface ? result.surface->mesh.get() : nullptr;
+}
+
+std::string meshHash(const TriMesh& mesh) {
+  std::string bytes;
+  addBytes(bytes, mesh.points);
+  addBytes(bytes, mesh.triangles);
+  addBytes(bytes, mesh.patch);
+  return textHash(bytes);
+}
 
 std::string runReportJson(const RunResult& result, const std::optional<OverlapMeasures>& truth,
                           const CaseReview& review) {
@@ -231,6 +249,7 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
   if (result.evolve) report["segmentation"] = segmentationBlock(result);
   if (truth) report["truth"] = overlapBlock(*truth);
   if (result.surface) {
+    report["mesh_hash"] = meshHash(*finalMesh(result));
     report["surface"] = surfaceBlock(result.surface->origin);
     report["ports"] = portList(result.ports, result.surface->sectionAreasMm2);
   }

@@ -19,6 +19,13 @@ std::string runReportJson(const RunResult& result, const std::optional<OverlapMe
 std::string surfaceJson(const SurfaceOrigin& origin);
 std::string overlapJson(const OverlapMeasures& measures);
 
+/// The last mesh of a run; null where it made none.
+const TriMesh* finalMesh(const RunResult& result);
+
+/// Of vertices, triangles and patches, as numbers in memory: the same for the same mesh, whatever
+/// file it goes into. 16 hexadecimal digits.
+std::string meshHash(const TriMesh& mesh);
+
 /// The version of the library, "0.1.0".
 const char* versionText();
 

@@ -15,9 +15,9 @@ using namespace angiomesh;
 
 namespace {
 
-const QStringList kRunFiles{"marching-cubes.ply", "mask.nrrd",   "params.json",
-                            "phi.nrrd",           "ports.json",  "preview.png",
-                            "report.json",        "vessels.ply", "vessels.stl"};
+const QStringList kRunFiles{"marching-cubes.ply", "mask.nrrd",   "methods.txt", "phi.nrrd",
+                            "ports.json",         "preview.png", "recipe.json", "report.json",
+                            "vessels.ply",        "vessels.stl"};
 
 }  // namespace
 
@@ -149,11 +149,13 @@ class TestCli : public QObject, CliRun {
       stages << stage.toObject().value("name").toString();
     QCOMPARE(stages, QStringList({"load", "preprocess", "vesselness", "seeds", "evolve", "surface",
                                   "smooth", "quality"}));
-    QCOMPARE(report.value("parameters").toObject(), readJson(at("out/params.json")));
+    QCOMPARE(report.value("parameters").toObject(),
+             readJson(at("out/recipe.json")).value("parameters").toObject());
   }
 
   void reportNamesNoPath() {
-    for (const char* name : {"out/report.json", "out/params.json", "out/vessels.ply"}) {
+    for (const char* name :
+         {"out/report.json", "out/recipe.json", "out/methods.txt", "out/vessels.ply"}) {
       const QByteArray bytes = readBytes(at(name));
       QVERIFY(!bytes.contains(dir.path().toUtf8()));
       QVERIFY(!bytes.contains("image.mha"));
@@ -240,20 +242,19 @@ class TestCli : public QObject, CliRun {
 
     const CliResult forced = cli(again + QStringList{"--force", "--until", "evolve"});
     QCOMPARE(forced.code, 0);
-    QCOMPARE(filesIn(at("kept")), QStringList({"mask.nrrd", "note.txt", "params.json", "phi.nrrd",
-                                               "preview.png", "report.json"}));
+    QCOMPARE(filesIn(at("kept")), QStringList({"mask.nrrd", "note.txt", "phi.nrrd", "preview.png",
+                                               "recipe.json", "report.json"}));
   }
 
   void untilWritesWhatExists_data() {
     QTest::addColumn<QStringList>("files");
     QTest::addColumn<QString>("lastStage");
-    const QStringList always{"params.json", "report.json"};
-    const QStringList volumes{"mask.nrrd", "params.json", "phi.nrrd", "preview.png", "report.json"};
-    QTest::newRow("preprocess") << QStringList{"params.json", "preprocessed.nrrd", "report.json"}
+    const QStringList volumes{"mask.nrrd", "phi.nrrd", "preview.png", "recipe.json", "report.json"};
+    QTest::newRow("preprocess") << QStringList{"preprocessed.nrrd", "recipe.json", "report.json"}
                                 << "preprocess";
-    QTest::newRow("vesselness") << QStringList{"params.json", "report.json", "vesselness.nrrd"}
+    QTest::newRow("vesselness") << QStringList{"recipe.json", "report.json", "vesselness.nrrd"}
                                 << "vesselness";
-    QTest::newRow("seeds") << QStringList{"params.json", "report.json", "vesselness.nrrd"}
+    QTest::newRow("seeds") << QStringList{"recipe.json", "report.json", "vesselness.nrrd"}
                            << "seeds";
     QTest::newRow("evolve") << volumes << "evolve";
     QTest::newRow("surface") << kRunFiles << "surface";
@@ -277,16 +278,16 @@ class TestCli : public QObject, CliRun {
     QCOMPARE(report.contains("segmentation"), files.contains("phi.nrrd"));
   }
 
-  void parametersOfARunRepeatIt() {
+  void theRecipeOfARunRepeatsIt() {
     QCOMPARE(cli({"run", "p/image.mha", "-o", "one", "--preset", "thesis", "--set",
                   "levelset.maxIterations=80", "--until", "evolve"})
                  .code,
              0);
-    QCOMPARE(cli({"--threads", "1", "run", "p/image.mha", "-o", "two", "--params",
-                  "one/params.json", "--until", "evolve"})
+    QCOMPARE(cli({"--threads", "1", "run", "p/image.mha", "-o", "two", "--recipe",
+                  "one/recipe.json", "--until", "evolve"})
                  .code,
              0);
-    QCOMPARE(readJson(at("two/params.json")), readJson(at("one/params.json")));
+    QCOMPARE(readBytes(at("two/recipe.json")), readBytes(at("one/recipe.json")));
     QCOMPARE(readJson(at("two/report.json")).value("key"),
              readJson(at("one/report.json")).value("key"));
     QCOMPARE(readBytes(at("two/phi.nrrd")), readBytes(at("one/phi.nrrd")));

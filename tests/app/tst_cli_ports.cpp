@@ -105,7 +105,7 @@ class TestCliPorts : public QObject, CliFolder {
   }
 
   void parametersBringTheCutsBack() {
-    QVERIFY(cli({"run", "p/image.mha", "-o", "again", "--params", "out/params.json"}).code == 0);
+    QVERIFY(cli({"run", "p/image.mha", "-o", "again", "--recipe", "out/recipe.json"}).code == 0);
     const std::vector<Port> again = readPorts(place("again/ports.json"));
     QCOMPARE(again.size(), std::size_t{3});
     for (std::size_t n = 0; n < 3; ++n) {
@@ -127,7 +127,7 @@ class TestCliPorts : public QObject, CliFolder {
       QVERIFY(more[n].normalLps.dot(ports_[n].normalLps) > 0.9999);
       QVERIFY(std::abs(more[n].areaMm2 / ports_[n].areaMm2 - 1.0) < 0.1);
     }
-    QCOMPARE(cli({"run", "p/image.mha", "-o", "none", "--ports", "out/params.json"}).code, 2);
+    QCOMPARE(cli({"run", "p/image.mha", "-o", "none", "--ports", "out/recipe.json"}).code, 2);
   }
 
   /// The name goes with the opening, whatever number that gets.

@@ -156,10 +156,10 @@ class TestPrivacy : public QObject {
   void aRunOfADicomFolder() {
     const QString series = text(series_);
     done({"run", series, "-o", "whole", "--truth", text(masks_.front())});
-    QCOMPARE(filesIn(out_ + "/whole").size(), 9);
+    QCOMPARE(filesIn(out_ + "/whole").size(), 10);
     const QString settings = root_.filePath(QString(kPerson) + ".json");
-    fs::copy_file(home_ / "out/whole/params.json", settings.toStdString());
-    done({"run", series, "-o", "whole", "--force", "--until", "vesselness", "--params", settings});
+    fs::copy_file(home_ / "out/whole/recipe.json", settings.toStdString());
+    done({"run", series, "-o", "whole", "--force", "--until", "vesselness", "--recipe", settings});
     done({"run", text(gaps_), "-o", "gaps", "--until", "evolve", "--uneven-slices", "resample",
           "--series", QString(kUidRoot) + ".2"});
     QVERIFY(bytesOf(home_ / "out/gaps/report.json").find("resampled") != std::string::npos);

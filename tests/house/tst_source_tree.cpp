@@ -113,6 +113,7 @@ const std::map<std::string, std::string> kMayInclude{
     {"io/mesh", "file"},
     {"io/vessel", "file mesh"},
     {"io/case", "file volume scan"},
+    {"io/recipe", "file"},
     {"render/stage", ""},
     {"render/marks", "stage"},
     {"render/slice", "stage marks"},

@@ -79,8 +79,8 @@ std::string hashOf(Step step, const RunResult& run) {
 /// Of preview.png and of all that report.json says, but what changes with machine and version.
 std::string hashOfFiles(const RunResult& run) {
   nlohmann::json report = nlohmann::json::parse(runReportJson(run));
-  for (const char* changes :
-       {"version", "key", "threads", "total_seconds", "cpu_seconds", "peak_rss_mb", "stages"})
+  for (const char* changes : {"version", "key", "mesh_hash", "threads", "total_seconds",
+                              "cpu_seconds", "peak_rss_mb", "stages"})
     report.erase(changes);
   const Picture preview = previewPicture(*run.source.image, *run.evolve->phi);
   return textHash(report.dump() + std::string(preview.rgb.begin(), preview.rgb.end()));
