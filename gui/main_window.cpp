@@ -22,6 +22,7 @@
 #include "gui/central_area.h"
 #include "gui/dialog/guide.h"
 #include "gui/dialog/help_dialogs.h"
+#include "gui/dialog/recipe_actions.h"
 #include "gui/findings/case_measures.h"
 #include "gui/findings/case_ports.h"
 #include "gui/findings/case_review.h"
@@ -79,6 +80,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       pictures_(new Pictures(this, *models_, *views_, options_.chooser, options_.makeRunner)),
       report_(new MeshReport(*models_, *state_, *views_, *measures_, *review_, options_.makeRunner,
                              this)),
+      recipes_(new RecipeActions(*models_, options_.chooser, options_.makeRunner, this)),
       workspaces_(new Workspaces(this)),
       recents_(new RecentCases(*models_, options_.makeRunner, this)),
       identity_(new PatientIdentity(this, *models_, options_.makeRunner)) {
@@ -137,6 +139,7 @@ MainWindow::~MainWindow() {
     object = nullptr;
   };
   drop(report_);
+  drop(recipes_);
   drop(why_);
   drop(views_);
   drop(inspection_);
@@ -212,6 +215,8 @@ void MainWindow::buildMenus() {
                 [this] { models_->document.setField("seeds.points", std::vector<double>()); });
   addMenuAction(this, edit, "clearRoi", tr("Clear region of interest"), {},
                 [this] { models_->document.setRoi(std::nullopt); });
+  edit->addSeparator();
+  recipes_->addCopies(edit);
   buildRunMenu();
   tools_->buildToolMenu();
   portMenu_ = new PortMenu(this, *models_, *ports_, *portPanel_, *views_, options_.chooser);
@@ -274,6 +279,7 @@ void MainWindow::buildFileMenu() {
                       options_.chooser.save(this, "report.html", tr("Web page (*.html)"));
                   if (!path.isEmpty()) report_->write(path);
                 });
+  recipes_->addExport(file);
   pictures_->addActions(file);
   file->addSeparator();
   addMenuAction(this, file, "quit", tr("Quit"), QKeySequence::Quit, [this] { close(); });

@@ -30,6 +30,7 @@ class MeasurePanel;
 class Pictures;
 class PortMenu;
 class PortPanel;
+class RecipeActions;
 class ViewGrid;
 class WhyPanel;
 class ViewState;
@@ -110,6 +111,7 @@ class MainWindow : public QMainWindow {
   ViewTools* tools_;
   Pictures* pictures_;
   MeshReport* report_;
+  RecipeActions* recipes_;
   Workspaces* workspaces_;
   RecentCases* recents_;
   PatientIdentity* identity_;

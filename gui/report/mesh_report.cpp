@@ -102,8 +102,8 @@ void MeshReport::write(const QString& path) {
   before_.add(sectionTitle(tr("Gates")) + gateSection(models_));
   before_.add(sectionTitle(tr("Triangles")));
   after_ = {};
-  after_.add(measurementSection(measures_) + reviewSection(review_) + runSection(models_) +
-             reportEnd());
+  after_.add(measurementSection(measures_) + reviewSection(review_) + methodsSection(models_) +
+             runSection(models_) + reportEnd());
   auto job = std::make_shared<ReportMeasuresJob>();
   job->measures = measuresWith(state_.meshColour());
   for (int i = 0; i < kMeshKindCount; ++i)

@@ -13,6 +13,7 @@
 #include "gui/findings/measurement_text.h"
 #include "gui/inspector/quality_text.h"
 #include "gui/model/case_models.h"
+#include "gui/model/case_recipe.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/surface_note.h"
@@ -200,6 +201,14 @@ QString reviewSection(const CaseReviewModel& model) {
             cell(QString::fromStdString(remark.text)) + QStringLiteral("</tr>\n");
   if (!rows.isEmpty())
     html += table(headRow({Report::tr("Where"), Report::tr("Score"), Report::tr("Remark")}) + rows);
+  return html;
+}
+
+QString methodsSection(const CaseModels& models) {
+  QString html = sectionTitle(Report::tr("Methods"));
+  for (const QString& line :
+       QString::fromStdString(caseMethods(models)).split('\n', Qt::SkipEmptyParts))
+    html += paragraph(line);
   return html;
 }
 

@@ -28,6 +28,8 @@ QString gateSection(const CaseModels& models);
 QString measurementSection(const CaseMeasures& measures);
 /// Empty where nobody has reviewed.
 QString reviewSection(const CaseReviewModel& review);
+/// How the meshes were made, as a paragraph for a paper, in English.
+QString methodsSection(const CaseModels& models);
 /// The run that the meshes come from: warnings, steps and parameters.
 QString runSection(const CaseModels& models);
 

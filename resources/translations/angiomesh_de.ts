@@ -2108,6 +2108,10 @@ BSD-3-Clause.</translation>
         <source>Those that differ from the program&apos;s own are bold.</source>
         <translation>Fett sind die, die von den Vorgaben des Programms abweichen.</translation>
     </message>
+    <message>
+        <source>Methods</source>
+        <translation>Methoden</translation>
+    </message>
 </context>
 <context>
     <name>Shortcut</name>
@@ -4172,6 +4176,45 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     <message>
         <source>The best of the meshes compared</source>
         <translation>Das beste der verglichenen Netze</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::RecipeActions</name>
+    <message>
+        <source>Recipe…</source>
+        <translation>Rezept…</translation>
+    </message>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Als Befehlszeile kopieren</translation>
+    </message>
+    <message>
+        <source>Copy methods paragraph</source>
+        <translation>Methodenabsatz kopieren</translation>
+    </message>
+    <message>
+        <source>Recipes (*.recipe.json *.json)</source>
+        <translation>Rezepte (*.recipe.json *.json)</translation>
+    </message>
+    <message>
+        <source>Cannot write the recipe: %1</source>
+        <translation>Das Rezept kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Wrote the recipe %1: angiomesh-cli run SCAN --recipe %1 makes the same mesh.</source>
+        <translation>Rezept %1 geschrieben: angiomesh-cli run SCAN --recipe %1 macht dasselbe Netz.</translation>
+    </message>
+    <message>
+        <source>Copied the command line that repeats this case: put the volume in place of SCAN and a folder in place of OUT.</source>
+        <translation>Die Befehlszeile, die diesen Fall wiederholt, ist kopiert: das Volumen an die Stelle von SCAN setzen und einen Ordner an die von OUT.</translation>
+    </message>
+    <message>
+        <source>Copied a methods paragraph on this mesh.</source>
+        <translation>Ein Methodenabsatz (englisch) über dieses Netz ist kopiert.</translation>
+    </message>
+    <message>
+        <source>Copied a methods paragraph on a mesh of earlier parameters: run again for the present ones.</source>
+        <translation>Der kopierte Methodenabsatz beschreibt ein Netz früherer Parameter: für die jetzigen neu rechnen.</translation>
     </message>
 </context>
 <context>

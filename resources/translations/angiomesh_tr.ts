@@ -2108,6 +2108,10 @@ BSD-3-Clause.</translation>
         <source>Those that differ from the program&apos;s own are bold.</source>
         <translation>Programın kendi değerlerinden farklı olanlar kalındır.</translation>
     </message>
+    <message>
+        <source>Methods</source>
+        <translation>Yöntemler</translation>
+    </message>
 </context>
 <context>
     <name>Shortcut</name>
@@ -4172,6 +4176,45 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     <message>
         <source>The best of the meshes compared</source>
         <translation>Karşılaştırılan ağların en iyisi</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::RecipeActions</name>
+    <message>
+        <source>Recipe…</source>
+        <translation>Tarif…</translation>
+    </message>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Komut satırı olarak kopyala</translation>
+    </message>
+    <message>
+        <source>Copy methods paragraph</source>
+        <translation>Yöntem paragrafını kopyala</translation>
+    </message>
+    <message>
+        <source>Recipes (*.recipe.json *.json)</source>
+        <translation>Tarifler (*.recipe.json *.json)</translation>
+    </message>
+    <message>
+        <source>Cannot write the recipe: %1</source>
+        <translation>Tarif yazılamıyor: %1</translation>
+    </message>
+    <message>
+        <source>Wrote the recipe %1: angiomesh-cli run SCAN --recipe %1 makes the same mesh.</source>
+        <translation>%1 tarifi yazıldı: angiomesh-cli run SCAN --recipe %1 aynı ağı oluşturur.</translation>
+    </message>
+    <message>
+        <source>Copied the command line that repeats this case: put the volume in place of SCAN and a folder in place of OUT.</source>
+        <translation>Bu vakayı yineleyen komut satırı kopyalandı: SCAN yerine hacmi, OUT yerine bir klasör yazın.</translation>
+    </message>
+    <message>
+        <source>Copied a methods paragraph on this mesh.</source>
+        <translation>Bu ağ için bir yöntem paragrafı (İngilizce) kopyalandı.</translation>
+    </message>
+    <message>
+        <source>Copied a methods paragraph on a mesh of earlier parameters: run again for the present ones.</source>
+        <translation>Kopyalanan yöntem paragrafı önceki parametrelerin ağına ait: şimdikiler için yeniden çalıştırın.</translation>
     </message>
 </context>
 <context>

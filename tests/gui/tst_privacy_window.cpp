@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QCheckBox>
+#include <QClipboard>
 #include <QDialog>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTimer>
@@ -107,12 +109,18 @@ class TestPrivacyWindow : public QObject {
                                      {.report = true});
     c->savePath = text(home / "meshes/report.html");
     trigger(*c, "exportReport");
+    c->savePath = text(home / "meshes/case.recipe.json");
+    trigger(*c, "exportRecipe");
+    for (const char* name : {"copyCommandLine", "copyMethods"}) {
+      trigger(*c, name);
+      save(home / "meshes" / name, QGuiApplication::clipboard()->text().toStdString());
+    }
     verifyLogHasNoPath(*c);
     // The window goes as in a crash: lock and journal stay.
     c.reset();
     for (const char* name : {"case.json", "case.previous.json", "edits/journal.jsonl", "cache"})
       QVERIFY2(fs::exists(home / "cases/vessels.angiomesh" / name), name);
-    QCOMPARE(filesBelow(home / "meshes"), std::size_t{9});
+    QCOMPARE(filesBelow(home / "meshes"), std::size_t{12});
     QVERIFY2(told().empty(), told().c_str());
   }
 

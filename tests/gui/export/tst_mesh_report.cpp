@@ -11,6 +11,7 @@
 #include "core/pipeline/report.h"
 #include "gui/findings/case_review.h"
 #include "gui/inspector/quality_text.h"
+#include "gui/model/case_recipe.h"
 #include "gui/model/step_text.h"
 #include "tests/gui/port_case.h"
 
@@ -121,6 +122,8 @@ class TestMeshReport : public QObject {
     for (const Field& field : parameterFields())
       QVERIFY2(has('\n' + QString::fromStdString(field.key) + '\n'), field.key.c_str());
     QVERIFY(has(QLatin1String(versionText())));
+    const QString methods = QString::fromStdString(caseMethods(c.models()));
+    QVERIFY(!methods.isEmpty() && has('\n' + methods.section('\n', 0, 0) + '\n'));
     QVERIFY(has("40 × 40 × 40 voxels of 0.5 × 0.5 × 0.5 mm"));
     QVERIFY(!has("Review") && !has("Measurements"));
   }
