@@ -374,7 +374,7 @@ void makeCases(const fs::path& folder) {
   const Folder scratch;
   const fs::path place = scratch / "a.angiomesh";
   writeCase(place, smallDocument());
-  appendJournal(place, {{3, 1, "change levelset.xi", randomParameters(1)}});
+  appendJournal(place, {{3, 1, "change levelset.xi", randomParameters(1), {}}});
   const std::string whole = bytesOf(place / "case.json");
   const std::string journal = bytesOf(place / "edits" / "journal.jsonl");
   save(folder / "whole", whole + "\f\f" + journal);
