@@ -12,6 +12,7 @@
 #include "app/session/summary.h"
 #include "core/base/error.h"
 #include "core/image/projection.h"
+#include "core/parameters/field.h"
 #include "core/pipeline/report.h"
 #include "core/pipeline/segmentation_mask.h"
 #include "core/pipeline/segments.h"
@@ -33,8 +34,7 @@ namespace {
 constexpr double kLoaded = 0.02;
 constexpr double kComputed = 0.95;
 
-/// All files that a run may leave; surface.png is the picture that `snapshot` adds, params.json is
-/// of version 0.2 and before.
+/// All files that a run may leave; surface.png is the picture that `snapshot` adds.
 const std::vector<std::string> kRunFiles{
     "preprocessed.nrrd", "vesselness.nrrd", "phi.nrrd",           "mask.nrrd",   "vessels.ply",
     "vessels.stl",       "recipe.json",     "marching-cubes.ply", "report.json", "preview.png",
@@ -200,6 +200,7 @@ int run(const RunCommandOptions& options, const Progress& progress) {
     folder.add("preview.png", [&](const std::filesystem::path& place) {
       writePng(previewPicture(*loaded.source.image, *phi), place);
     });
+  addText(folder, "params.json", parametersToJson(recipe.params));
   addText(folder, "recipe.json", recipeText(recipeOf(recipe.params, loaded.source)));
   addText(folder, "report.json", runReportJson(result, measures));
   writing.report(1.0);

@@ -15,9 +15,9 @@ using namespace angiomesh;
 
 namespace {
 
-const QStringList kRunFiles{"marching-cubes.ply", "mask.nrrd",   "methods.txt", "phi.nrrd",
-                            "ports.json",         "preview.png", "recipe.json", "report.json",
-                            "vessels.ply",        "vessels.stl"};
+const QStringList kRunFiles{"marching-cubes.ply", "mask.nrrd",   "methods.txt", "params.json",
+                            "phi.nrrd",           "ports.json",  "preview.png", "recipe.json",
+                            "report.json",        "vessels.ply", "vessels.stl"};
 
 }  // namespace
 
@@ -242,19 +242,23 @@ class TestCli : public QObject, CliRun {
 
     const CliResult forced = cli(again + QStringList{"--force", "--until", "evolve"});
     QCOMPARE(forced.code, 0);
-    QCOMPARE(filesIn(at("kept")), QStringList({"mask.nrrd", "note.txt", "phi.nrrd", "preview.png",
-                                               "recipe.json", "report.json"}));
+    QCOMPARE(filesIn(at("kept")), QStringList({"mask.nrrd", "note.txt", "params.json", "phi.nrrd",
+                                               "preview.png", "recipe.json", "report.json"}));
   }
 
   void untilWritesWhatExists_data() {
     QTest::addColumn<QStringList>("files");
     QTest::addColumn<QString>("lastStage");
-    const QStringList volumes{"mask.nrrd", "phi.nrrd", "preview.png", "recipe.json", "report.json"};
-    QTest::newRow("preprocess") << QStringList{"preprocessed.nrrd", "recipe.json", "report.json"}
+    const QStringList volumes{"mask.nrrd",   "params.json", "phi.nrrd",
+                              "preview.png", "recipe.json", "report.json"};
+    QTest::newRow("preprocess") << QStringList{"params.json", "preprocessed.nrrd", "recipe.json",
+                                               "report.json"}
                                 << "preprocess";
-    QTest::newRow("vesselness") << QStringList{"recipe.json", "report.json", "vesselness.nrrd"}
+    QTest::newRow("vesselness") << QStringList{"params.json", "recipe.json", "report.json",
+                                               "vesselness.nrrd"}
                                 << "vesselness";
-    QTest::newRow("seeds") << QStringList{"recipe.json", "report.json", "vesselness.nrrd"}
+    QTest::newRow("seeds") << QStringList{"params.json", "recipe.json", "report.json",
+                                          "vesselness.nrrd"}
                            << "seeds";
     QTest::newRow("evolve") << volumes << "evolve";
     QTest::newRow("surface") << kRunFiles << "surface";

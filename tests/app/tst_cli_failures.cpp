@@ -191,8 +191,8 @@ class TestCliFailures : public QObject, CliFolder {
          {"not begun", "surface.maxTriangles = 100", "surface.edgeMinMm", "mask.nrrd"})
       QVERIFY2(refused.errors.contains(word), refused.errors.constData());
     const QStringList kept = QDir(at("refused")).entryList(QDir::Files);
-    QCOMPARE(kept,
-             (QStringList{"mask.nrrd", "phi.nrrd", "preview.png", "recipe.json", "report.json"}));
+    QCOMPARE(kept, (QStringList{"mask.nrrd", "params.json", "phi.nrrd", "preview.png",
+                                "recipe.json", "report.json"}));
     QFile report(at("refused/report.json"));
     QVERIFY(report.open(QIODevice::ReadOnly));
     const QByteArray text = report.readAll();

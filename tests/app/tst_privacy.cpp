@@ -156,7 +156,7 @@ class TestPrivacy : public QObject {
   void aRunOfADicomFolder() {
     const QString series = text(series_);
     done({"run", series, "-o", "whole", "--truth", text(masks_.front())});
-    QCOMPARE(filesIn(out_ + "/whole").size(), 10);
+    QCOMPARE(filesIn(out_ + "/whole").size(), 11);
     const QString settings = root_.filePath(QString(kPerson) + ".json");
     fs::copy_file(home_ / "out/whole/recipe.json", settings.toStdString());
     done({"run", series, "-o", "whole", "--force", "--until", "vesselness", "--recipe", settings});
