@@ -72,6 +72,7 @@ struct SurfaceScene::Parts {
   // Camera position and pane size of the last fit: a camera still there follows the pane's size.
   Eigen::Vector3d fittedAt{0.0, 0.0, 0.0};
   std::array<int, 2> fittedSize{0, 0};
+  std::array<double, 6> fittedBounds{};
   double pixelRatio = 1.0;
   double projectionCost = 0.5;  // seconds of the processor's projection at full quality, estimated
 
@@ -92,6 +93,7 @@ struct SurfaceScene::Parts {
   void resetView();
   void lookFrom(const Viewpoint& view);
   void fit();
+  void fitTo(const std::array<double, 6>& bounds);
   void followSize();
 };
 
@@ -211,8 +213,12 @@ bool SurfaceScene::Parts::contentBounds(std::array<double, 6>& bounds) const {
 
 void SurfaceScene::Parts::fit() {
   std::array<double, 6> bounds{};
-  if (!contentBounds(bounds)) return;
+  if (contentBounds(bounds)) fitTo(bounds);
+}
+
+void SurfaceScene::Parts::fitTo(const std::array<double, 6>& bounds) {
   fitCamera(renderer, bounds);
+  fittedBounds = bounds;
   fittedAt = Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition());
   const int* size = renderer->GetRenderWindow() != nullptr ? renderer->GetSize() : nullptr;
   if (size != nullptr) fittedSize = {size[0], size[1]};
@@ -222,7 +228,8 @@ void SurfaceScene::Parts::followSize() {
   const int* size = renderer->GetSize();
   const Eigen::Vector3d position(renderer->GetActiveCamera()->GetPosition());
   const bool resized = size[0] != fittedSize[0] || size[1] != fittedSize[1];
-  if (fittedOnce && resized && position == fittedAt) fit();
+  // To what it was fitted to before: what came or went since then does not move what is seen.
+  if (fittedOnce && resized && position == fittedAt) fitTo(std::array<double, 6>(fittedBounds));
 }
 
 void SurfaceScene::Parts::fitOnce() {

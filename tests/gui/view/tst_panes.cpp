@@ -223,6 +223,7 @@ class TestPanes : public QObject {
     hover(*axial, at);
     const QImage over = corner(axial);
     QVERIFY(over != away);
+    c.models().live.setOn(false);  // it draws in the corner, too
     const std::shared_ptr<const Volume<float>> image = c.models().document.image();
     const auto saidAt = [&](int slice) {
       const Eigen::Vector3d index = image->geometry.toIndex(axial->lpsAt(at));
