@@ -456,7 +456,8 @@ void ViewGrid::refreshCaptions() {
   const QString overlay =
       state_.overlay() ? overlayText(models_.results, *state_.overlay()).text : QString();
   const QString contour = shownPhi_ ? contourText(results, models_.runs).text : QString();
-  const QString preview = state_.contours() && models_.live.phi() ? tr("Preview in the box") : QString();
+  const QString preview =
+      state_.contours() && models_.live.phi() ? tr("Preview in the box") : QString();
   for (SliceView* view : slices_) view->setCaption(lines({layer, overlay, contour, preview}));
   const QString projection = volumeText(state_.volumeShown(), layer);
   const QString slices = state_.slices3d() ? tr("Slices: %1").arg(layer) : QString();
