@@ -9,7 +9,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -46,10 +45,7 @@ InspectorPanel::InspectorPanel(CaseModels& models, ViewState& state, MeshInspect
                                const MeshFile& file, QWidget* parent)
     : QWidget(parent), models_(models), state_(state), inspection_(inspection), file_(file) {
   // A low window scrolls what does not fit.
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QScrollArea* scroll = columnScroll(this);
   auto* content = new QWidget(scroll);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(4, 4, 4, 4);
@@ -113,10 +109,7 @@ void InspectorPanel::addChoosers(QVBoxLayout* column) {
 }
 
 QWidget* InspectorPanel::gatesTab() {
-  auto* scroll = new QScrollArea(tabs_);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QScrollArea* scroll = columnScroll(tabs_);
   scroll->setWidget(new GateList(models_, state_, scroll));
   return scroll;
 }

@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -50,10 +49,7 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
   column->addLayout(top);
   column->addWidget(buildLive());
 
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QScrollArea* scroll = columnScroll(this);
   // Always there, so that a longer list does not make the sliders shorter.
   scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   auto* list = new QWidget(scroll);
@@ -140,10 +136,7 @@ void PipelinePanel::hideEvent(QHideEvent* event) {
 }
 
 QWidget* PipelinePanel::buildNotes() {
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QScrollArea* scroll = columnScroll(this);
   scroll->setFixedHeight(kNoteLines * fontMetrics().lineSpacing() + 4);
   auto* notes = new QWidget(scroll);
   auto* column = new QVBoxLayout(notes);

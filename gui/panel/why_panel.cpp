@@ -3,7 +3,6 @@
 
 #include <QFormLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -30,10 +29,7 @@ WhyPanel::WhyPanel(CaseModels& models, const ViewGrid& views, const JobRunnerFac
       slot_(models.timer, makeRunner,
             [this](const std::shared_ptr<ReasonJob>& job) { finish(*job); }) {
   // What is said of a voxel may be long, and takes no room from the panes.
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QScrollArea* scroll = columnScroll(this);
   auto* content = new QWidget(scroll);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(6, 4, 6, 4);
