@@ -67,11 +67,15 @@ QString LivePreview::status() const {
   return slot_ ? tr("evolving…") : tr("in %1 s").arg(seconds_, 0, 'f', 1);
 }
 
+VoxelBox LivePreview::box() const {
+  return boxAround(results_.vesselnessResult()->multiScale->geometry, focus_,
+                   {side_, side_, side_});
+}
+
 std::string LivePreview::keyNow() const {
-  const VoxelBox box =
-      boxAround(results_.vesselnessResult()->multiScale->geometry, focus_, {side_, side_, side_});
+  const VoxelBox around = box();
   std::string key = document_.key(Step::Evolve);
-  for (const Index3& corner : {box.low, box.high})
+  for (const Index3& corner : {around.low, around.high})
     for (const int index : corner) key += " " + std::to_string(index);
   return key;
 }
@@ -101,7 +105,7 @@ void LivePreview::start() {
                                 seeds->pointsLps.end());
   if (!job->ground.image) return;
   job->params = document_.parameters();
-  job->box = boxAround(job->ground.image->geometry, focus_, {side_, side_, side_});
+  job->box = box();
   triedKey_ = keyNow();
   frontSeen_ = again_ = false;
   error_.clear();

@@ -46,6 +46,8 @@ class LivePreview : public QObject {
 
  private:
   [[nodiscard]] QString whyNot() const;
+  /// Around the focus, on the grid of the vesselness.
+  [[nodiscard]] VoxelBox box() const;
   [[nodiscard]] std::string keyNow() const;
   void refresh();
   void start();

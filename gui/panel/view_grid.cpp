@@ -96,7 +96,10 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   });
   connect(&models_.document, &CaseDocument::parametersChanged, this, &ViewGrid::refreshEdits);
   connect(&models_.document, &CaseDocument::edited, this, &ViewGrid::refreshSegmentation);
-  connect(&models_.live, &LivePreview::changed, this, &ViewGrid::refreshPreview);
+  connect(&models_.live, &LivePreview::changed, this, [this] {
+    showPreview();
+    refreshCaptions();
+  });
   connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
   connectPorts();
   connectInspection();
@@ -343,16 +346,15 @@ void ViewGrid::refreshSegmentation() {
     phiDimmed_ = stale;
     for (SliceView* view : slices_) view->setContour(phi, stale);
   }
-  refreshPreview();
+  showPreview();
   refreshSurface();
   refreshComparison();
   refreshCaptions();
 }
 
-void ViewGrid::refreshPreview() {
+void ViewGrid::showPreview() {
   for (SliceView* view : slices_)
     view->setPreview(state_.contours() ? models_.live.phi() : nullptr);
-  refreshCaptions();
 }
 
 void ViewGrid::refreshSurface() {

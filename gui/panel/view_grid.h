@@ -104,7 +104,7 @@ class ViewGrid : public QWidget {
   void showSlices3d();
   [[nodiscard]] ColourLayer overlayLayer() const;
   void refreshSegmentation();
-  void refreshPreview();
+  void showPreview();
   void refreshSurface();
   void paintSurface();
   void refreshComparison();

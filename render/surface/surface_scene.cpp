@@ -229,7 +229,7 @@ void SurfaceScene::Parts::followSize() {
   const Eigen::Vector3d position(renderer->GetActiveCamera()->GetPosition());
   const bool resized = size[0] != fittedSize[0] || size[1] != fittedSize[1];
   // To what it was fitted to before: what came or went since then does not move what is seen.
-  if (fittedOnce && resized && position == fittedAt) fitTo(std::array<double, 6>(fittedBounds));
+  if (fittedOnce && resized && position == fittedAt) fitTo(fittedBounds);
 }
 
 void SurfaceScene::Parts::fitOnce() {
