@@ -43,7 +43,7 @@ std::string valueIn(const Field& field, const std::string& presetName) {
 void printMarkdown() {
   std::printf(
       "# Parameters\n\n"
-      "Keys as in `--set key=value`, in `recipe.json` (nested by the dots) and in the forms of "
+      "Keys as in `--set key=value`, in `params.json` (nested by the dots) and in the forms of "
       "the\n"
       "desktop program. A working voxel is a voxel of the grid that the pipeline works on after\n"
       "cropping and resampling. `--preset` chooses between the columns of values.\n\n"
