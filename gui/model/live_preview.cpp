@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "core/parameters/field.h"
-
 namespace angiomesh {
 
 LivePreview::LivePreview(CaseDocument& document, ResultModel& results, RunModel& runs,
@@ -85,12 +83,9 @@ void LivePreview::refresh() {
     forget();
     return;
   }
-  const std::string key = keyNow();
   if (slot_) {
-    again_ = key != triedKey_;
-    // What moves on shows at least its front before it gives way to the next.
-    if (again_ && frontSeen_) slot_.job()->progress.cancel();
-  } else if (key != shownKey_) {
+    giveWay();
+  } else if (keyNow() != shownKey_) {
     start();
   }
 }
@@ -107,7 +102,7 @@ void LivePreview::start() {
   job->params = document_.parameters();
   job->box = box();
   triedKey_ = keyNow();
-  frontSeen_ = again_ = false;
+  frontSeen_ = false;
   error_.clear();
   if (slot_.startAndPoll(std::move(job))) Q_EMIT changed();
 }
@@ -118,7 +113,7 @@ void LivePreview::watch(PreviewJob& job) {
   phi_ = front->phi;
   shownKey_.clear();
   frontSeen_ = true;
-  if (again_) job.progress.cancel();
+  giveWay();
   Q_EMIT changed();
 }
 
@@ -135,13 +130,16 @@ void LivePreview::finish(const PreviewJob& job) {
     shownKey_ = triedKey_;
     error_ = QString::fromStdString(job.error);
   }
-  again_ = false;
   refresh();
   Q_EMIT changed();
 }
 
+/// A preview of what has changed since it began shows at least its front before the next one.
+void LivePreview::giveWay() {
+  if (frontSeen_ && keyNow() != triedKey_) slot_.job()->progress.cancel();
+}
+
 void LivePreview::forget() {
-  again_ = false;
   if (slot_) slot_.job()->progress.cancel();
   const bool shown = phi_ != nullptr;
   phi_.reset();

@@ -53,6 +53,7 @@ class LivePreview : public QObject {
   void start();
   void watch(PreviewJob& job);
   void finish(const PreviewJob& job);
+  void giveWay();
   void forget();
 
   CaseDocument& document_;
@@ -64,7 +65,6 @@ class LivePreview : public QObject {
   std::shared_ptr<const Volume<float>> phi_;
   std::string shownKey_, triedKey_;
   bool frontSeen_ = false;  ///< of the job in work
-  bool again_ = false;      ///< something has changed since it began
   QString error_;
   double seconds_ = 0.0;  ///< of the preview shown
   JobSlot<PreviewJob> slot_;
