@@ -42,6 +42,17 @@ struct LiveCase : WindowCase {
   }
 };
 
+/// Pixels as green as the outlines of a preview.
+int green(const QImage& picture) {
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const QRgb p = picture.pixel(x, y);
+      count += qGreen(p) > qRed(p) + 60 && qGreen(p) > qBlue(p) + 40 ? 1 : 0;
+    }
+  return count;
+}
+
 /// How much of two segmentations is common, Dice.
 double agreement(const Volume<float>& a, const Volume<float>& b) {
   double both = 0.0, all = 0.0;
@@ -72,6 +83,8 @@ class TestLive : public QObject {
     QCOMPARE(phi->geometry.size, (Index3{24, 24, 24}));
     QVERIFY(phi->geometry.holds(c.window->views().crosshair()));
     QVERIFY(c.axial() != before);
+    QCOMPARE(green(before), 0);
+    QVERIFY2(green(c.axial()) > 100, qPrintable(QString::number(green(c.axial()))));
     // Nothing of the case is computed anew.
     QCOMPARE(c.models().results.evolveResult(), result);
     QCOMPARE(c.models().results.report(Step::Vesselness).key, vesselness);
