@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/base/formatted.h"
+#include "core/image/voxel_box.h"
 #include "core/levelset/front_speed.h"
-#include "core/preprocess/preprocess.h"
 #include "core/vesselness/hessian_slices.h"
 #include "core/vesselness/vesselness.h"
 
@@ -20,16 +20,17 @@ constexpr int kWidestKernel = 30;
 /// The same vesselness as in the whole image: the part holds all that the kernels reach.
 VoxelAtScale atScale(const Volume<float>& image, const Index3& voxel, double sigmaMm,
                      const VesselnessParams& params, double c) {
-  Index3 low{}, high{}, centre{};
+  VoxelBox box;
+  Index3 centre{};
   for (std::size_t a = 0; a < 3; ++a) {
     const double sigma = sigmaMm / image.geometry.spacing[static_cast<Eigen::Index>(a)];
     const int margin =
         std::min(kWidestKernel, static_cast<int>(4.0 * sigma) + 1) + static_cast<int>(sigma) + 3;
-    low[a] = std::max(voxel[a] - margin, 0);
-    high[a] = std::min(voxel[a] + margin, image.geometry.size[a] - 1);
-    centre[a] = voxel[a] - low[a];
+    box.low[a] = std::max(voxel[a] - margin, 0);
+    box.high[a] = std::min(voxel[a] + margin, image.geometry.size[a] - 1);
+    centre[a] = voxel[a] - box.low[a];
   }
-  const Volume<float> part = cropped(image, low, high);
+  const Volume<float> part = cropped(image, box);
   const auto [i, j, k] = centre;
   VoxelAtScale found;
   found.sigmaMm = sigmaMm;

@@ -29,7 +29,7 @@ Geometry isotropicGeometry(const Geometry& g) {
 
 }  // namespace
 
-std::array<Index3, 2> voxelsInBox(const Geometry& g, const std::array<double, 6>& boxLps) {
+VoxelBox voxelsInBox(const Geometry& g, const std::array<double, 6>& boxLps) {
   Eigen::Vector3d least, most;
   for (std::size_t a = 0; a < 3; ++a) {
     least[static_cast<Eigen::Index>(a)] = std::min(boxLps[a], boxLps[a + 3]);
@@ -73,22 +73,8 @@ std::array<Index3, 2> voxelsInBox(const Geometry& g, const std::array<double, 6>
   return {low, high};
 }
 
-Volume<float> cropped(const Volume<float>& image, const Index3& low, const Index3& high) {
-  Geometry part = image.geometry;
-  part.origin = voxelCentre(image.geometry, low);
-  for (std::size_t a = 0; a < 3; ++a) part.size[a] = high[a] - low[a] + 1;
-  Volume<float> out(part);
-  for (int k = 0; k < part.size[2]; ++k)
-    for (int j = 0; j < part.size[1]; ++j) {
-      const float* from = &image.at(low[0], low[1] + j, low[2] + k);
-      std::copy_n(from, part.size[0], &out.at(0, j, k));
-    }
-  return out;
-}
-
 Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>& boxLps) {
-  const auto [low, high] = voxelsInBox(image.geometry, boxLps);
-  return cropped(image, low, high);
+  return cropped(image, voxelsInBox(image.geometry, boxLps));
 }
 
 bool wantsIsotropic(const Geometry& geometry) {

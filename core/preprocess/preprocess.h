@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/progress.h"
-#include "core/image/volume.h"
+#include "core/image/voxel_box.h"
 
 namespace angiomesh {
 
@@ -26,15 +26,12 @@ struct PreprocessParams {
   bool operator==(const PreprocessParams&) const = default;
 };
 
-/// The first and the last indices of the voxels whose centres lie in the LPS box (any order of the
-/// corners). Looks at rows, not at voxels.
+/// The least box of the voxels whose centres lie in the LPS box (any order of the corners). Looks at
+/// rows, not at voxels.
 /// @throws InputError when no voxel centre, or fewer than 2 in some direction, lies in it
-std::array<Index3, 2> voxelsInBox(const Geometry& geometry, const std::array<double, 6>& boxLps);
+VoxelBox voxelsInBox(const Geometry& geometry, const std::array<double, 6>& boxLps);
 
-/// The voxels from `low` to `high`, these included. @pre low <= high, both in the image
-Volume<float> cropped(const Volume<float>& image, const Index3& low, const Index3& high);
-
-/// The image between the indices of voxelsInBox(). @throws as that
+/// The voxels of voxelsInBox(). @throws as that
 Volume<float> cropToBox(const Volume<float>& image, const std::array<double, 6>& boxLps);
 
 /// To cubic voxels of the smallest spacing by cubic (Catmull-Rom) interpolation, clamped to the

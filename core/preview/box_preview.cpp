@@ -8,7 +8,6 @@
 #include "core/base/error.h"
 #include "core/pipeline/evolve_step.h"
 #include "core/pipeline/vesselness_step.h"
-#include "core/preprocess/preprocess.h"
 
 namespace angiomesh {
 namespace {
@@ -19,20 +18,10 @@ constexpr int kMargin = 8;
 /// Beyond the wall, mm in units of a working voxel: where phi is clamped.
 constexpr double kFarVoxels = 5.0;
 
-VoxelBox widened(const VoxelBox& box, const Geometry& grid) {
-  VoxelBox wide = box;
-  for (std::size_t a = 0; a < 3; ++a) {
-    wide.low[a] = std::max(box.low[a] - kMargin, 0);
-    wide.high[a] = std::min(box.high[a] + kMargin, grid.size[a] - 1);
-  }
-  return wide;
-}
-
 std::shared_ptr<const VesselnessResult> croppedVessels(const VesselnessResult& whole,
                                                        const VoxelBox& box) {
   auto part = std::make_shared<VesselnessResult>(whole);
-  part->multiScale =
-      std::make_shared<const Volume<float>>(cropped(*whole.multiScale, box.low, box.high));
+  part->multiScale = std::make_shared<const Volume<float>>(cropped(*whole.multiScale, box));
   return part;
 }
 
@@ -63,29 +52,16 @@ EvolveResult nothingIn(const Geometry& grid) {
 
 }  // namespace
 
-VoxelBox boxAround(const Geometry& grid, const Eigen::Vector3d& middleLps, const Index3& sides) {
-  const Eigen::Vector3d middle = grid.toIndex(middleLps);
-  VoxelBox box;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const int side = std::clamp(sides[a], 2, grid.size[a]);
-    const auto first =
-        static_cast<int>(std::lround(middle[static_cast<Eigen::Index>(a)] - 0.5 * (side - 1)));
-    box.low[a] = std::clamp(first, 0, grid.size[a] - side);
-    box.high[a] = box.low[a] + side - 1;
-  }
-  return box;
-}
-
 EvolveResult previewInBox(const PreviewGround& ground, const VoxelBox& box,
                           const Parameters& params, const RunOptions& options,
                           const Progress& progress) {
   const Geometry& grid = ground.image->geometry;
-  const VoxelBox wide = widened(box, grid);
+  const VoxelBox wide = box.widened(kMargin, grid);
   Parameters inBox = params;
   const Thresholds whole = thresholdsFor(*ground.vessels, params.thresholds);
   inBox.thresholds.b = whole.b;
   progress.check();
-  const Volume<float> image = cropped(*ground.image, wide.low, wide.high);
+  const Volume<float> image = cropped(*ground.image, wide);
   SeedsResult seeds;
   for (const Eigen::Vector3d& seed : ground.seedsLps)
     if (image.geometry.holds(seed)) seeds.pointsLps.push_back(seed);
@@ -93,9 +69,6 @@ EvolveResult previewInBox(const PreviewGround& ground, const VoxelBox& box,
     for (const Eigen::Vector3d& place : entries(*ground.known, wide))
       seeds.pointsLps.push_back(place);
   std::vector<std::string> warnings;
-  const Index3 low{box.low[0] - wide.low[0], box.low[1] - wide.low[1], box.low[2] - wide.low[2]};
-  const Index3 high{box.high[0] - wide.low[0], box.high[1] - wide.low[1],
-                    box.high[2] - wide.low[2]};
   EvolveResult result;
   try {
     result = makeSegmentation(image, croppedVessels(*ground.vessels, wide), seeds, inBox, options,
@@ -105,7 +78,7 @@ EvolveResult previewInBox(const PreviewGround& ground, const VoxelBox& box,
     result = nothingIn(image.geometry);
   }
   result.thresholds = whole;
-  result.phi = std::make_shared<const Volume<float>>(cropped(*result.phi, low, high));
+  result.phi = std::make_shared<const Volume<float>>(cropped(*result.phi, box.seenFrom(wide)));
   result.voxelwise.reset();
   return result;
 }

@@ -4,21 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "core/image/voxel_box.h"
 #include "core/pipeline/run_options.h"
 #include "core/pipeline/step_results.h"
 
 namespace angiomesh {
-
-/// Voxels of the working grid from `low` to `high`, these included.
-struct VoxelBox {
-  Index3 low{0, 0, 0}, high{0, 0, 0};
-
-  bool operator==(const VoxelBox&) const = default;
-};
-
-/// The box of at most `sides` voxels, in the grid, whose middle is the voxel nearest to a point;
-/// beside a border it is moved inwards.
-VoxelBox boxAround(const Geometry& grid, const Eigen::Vector3d& middleLps, const Index3& sides);
 
 /// What a preview starts from: results that are at hand, on one grid.
 struct PreviewGround {

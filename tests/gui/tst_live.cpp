@@ -6,7 +6,7 @@
 #include <QSpinBox>
 
 #include "core/parameters/field.h"
-#include "core/preprocess/preprocess.h"
+#include "core/image/voxel_box.h"
 #include "tests/gui/port_case.h"
 #include "tests/gui/window_case.h"
 
@@ -113,7 +113,7 @@ class TestLive : public QObject {
                      static_cast<int>(std::lround(first[1])),
                      static_cast<int>(std::lround(first[2]))};
     const Index3 high{low[0] + 23, low[1] + 23, low[2] + 23};
-    QVERIFY(agreement(*tried, cropped(whole, low, high)) > 0.98);
+    QVERIFY(agreement(*tried, cropped(whole, {low, high})) > 0.98);
   }
 
   void itIsOffWhereItCannotBe() {

@@ -237,8 +237,8 @@ class TestPreprocess : public QObject {
     const auto clampedImage = clampIntensities(image, -1.0, 0.5, 1);
     QVERIFY(mostApart(turned(clampedImage), clampIntensities(other, -1.0, 0.5, 1)) == 0.0);
     const Index3 low{3, 5, 2}, high{20, 31, 15};
-    QVERIFY(mostApart(turned(cropped(image, low, high)),
-                      cropped(other, turned(low), turned(high))) < 1e-6);
+    QVERIFY(mostApart(turned(cropped(image, {low, high})),
+                      cropped(other, {turned(low), turned(high)})) < 1e-6);
     const auto parts = connectedComponents(insideMask(image)),
                partsOther = connectedComponents(insideMask(other));
     QVERIFY(mostApart(turned(parts.labels), partsOther.labels) == 0.0);
