@@ -99,12 +99,14 @@ const std::map<std::string, std::string> kMayInclude{
     {"core/smooth", "base field mesh openings contour remesh"},
     {"core/surface", "base field mesh openings sizing contour cuts front remesh"},
     {"core/quality", "base image field mesh sizing phantom"},
+    {"core/corrections", "base image field vesselness distance topology centreline"},
     {"core/parameters",
-     "base preprocess vesselness levelset topology lumen sizing contour cuts smooth surface"},
+     "base preprocess vesselness levelset topology lumen sizing contour cuts smooth surface "
+     "corrections"},
     {"core/pipeline",
      "base image field mesh preprocess vesselness phantom levelset topology distance lumen "
      "centreline openings sizing contour cuts front remesh smooth surface quality measure "
-     "parameters"},
+     "corrections parameters"},
     {"core/preview", "base image preprocess pipeline"},
     {"io/file", ""},
     {"io/volume", "file"},
@@ -127,7 +129,8 @@ const std::map<std::string, std::string> kMayInclude{
     {"gui/inspector", "job model findings view panel"},
     {"gui/dialog", "job model findings panel"},
     {"gui/report", "job model findings view panel inspector"},
-    {"gui", "job model findings view panel inspector report dialog"},
+    {"gui/menu", "job model findings view panel dialog"},
+    {"gui", "job model findings view panel inspector report dialog menu"},
     {"app/session", ""},
     {"app/study", "session"},
     {"app/cli", "session study"},
