@@ -92,7 +92,8 @@ void addLoadStage(RunResult& result, const StageReport& stage) {
 
 /// The phi that was meshed, or of what the evolution found; of a surface that failed, all of it.
 std::shared_ptr<const Volume<float>> finalPhi(const RunResult& result) {
-  return result.failure && result.evolve && !result.surface ? result.evolve->phi : keptPhi(result);
+  return result.failure && result.evolve && !result.surface ? result.segmentation()->phi
+                                                            : keptPhi(result);
 }
 
 template <class T>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/contour/marching_cubes.h"
+#include "core/corrections/correction.h"
 #include "core/cuts/cuts.h"
 #include "core/levelset/comparison_methods.h"
 #include "core/levelset/evolution.h"
@@ -33,6 +34,8 @@ struct SegmentationParams {
   double minLengthMm = 0.0;  ///< of the centre lines of a component
   std::vector<double>
       drop;  ///< x,y,z,... LPS mm: the components that hold these points are left out
+  std::vector<std::string>
+      corrections;  ///< by hand, in their order, as parseCorrection() takes them
 
   bool operator==(const SegmentationParams&) const = default;
 };

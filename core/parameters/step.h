@@ -7,8 +7,8 @@
 
 namespace angiomesh {
 
-enum class Step { Load, Preprocess, Vesselness, Seeds, Evolve, Surface, Smooth, Quality };
-constexpr int kStepCount = 8;
+enum class Step { Load, Preprocess, Vesselness, Seeds, Evolve, Correct, Surface, Smooth, Quality };
+constexpr int kStepCount = 9;
 
 /// What is known of a step without its function, which the pipeline has.
 struct StepFacts {
@@ -27,6 +27,7 @@ constexpr std::array<StepFacts, kStepCount> kSteps{{
     {"vesselness", "Vesselness", 2, 0.02, true, true},
     {"seeds", "Seeds", 2, 0.09, true, true},
     {"evolve", "Evolve", 9, 0.1, false, false},
+    {"correct", "Correct", 1, 0.49, false, false},
     {"surface", "Surface", 6, 0.5, false, false},
     {"smooth", "Smooth", 5, 0.86, false, false},
     {"quality", "Quality", 4, 0.9, false, false},

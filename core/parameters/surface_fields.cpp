@@ -70,6 +70,14 @@ void addPorts(FieldTable& t) {
       .rises("more of each end is cut off");
 }
 
+void addCorrections(FieldTable& t) {
+  t.texts("segmentation.corrections", "Corrections", ANGIOMESH_MEMBER(segmentation.corrections),
+          kCorrectionForm,
+          "corrections of the segmentation by hand, made in their order after the evolution",
+          [](const std::string& text) { parseCorrection(text); })
+      .place();
+}
+
 void addParts(FieldTable& t) {
   t.choice("segmentation.keep", "Parts kept", ANGIOMESH_MEMBER(segmentation.keep),
            {"all", "largest", "seeded"},
@@ -215,6 +223,8 @@ void addSmooth(FieldTable& t) {
 }  // namespace
 
 void addSurfaceFields(FieldTable& table) {
+  table.begin(Step::Correct, ReadOf::All);
+  addCorrections(table);
   table.begin(Step::Surface, ReadOf::All);
   addPorts(table);
   addParts(table);

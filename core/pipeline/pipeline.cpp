@@ -86,6 +86,12 @@ struct Pipeline::State {
     if (row.finish != nullptr) row.finish(run);
   }
 
+  [[nodiscard]] StepValue recalled(Step step, const std::string& key) {
+    const std::lock_guard lock(mutex);
+    const Entry* known = find(step, key);
+    return known != nullptr ? known->value : StepValue();
+  }
+
   bool recall(const StepRow& row, const std::string& key, RunResult& run) {
     if (stoppedByHand(run)) return false;
     const std::lock_guard lock(mutex);
@@ -111,6 +117,8 @@ std::string Pipeline::key(Step step, const Parameters& params) const {
   std::string text = state_->source.hash;
   for (const StepRow& row : stepTable()) {
     if (row.step > step) break;
+    // What corrects nothing leaves all keys as they are.
+    if (row.step == Step::Correct && params.segmentation.corrections.empty()) continue;
     text += std::string("|") + stepId(row.step) + std::to_string(factsOf(row.step).version);
     for (const Field& field : parameterFields())
       if (field.*reader == row.step && field.remakes) text += keyPart(field, params);
@@ -165,7 +173,10 @@ RunResult Pipeline::run(const Parameters& params, const RunOptions& options,
   run.params = params;
   run.source = state_->source;
   run.key = state_->source.hash;
-  StepWork work{options, run, progress, {}};
+  StepWork work{options, run, progress, {}, [&](Step step, const Parameters& other) {
+                  return stoppedByHand(run) ? StepValue()
+                                            : state_->recalled(step, key(step, other));
+                }};
   for (const StepRow& row : stepTable()) {
     progress.check();
     if (row.step > options.until) break;

@@ -67,7 +67,7 @@ Json componentList(const std::vector<SegmentComponent>& components) {
 }
 
 Json segmentationBlock(const RunResult& result) {
-  const EvolveResult& evolve = *result.evolve;
+  const EvolveResult& evolve = *result.segmentation();
   const Field& method = findField("segmentation.method");
   Json block{{"method", fieldText(method.get(result.params), method)}};
   if (evolves(result.params)) {
@@ -111,6 +111,13 @@ Json segmentationBlock(const RunResult& result) {
                         {"left", evolve.label->contacts.left}}}};
   if (evolve.lower) block["intensity"]["lower"] = *evolve.lower;
   if (evolve.upper) block["intensity"]["upper"] = *evolve.upper;
+  for (const CorrectionOutcome& outcome : evolve.corrections) {
+    Json one{{"correction", outcome.text},
+             {"added_voxels", outcome.added},
+             {"removed_voxels", outcome.removed}};
+    if (!outcome.why.empty()) one["left_out"] = outcome.why;
+    block["corrections"].push_back(std::move(one));
+  }
   if (result.seeds) block["seeds"] = result.seeds->pointsLps.size();
   return block;
 }

@@ -12,7 +12,7 @@ namespace angiomesh {
 namespace {
 
 void requireSegmentation(const RunResult& result) {
-  if (!result.evolve)
+  if (!result.segmentation())
     throw InputError("there is no segmentation yet", "mask", "run the step evolve first");
 }
 
@@ -22,10 +22,10 @@ constexpr float kTaken = 0.05F;
 
 double levelMm(const RunResult& result, const Geometry& grid) {
   const Parameters& p = result.params;
-  const Geometry& g = result.evolve->phi->geometry;
+  const Geometry& g = result.segmentation()->phi->geometry;
   const bool placed = p.segmentation.method == SegmentationMethod::LevelSet && p.lumen.enabled;
   const bool same = g.spacing.isApprox(grid.spacing, 1e-6);
-  const bool ofVoxels = result.evolve->voxelwise || !result.evolve->wall;
+  const bool ofVoxels = result.segmentation()->voxelwise || !result.segmentation()->wall;
   return placed && ofVoxels && !same ? std::max(0.5 - p.lumen.level, 0.0) * g.voxelMm() : 0.0;
 }
 
@@ -35,9 +35,9 @@ Volume<std::uint8_t> segmentationMask(const RunResult& result, const Volume<floa
                                       const Geometry& grid) {
   requireSegmentation(result);
   const double level = levelMm(result, grid);
-  if (!result.evolve->voxelwise) return maskOnGrid(phi, grid, level);
-  const Volume<float>& smooth = *result.evolve->phi;
-  Volume<float> mask = *result.evolve->voxelwise;
+  if (!result.segmentation()->voxelwise) return maskOnGrid(phi, grid, level);
+  const Volume<float>& smooth = *result.segmentation()->phi;
+  Volume<float> mask = *result.segmentation()->voxelwise;
   const float taken = kTaken * static_cast<float>(phi.geometry.voxelMm());
   parallelForEach(mask.voxels.size(), 1 << 16, [&](std::size_t i) {
     if (phi.voxels[i] > smooth.voxels[i] + taken)

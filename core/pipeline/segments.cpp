@@ -121,12 +121,12 @@ std::shared_ptr<const Volume<float>> withoutDropped(std::shared_ptr<const Volume
 
 std::shared_ptr<const Volume<float>> keptPhi(const RunResult& result, const Progress& progress) {
   if (result.surface) return result.surface->phi;
-  if (!result.evolve) return nullptr;
+  if (!result.segmentation()) return nullptr;
   const Parameters& params = result.params;
-  if (keepsAll(params.segmentation)) return result.evolve->phi;
-  const Segments segments = selectSegments(*result.evolve->phi, params.segmentation,
+  if (keepsAll(params.segmentation)) return result.segmentation()->phi;
+  const Segments segments = selectSegments(*result.segmentation()->phi, params.segmentation,
                                            params.seeds.points, progress.sub(0.0, 0.5));
-  return withoutDropped(result.evolve->phi, segments, progress.sub(0.5, 1.0));
+  return withoutDropped(result.segmentation()->phi, segments, progress.sub(0.5, 1.0));
 }
 
 Volume<float> resampleField(const SplineField& field, double cellMm, const Progress& progress) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/centreline/component_measure.h"
+#include "core/corrections/replay.h"
 #include "core/parameters/parameters.h"
 #include "core/parameters/step.h"
 #include "core/pipeline/source.h"
@@ -65,6 +66,7 @@ struct EvolveResult {
   int iterations = 0;
   bool converged = false;
   StopReason stopReason = StopReason::Running;
+  std::vector<CorrectionOutcome> corrections;  ///< that have been made, or left out
 };
 
 struct SurfaceResult {
@@ -109,6 +111,7 @@ struct RunResult {
   std::shared_ptr<const VesselnessResult> vesselness;
   std::shared_ptr<const SeedsResult> seeds;
   std::shared_ptr<const EvolveResult> evolve;
+  std::shared_ptr<const EvolveResult> corrected;  ///< `evolve` itself where nothing is corrected
   std::shared_ptr<const SurfaceResult> surface;
   std::shared_ptr<const TriMesh> smoothed;
   std::vector<Port> ports;  ///< of `smoothed`, or of the surface's mesh if that is the last
@@ -117,6 +120,11 @@ struct RunResult {
   double totalSeconds = 0.0, cpuSeconds = 0.0;
   std::string key;                    ///< of the last step run
   std::optional<RunFailure> failure;  ///< with RunOptions::keepOnFailure alone
+
+  /// As corrected or, where the run went no further, as evolved.
+  [[nodiscard]] const std::shared_ptr<const EvolveResult>& segmentation() const {
+    return corrected ? corrected : evolve;
+  }
 };
 
 /// Whether the evolution was ended by hand, which no key tells, and not by levelset.stopAfter.

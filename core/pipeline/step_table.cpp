@@ -55,8 +55,45 @@ StepValue evolveStep(StepWork& work) {
   return shared(std::move(made));
 }
 
+/// The segmentation with the longest beginning of the corrections that is remembered; else that of
+/// the evolution.
+std::shared_ptr<const EvolveResult> correctedBefore(StepWork& work) {
+  Parameters fewer = work.params();
+  std::vector<std::string>& texts = fewer.segmentation.corrections;
+  for (texts.pop_back(); !texts.empty(); texts.pop_back()) {
+    const StepValue known = work.remembered(Step::Correct, fewer);
+    if (const auto* result = std::get_if<std::shared_ptr<const EvolveResult>>(&known))
+      return *result;
+  }
+  return work.run.evolve;
+}
+
+StepValue correctStep(StepWork& work) {
+  const RunResult& run = work.run;
+  const std::vector<std::string>& texts = run.params.segmentation.corrections;
+  if (texts.empty()) return run.evolve;
+  const auto start = correctedBefore(work);
+  EvolveResult made = *start;
+  CorrectionGround ground;
+  if (!isSegmented(run.params)) ground.image = run.preprocessed.get();
+  ground.vesselness = run.params.vesselness;
+  const auto done = static_cast<std::ptrdiff_t>(start->corrections.size());
+  Volume<float> phi = *start->phi;
+  for (CorrectionOutcome& outcome :
+       replay(phi, {texts.begin() + done, texts.end()}, ground, work.progress))
+    made.corrections.push_back(std::move(outcome));
+  if (start->voxelwise) {
+    Volume<float> voxelwise = *start->voxelwise;
+    carryOver(*start->phi, phi, voxelwise);
+    made.voxelwise = std::make_shared<const Volume<float>>(std::move(voxelwise));
+  }
+  made.phi = std::make_shared<const Volume<float>>(std::move(phi));
+  work.warnings = warningsOf(made.corrections);
+  return shared(std::move(made));
+}
+
 StepValue surfaceStep(StepWork& work) {
-  return shared(surfaceOf(*work.run.evolve, work.params(), work.progress, work.warnings,
+  return shared(surfaceOf(*work.run.corrected, work.params(), work.progress, work.warnings,
                           [&work](const std::string& text) {
                             if (work.options.warned) work.options.warned(Step::Surface, text);
                           }));
@@ -137,6 +174,7 @@ const std::vector<StepRow>& stepTable() {
       {Step::Vesselness, vesselnessStep, store<&RunResult::vesselness>},
       {Step::Seeds, seedsStep, store<&RunResult::seeds>},
       {Step::Evolve, evolveStep, store<&RunResult::evolve>},
+      {Step::Correct, correctStep, store<&RunResult::corrected>},
       {Step::Surface, surfaceStep, store<&RunResult::surface>, namePortsOf},
       {Step::Smooth, smoothStep, store<&RunResult::smoothed>, measurePortsOf},
       {Step::Quality, qualityStep, store<&RunResult::quality>},

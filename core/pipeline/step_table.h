@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ struct StepWork {
   RunResult& run;  ///< with the parameters, and the results of the steps before
   Progress progress;
   std::vector<std::string> warnings;  ///< of the step in work
+  /// A result that is remembered of a step with other parameters; none where there is none.
+  std::function<StepValue(Step step, const Parameters& params)> remembered;
   std::optional<SplineField> wallOnce = {};
 
   [[nodiscard]] const Parameters& params() const { return run.params; }

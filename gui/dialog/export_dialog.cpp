@@ -185,7 +185,7 @@ void ExportDialog::addChoices() {
   for (int i = 0; i < kRunMeshCount; ++i)
     if (models_.results.mesh(static_cast<MeshKind>(i)))
       mesh_->addItem(tr("Mesh, %1").arg(meshTitle(static_cast<MeshKind>(i))), i);
-  if (models_.results.evolveResult()) mesh_->addItem(tr("Mask of the vessels"), kMask);
+  if (models_.results.segmentation()) mesh_->addItem(tr("Mask of the vessels"), kMask);
   format_ = combo("exportFormat", tr("Format"), {});
   unit_ = combo("exportUnit", tr("Unit"), {tr("millimetres"), tr("metres")});
   frame_ = combo("exportFrame", tr("Frame"), {tr("LPS (DICOM, ITK)"), tr("RAS (NIfTI, Slicer)")});

@@ -62,9 +62,9 @@ CaseMeasures::~CaseMeasures() {
 }
 
 void CaseMeasures::refreshGround() {
-  const auto evolve = models_.results.evolveResult();
+  const auto evolve = models_.results.segmentation();
   const std::shared_ptr<const Volume<float>> phi = evolve ? evolve->phi : nullptr;
-  if (phi != ground_.phi) ground_ = {phi, models_.results.key(Step::Evolve), nullptr, nullptr};
+  if (phi != ground_.phi) ground_ = {phi, models_.results.key(Step::Correct), nullptr, nullptr};
   Q_EMIT changed();
 }
 
@@ -97,7 +97,7 @@ void CaseMeasures::visit(const QString& name) {
 
 bool CaseMeasures::isEarlier(const Measurement& measurement) const {
   return !measurement.key.empty() && models_.document.hasCase() &&
-         measurement.key != models_.document.key(Step::Evolve);
+         measurement.key != models_.document.key(Step::Correct);
 }
 
 void CaseMeasures::tell(const QString& text) {
@@ -242,7 +242,7 @@ void CaseMeasures::exportTable(const QString& path) {
   auto job = std::make_shared<MeasurementsFileJob>();
   job->path = path.toStdString();
   job->measurements = all();
-  job->key = models_.document.key(Step::Evolve);
+  job->key = models_.document.key(Step::Correct);
   fileSlot_.startAndPoll(std::move(job));
 }
 

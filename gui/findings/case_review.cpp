@@ -22,10 +22,10 @@ CaseReviewModel::~CaseReviewModel() {
 }
 
 std::shared_ptr<const Volume<float>> CaseReviewModel::shownPhi() const {
-  return models_.results.evolveResult() ? models_.results.uncutPhi() : nullptr;
+  return models_.results.segmentation() ? models_.results.uncutPhi() : nullptr;
 }
 
-std::string CaseReviewModel::shownKey() const { return models_.results.key(Step::Evolve); }
+std::string CaseReviewModel::shownKey() const { return models_.results.key(Step::Correct); }
 
 bool CaseReviewModel::canReview() const { return shownPhi() && !models_.results.live(); }
 
@@ -95,7 +95,7 @@ void CaseReviewModel::find() {
   auto job = std::make_shared<DoubtJob>();
   job->phi = shownPhi();
   job->vesselness = models_.results.vesselnessResult();
-  job->thresholds = models_.results.evolveResult()->thresholds;
+  job->thresholds = models_.results.segmentation()->thresholds;
   slot_.startAndPoll(std::move(job));
   Q_EMIT changed();
 }

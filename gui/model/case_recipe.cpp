@@ -8,9 +8,9 @@ namespace angiomesh {
 
 Recipe caseRecipe(const CaseModels& models) {
   const CaseDocument& document = models.document;
-  const bool fresh = models.results.key(Step::Evolve) == document.key(Step::Evolve);
+  const bool fresh = models.results.key(Step::Correct) == document.key(Step::Correct);
   return recipeOf(document.parameters(), document.pipeline()->source(),
-                  fresh ? models.results.evolveResult().get() : nullptr);
+                  fresh ? models.results.segmentation().get() : nullptr);
 }
 
 std::string caseMethods(const CaseModels& models) {

@@ -16,7 +16,7 @@ bool PartEdits::ready() const {
 void PartEdits::start(const Eigen::Vector3d& placeLps, bool keep) {
   if (!ready()) return;
   auto job = std::make_shared<PartJob>();
-  job->phi = models_.results.evolveResult()->phi;
+  job->phi = models_.results.segmentation()->phi;
   const SegmentationParams& params = models_.results.meshParameters()->segmentation;
   job->fullyConnected =
       params.method != SegmentationMethod::Label || params.connectivity != MaskConnectivity::Faces;

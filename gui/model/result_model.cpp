@@ -37,7 +37,7 @@ void ResultModel::clear() {
   fileMesh_.reset();
   fileQuality_.reset();
   names_.clear();
-  segmentation_ = meshOf_ = 0;
+  segmentation_ = ofEvolution_ = meshOf_ = 0;
   livePhi_.reset();
   liveSurface_.reset();
   speed_.reset();
@@ -67,14 +67,24 @@ void ResultModel::accept(const StepResult& result) {
     case Step::Evolve:
       if (run.evolve != shown_.evolve) {
         const bool byHand = endedByHand(*run.evolve, run.params);
-        segmentation_ = names_.segmentation(byHand ? std::string() : result.key);
+        segmentation_ = ofEvolution_ = names_.segmentation(byHand ? std::string() : result.key);
       }
+      if (run.evolve != shown_.evolve) shown_.corrected.reset();
       shown_.evolve = run.evolve;
       evolveParams_ = run.params;
       livePhi_.reset();
       liveSurface_.reset();
       wanted_.reset();
       front_ = {};
+      break;
+    case Step::Correct:
+      if (!run.corrected->corrections.empty())
+        segmentation_ = names_.corrected(
+            ofEvolution_, endedByHand(*run.evolve, run.params) ? std::string() : result.key);
+      else
+        segmentation_ = ofEvolution_;
+      shown_.corrected = run.corrected;
+      evolveParams_ = run.params;
       break;
     case Step::Surface:
     case Step::Smooth:
@@ -116,7 +126,7 @@ bool ResultModel::layerFresh(Layer layer) const {
 }
 
 QString ResultModel::segmentationName() const {
-  return segmentation_ > 0 ? QString::number(segmentation_) : QString();
+  return segmentation_ > 0 ? names_.name(segmentation_) : QString();
 }
 
 double ResultModel::seconds(Step step) const { return fresh(step) ? report(step).seconds : -1.0; }
@@ -197,12 +207,12 @@ std::shared_ptr<const Volume<float>> ResultModel::phi() const {
   if (front_.phi) return front_.phi;
   if (livePhi_) return livePhi_;
   if (meshFits() && meshRun_->surface) return meshRun_->surface->phi;
-  return shown_.evolve ? shown_.evolve->phi : nullptr;
+  return segmentation() ? segmentation()->phi : nullptr;
 }
 
 std::shared_ptr<const Volume<float>> ResultModel::uncutPhi() const {
   if (meshFits() && meshRun_->surface) return meshRun_->surface->uncutPhi;
-  return shown_.evolve ? shown_.evolve->phi : nullptr;
+  return segmentation() ? segmentation()->phi : nullptr;
 }
 
 std::shared_ptr<ReasonJob> ResultModel::groundsOfSegmentation() const {
@@ -227,6 +237,7 @@ std::shared_ptr<const RunResult> ResultModel::segmentationRun() const {
   auto run = std::make_shared<RunResult>();
   run->source = document_.pipeline()->source();
   run->evolve = shown_.evolve;
+  run->corrected = shown_.corrected;
   run->params = evolveParams_;
   SegmentationParams& parts = run->params.segmentation;
   const SegmentationParams& present = document_.parameters().segmentation;
@@ -333,17 +344,17 @@ std::shared_ptr<const TriMesh> ResultModel::mesh(MeshKind kind) const {
 }
 
 std::shared_ptr<const TriMesh> ResultModel::outline() {
-  if (meshFits() || !shown_.evolve) return nullptr;
-  if (outlined_ == shown_.evolve) return outline_;
+  if (meshFits() || !segmentation()) return nullptr;
+  if (outlined_ == segmentation()) return outline_;
   if (outlineSlot_) {
-    if (outlineSlot_.job()->evolve != shown_.evolve) outlineSlot_.job()->progress.cancel();
+    if (outlineSlot_.job()->evolve != segmentation()) outlineSlot_.job()->progress.cancel();
     return nullptr;
   }
   auto job = std::make_shared<OutlineJob>();
-  job->evolve = shown_.evolve;
+  job->evolve = segmentation();
   const QScopedValueRollback<bool> quiet(quiet_, true);
   outlineSlot_.startAndPoll(std::move(job));
-  return outlined_ == shown_.evolve ? outline_ : nullptr;
+  return outlined_ == segmentation() ? outline_ : nullptr;
 }
 
 void ResultModel::finishOutline(const OutlineJob& job) {

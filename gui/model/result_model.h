@@ -53,7 +53,7 @@ class ResultModel : public QObject {
   [[nodiscard]] bool fresh(Step step) const;
   /// Whether a layer is that of the present parameters.
   [[nodiscard]] bool layerFresh(Layer layer) const;
-  /// "2": the second segmentation of the case; empty without one.
+  /// "2": the second segmentation of the case; "2.1": its first correction; empty without one.
   [[nodiscard]] QString segmentationName() const;
   /// "2b": the second mesh of that segmentation; empty without one.
   [[nodiscard]] QString meshName() const { return meshRun_ ? meshName_ : QString(); }
@@ -75,12 +75,16 @@ class ResultModel : public QObject {
   }
   [[nodiscard]] std::shared_ptr<const SeedsResult> seedsResult() const { return shown_.seeds; }
   [[nodiscard]] std::shared_ptr<const EvolveResult> evolveResult() const { return shown_.evolve; }
+  /// The segmentation shown: as corrected, or as evolved where that is yet to come.
+  [[nodiscard]] const std::shared_ptr<const EvolveResult>& segmentation() const {
+    return shown_.segmentation();
+  }
   /// What the mask of the segmentation shown is made of, see segmentationMask(): parts and cuts are
   /// those of its mesh or, as long as it has none, those that are ticked. Null without one.
   [[nodiscard]] std::shared_ptr<const RunResult> segmentationRun() const;
   /// Whether that mask is that of the present parameters.
   [[nodiscard]] bool segmentationFresh() const {
-    return fresh(meshFits() ? Step::Surface : Step::Evolve);
+    return fresh(meshFits() ? Step::Surface : Step::Correct);
   }
   /// Shows an earlier front of the evolution in place of the evolving one or of the result, from
   /// the moment it is made on; null: no longer.
@@ -94,9 +98,9 @@ class ResultModel : public QObject {
   /// Whether an evolution is shown as it goes on.
   [[nodiscard]] bool live() const { return livePhi_ != nullptr; }
   /// phi to outline: an earlier one, or the evolving one, else that of the kept components, else
-  /// the evolution's.
+  /// the segmentation's.
   [[nodiscard]] std::shared_ptr<const Volume<float>> phi() const;
-  /// What cuts are made in: phi of the kept components, else the evolution's; null before.
+  /// What cuts are made in: phi of the kept components, else the segmentation's; null before.
   [[nodiscard]] std::shared_ptr<const Volume<float>> uncutPhi() const;
   /// What a ReasonJob needs beside a place; null where the segmentation shown is not of the level
   /// set method, or what it was made of is not at hand.
@@ -172,6 +176,7 @@ class ResultModel : public QObject {
   Parameters evolveParams_;  ///< that the segmentation shown was made with
   ResultNames names_;
   int segmentation_ = 0;  ///< number of the segmentation shown; 0: there is none
+  int ofEvolution_ = 0;   ///< of the one that it is a correction of, or its own
   std::shared_ptr<const TriMesh> fileMesh_;
   std::shared_ptr<const MeshQuality> fileQuality_;
   int meshOf_ = 0;  ///< of the one that meshRun_ is of

@@ -41,14 +41,14 @@ ShownText overlayText(ResultModel& results, Layer overlay) {
 
 ShownText contourText(const ResultModel& results, const RunModel& runs) {
   if (results.live() || results.frontShown()) return evolving(results, runs);
-  if (!results.evolveResult()) return {};
-  return shown(resultText(results.segmentationName()), !results.fresh(Step::Evolve));
+  if (!results.segmentation()) return {};
+  return shown(resultText(results.segmentationName()), !results.fresh(Step::Correct));
 }
 
 ShownText surfaceText(const ResultModel& results, const RunModel& runs, MeshKind kind) {
   if (results.liveSurface()) return evolving(results, runs);
   if (results.kindAtHand(kind) == MeshKind::File) return meshText(results, kind);
-  if (!results.meshFits() && results.evolveResult()) {
+  if (!results.meshFits() && results.segmentation()) {
     const ShownText segmentation = contourText(results, runs);
     return {QObject::tr("%1, no mesh yet").arg(segmentation.text), segmentation.stale};
   }

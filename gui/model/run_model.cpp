@@ -215,9 +215,13 @@ void RunModel::interrupt() {
 
 void RunModel::refreshFromCache() {
   if (!document_.hasCase() || slot_) return;
-  const Step deepest = document_.pipeline()->deepestAtHand(document_.parameters());
+  Step deepest = document_.pipeline()->deepestAtHand(document_.parameters());
+  // Corrections are made at once.
+  if (deepest == Step::Evolve) deepest = Step::Correct;
   for (Step step = Step::Preprocess; step <= deepest; step = stepAfter(step)) {
-    if (document_.pipeline()->has(step, document_.parameters()) && !results_.fresh(step)) {
+    const bool wanted =
+        step == Step::Correct || document_.pipeline()->has(step, document_.parameters());
+    if (wanted && !results_.fresh(step)) {
       quiet_ = true;
       startRun(deepest);
       return;
@@ -315,7 +319,7 @@ void RunModel::finish(const RunJob& job) {
   if (std::exchange(leaving_, false)) return;
   if (runAgain_)
     run(*std::exchange(runAgain_, std::nullopt));
-  else if (document_.pipeline()->key(job.until(), job.params()) != document_.key(job.until()))
+  else if (job.end() != RunJob::End::Failed)
     refreshFromCache();
 }
 

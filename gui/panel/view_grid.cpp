@@ -362,7 +362,7 @@ void ViewGrid::refreshSurface() {
   std::shared_ptr<const TriMesh> mesh = results.liveSurface();
   const bool live = mesh != nullptr;
   const bool fromFile = results.kindAtHand(state_.meshKind()) == MeshKind::File;
-  if (!live && !fromFile && !results.meshFits() && results.evolveResult()) {
+  if (!live && !fromFile && !results.meshFits() && results.segmentation()) {
     mesh = results.outline();
     if (!mesh) return;  // it comes in a moment
   } else {

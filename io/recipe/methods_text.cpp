@@ -183,6 +183,7 @@ void sayHand(const RunResult& run, Paragraph& p) {
     if (count > 0) made.push_back(what + (" (" + std::to_string(count) + ")"));
   };
   add(params.seeds.points.size() / 3, "seeds");
+  add(params.segmentation.corrections.size(), "corrections of the segmentation");
   add(params.segmentation.drop.size() / 3, "parts left out");
   add(params.ports.cuts.size(), "cuts");
   add(params.ports.names.size(), "names of openings");

@@ -63,6 +63,10 @@ std::vector<Eigen::Vector3d> pointsOf(const Field& field, const Parameters& para
       points.emplace_back((*numbers)[n], (*numbers)[n + 1], (*numbers)[n + 2]);
   if (field.key == "ports.cuts")
     for (const std::string& cut : params.ports.cuts) points.push_back(parseCut(cut).pointLps);
+  if (field.key == "segmentation.corrections")
+    // A line may be painted beyond the border.
+    for (const std::string& text : params.segmentation.corrections)
+      points.push_back(parseCorrection(text).placesLps.front());
   if (field.key == "ports.names")
     for (const std::string& name : params.ports.names)
       if (const auto place = parsePortNaming(name).placeLps) points.push_back(*place);
