@@ -6,8 +6,8 @@
 #include <QPushButton>
 
 #include "gui/banner.h"
+#include "gui/menu/window_actions.h"
 #include "gui/welcome_page.h"
-#include "gui/window_actions.h"
 
 namespace angiomesh {
 

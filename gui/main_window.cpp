@@ -29,10 +29,13 @@
 #include "gui/findings/mesh_file.h"
 #include "gui/findings/mesh_inspection.h"
 #include "gui/inspector/inspector_panel.h"
-#include "gui/measure_menu.h"
+#include "gui/menu/correct_menu.h"
+#include "gui/menu/measure_menu.h"
+#include "gui/menu/pane_menu.h"
+#include "gui/menu/port_menu.h"
+#include "gui/menu/window_actions.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
-#include "gui/pane_menu.h"
 #include "gui/panel/evolution_panel.h"
 #include "gui/panel/log_panel.h"
 #include "gui/panel/measure_panel.h"
@@ -44,11 +47,9 @@
 #include "gui/panel/why_panel.h"
 #include "gui/patient_identity.h"
 #include "gui/pictures.h"
-#include "gui/port_menu.h"
 #include "gui/recent_cases.h"
 #include "gui/report/mesh_report.h"
 #include "gui/view_tools.h"
-#include "gui/window_actions.h"
 #include "gui/workspaces.h"
 
 namespace angiomesh {
@@ -95,6 +96,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   centre_->addActionsOf(this);
   workspaces_->addTo(tools_->buildToolBars());
   measureMenu_->addTo(findChild<QToolBar*>("paneBar"));
+  correctMenu_->addTo(findChild<QToolBar*>("paneBar"));
   tools_->addIcons();
   buildStatusBar();
   connect(&models_->files, &CaseFiles::caseChanged, this, &MainWindow::refreshTitle);
@@ -227,9 +229,11 @@ void MainWindow::buildMenus() {
           qOverload<QMenu*, const std::optional<Eigen::Vector3d>&, int>(&PaneMenu::addTo));
   measureMenu_ = new MeasureMenu(this, *models_, *state_, *measures_, *measurePanel_, *views_,
                                  options_.chooser);
+  correctMenu_ = new CorrectMenu(this, *models_, *state_, *views_);
   connect(portMenu_, &PortMenu::menuMade, measureMenu_,
           [this](QMenu* menu, const std::optional<Eigen::Vector3d>& place) {
             measureMenu_->addTo(menu, place);
+            correctMenu_->addTo(menu, place);
           });
   QMenu* view = menuBar()->addMenu(tr("&View"));
   workspaces_->addTo(view);
@@ -413,7 +417,7 @@ void MainWindow::refreshActions() {
   const bool mesh =
       models_->results.mesh(MeshKind::Exported) || models_->results.mesh(MeshKind::Unsmoothed);
   enableActions(this, {"exportReport"}, mesh);
-  enableActions(this, {"export"}, mesh || models_->results.evolveResult());
+  enableActions(this, {"export"}, mesh || models_->results.segmentation());
   enableActions(this, {"showIdentity"}, models_->files.dicomOrigin().has_value());
   enableActions(this, {"saveCase", "saveCaseAs"}, any && !models_->files.loading());
   enableActions(this, {"surface", "edges"}, mesh || models_->results.phi());

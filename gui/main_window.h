@@ -25,6 +25,7 @@ class MeshFile;
 class MeshInspection;
 class MeshReport;
 class CentralArea;
+class CorrectMenu;
 class MeasureMenu;
 class MeasurePanel;
 class Pictures;
@@ -117,6 +118,7 @@ class MainWindow : public QMainWindow {
   PatientIdentity* identity_;
   PortMenu* portMenu_ = nullptr;
   PortPanel* portPanel_ = nullptr;
+  CorrectMenu* correctMenu_ = nullptr;
   MeasureMenu* measureMenu_ = nullptr;
   MeasurePanel* measurePanel_ = nullptr;
   QMenu* recent_ = nullptr;

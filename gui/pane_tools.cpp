@@ -12,9 +12,9 @@
 #include <array>
 #include <cmath>
 
+#include "gui/menu/window_actions.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/named.h"
-#include "gui/window_actions.h"
 
 namespace angiomesh {
 

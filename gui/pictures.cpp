@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "gui/menu/window_actions.h"
 #include "gui/panel/view_grid.h"
 #include "gui/view/surface_view.h"
-#include "gui/window_actions.h"
 
 namespace angiomesh {
 

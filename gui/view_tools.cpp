@@ -20,14 +20,14 @@
 
 #include "gui/action_icon.h"
 #include "gui/language.h"
+#include "gui/menu/volume_menu.h"
+#include "gui/menu/window_actions.h"
+#include "gui/menu/window_menu.h"
 #include "gui/model/step_text.h"
 #include "gui/pane_tools.h"
 #include "gui/panel/named.h"
 #include "gui/theme.h"
 #include "gui/view/slice_view.h"
-#include "gui/volume_menu.h"
-#include "gui/window_actions.h"
-#include "gui/window_menu.h"
 
 namespace angiomesh {
 

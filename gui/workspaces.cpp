@@ -10,8 +10,8 @@
 #include <QToolBar>
 #include <algorithm>
 
+#include "gui/menu/window_actions.h"
 #include "gui/panel/named.h"
-#include "gui/window_actions.h"
 
 namespace angiomesh {
 

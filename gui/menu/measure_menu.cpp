@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/measure_menu.h"
+#include "gui/menu/measure_menu.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -13,10 +13,10 @@
 #include <utility>
 
 #include "gui/findings/measurement_text.h"
+#include "gui/menu/window_actions.h"
 #include "gui/panel/named.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
-#include "gui/window_actions.h"
 
 namespace angiomesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pane_menu.h"
+#include "gui/menu/pane_menu.h"
 
 #include <QAction>
 #include <QDoubleSpinBox>
@@ -10,11 +10,11 @@
 #include <QWidgetAction>
 #include <array>
 
+#include "gui/menu/window_actions.h"
 #include "gui/panel/named.h"
 #include "gui/panel/surface_feed.h"
 #include "gui/panel/view_grid.h"
 #include "gui/view/surface_view.h"
-#include "gui/window_actions.h"
 
 namespace angiomesh {
 

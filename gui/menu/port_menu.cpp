@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/port_menu.h"
+#include "gui/menu/port_menu.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -9,8 +9,8 @@
 #include <QMenuBar>
 #include <utility>
 
+#include "gui/menu/window_actions.h"
 #include "gui/panel/named.h"
-#include "gui/window_actions.h"
 
 namespace angiomesh {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/volume_menu.h"
+#include "gui/menu/volume_menu.h"
 
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
 #include <array>
 
-#include "gui/window_actions.h"
+#include "gui/menu/window_actions.h"
 
 namespace angiomesh {
 

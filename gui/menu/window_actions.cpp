@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/window_actions.h"
+#include "gui/menu/window_actions.h"
 
 #include <QAction>
 #include <QMainWindow>

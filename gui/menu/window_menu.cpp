@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/window_menu.h"
+#include "gui/menu/window_menu.h"
 
 #include <QAction>
 #include <QDialog>
@@ -13,8 +13,8 @@
 #include <array>
 #include <cmath>
 
+#include "gui/menu/window_actions.h"
 #include "gui/panel/named.h"
-#include "gui/window_actions.h"
 
 namespace angiomesh {
 

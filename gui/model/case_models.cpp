@@ -9,7 +9,8 @@ CaseModels::CaseModels(const JobRunnerFactory& makeRunner, const std::filesystem
       runs(document, results, log, timer, makeRunner),
       live(document, results, runs, timer, makeRunner),
       files(document, results, runs, log, timer, makeRunner, recovery),
-      exports(results, log, timer, makeRunner) {
+      exports(results, log, timer, makeRunner),
+      corrections(document, results, log) {
   QObject::connect(&files, &CaseFiles::loadingChanged, &runs, &RunModel::statesChanged);
 }
 

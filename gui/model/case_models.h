@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "gui/model/case_corrections.h"
 #include "gui/model/case_files.h"
 #include "gui/model/exports.h"
 #include "gui/model/live_preview.h"
@@ -23,6 +24,7 @@ struct CaseModels {
   LivePreview live;
   CaseFiles files;
   Exports exports;
+  CaseCorrections corrections;
 
   /// Whether any work is on.
   [[nodiscard]] bool busy() const;

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/corrections/correction.h"
 #include "core/measure/measurement.h"
 
 namespace angiomesh {
@@ -14,6 +15,10 @@ enum class Tool {
   PickSeed,
   DrawRoi,
   CutVessel,
+  BrushAdd,
+  BrushErase,
+  JoinEnds,
+  SeparateVessels,
   MeasureDistance,
   MeasureSection,
   MeasureProfile,
@@ -22,6 +27,16 @@ enum class Tool {
 
 constexpr Tool toolFor(MeasurementKind kind) {
   return static_cast<Tool>(static_cast<int>(Tool::MeasureDistance) + static_cast<int>(kind));
+}
+
+/// Whether a drag paints.
+constexpr bool isBrush(Tool tool) { return tool == Tool::BrushAdd || tool == Tool::BrushErase; }
+
+/// What a tool corrects with its clicks, the brushes apart; nothing: it does something else.
+constexpr std::optional<CorrectionKind> correctedBy(Tool tool) {
+  if (tool == Tool::JoinEnds) return CorrectionKind::Bridge;
+  if (tool == Tool::SeparateVessels) return CorrectionKind::Separate;
+  return std::nullopt;
 }
 
 /// What a tool measures; nothing: it does something else.

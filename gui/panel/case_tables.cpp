@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/panel/case_tables.h"
 
+#include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -11,6 +13,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/formatted.h"
 #include "gui/model/case_models.h"
@@ -26,6 +29,21 @@ namespace {
 constexpr int kMostRows = 300;
 constexpr int kRowsInView = 6;
 constexpr int kStepIterations = 10;
+
+/// "2. Erase, L 12.3 A 4.5 S 67.8 mm (-35 voxels)"
+QString correctionRow(const CaseCorrections& corrections, std::size_t index) {
+  const Correction correction = parseCorrection(corrections.all()[index]);
+  QString row = CorrectionList::tr("%1. %2, %3")
+                    .arg(index + 1)
+                    .arg(correctionTitle(correction.kind),
+                         QString::fromStdString(placeText(correction.placesLps.front())));
+  const CorrectionOutcome* outcome = corrections.outcome(index);
+  if (outcome == nullptr) return row;
+  if (!outcome->why.empty()) return CorrectionList::tr("%1 (left out)").arg(row);
+  const auto change = static_cast<qint64>(outcome->added) - static_cast<qint64>(outcome->removed);
+  return CorrectionList::tr("%1 (%2 voxels)")
+      .arg(row, (change > 0 ? QStringLiteral("+") : QString()) + QString::number(change));
+}
 
 QVBoxLayout* tightColumn(QWidget* parent) {
   auto* column = new QVBoxLayout(parent);
@@ -67,6 +85,63 @@ void SeedList::refresh() {
   const auto result = models_.results.seedsResult();
   summary_->setText(result ? tr("%1 seeds in use").arg(result->pointsLps.size())
                            : tr("No seeds yet"));
+}
+
+CorrectionList::CorrectionList(CaseModels& models, QWidget* parent)
+    : QWidget(parent), models_(models) {
+  auto* column = tightColumn(this);
+  auto* brush = new QHBoxLayout;
+  radius_ = named(new QDoubleSpinBox(this), "brushRadius");
+  radius_->setRange(CaseCorrections::kLeastRadiusMm, CaseCorrections::kGreatestRadiusMm);
+  radius_->setDecimals(2);
+  radius_->setSingleStep(0.25);
+  radius_->setPrefix(tr("Brush: "));
+  radius_->setSuffix(tr(" mm"));
+  radius_->setKeyboardTracking(false);
+  radius_->setToolTip(tr("Radius of the brush ([ and ])"));
+  brush->addWidget(radius_);
+  toEdge_ = named(new QCheckBox(tr("To the edge"), this), "toEdge");
+  toEdge_->setToolTip(
+      tr("The brush adds only what is as bright as a vessel, and erases only what is not"));
+  brush->addWidget(toEdge_, 1);
+  column->addLayout(brush);
+  list_ = named(new QListWidget(this), "correctionList");
+  list_->setMaximumHeight(108);
+  list_->setTextElideMode(Qt::ElideRight);
+  column->addWidget(list_);
+  remove_ = named(new QPushButton(tr("Remove correction"), this), "removeCorrection");
+  column->addWidget(remove_, 0, Qt::AlignLeft);
+  CaseCorrections& corrections = models_.corrections;
+  connect(radius_, &QDoubleSpinBox::valueChanged, &corrections, &CaseCorrections::setRadius);
+  connect(toEdge_, &QCheckBox::toggled, &corrections, &CaseCorrections::setToEdge);
+  connect(remove_, &QPushButton::clicked, this,
+          [this] { models_.corrections.remove(static_cast<std::size_t>(list_->currentRow())); });
+  connect(list_, &QListWidget::currentRowChanged, this,
+          [this](int row) { remove_->setEnabled(row >= 0); });
+  connect(&corrections, &CaseCorrections::changed, this, &CorrectionList::refresh);
+  refresh();
+}
+
+void CorrectionList::refresh() {
+  const CaseCorrections& corrections = models_.corrections;
+  const QSignalBlocker quietRadius(radius_), quietEdge(toEdge_);
+  if (std::fabs(radius_->value() - corrections.radiusMm()) > 0.005)
+    radius_->setValue(corrections.radiusMm());
+  toEdge_->setChecked(corrections.toEdge());
+  QStringList rows;
+  for (std::size_t n = 0; n < corrections.all().size(); ++n) rows << correctionRow(corrections, n);
+  const int row = list_->currentRow();
+  bool same = list_->count() == rows.size();
+  for (int n = 0; same && n < rows.size(); ++n) same = list_->item(n)->text() == rows[n];
+  if (!same) {
+    list_->clear();
+    list_->addItems(rows);
+    list_->setCurrentRow(std::min(row, list_->count() - 1));
+  }
+  const bool any = !rows.isEmpty();
+  list_->setVisible(any);
+  remove_->setVisible(any);
+  remove_->setEnabled(list_->currentRow() >= 0);
 }
 
 ComponentTable::ComponentTable(CaseModels& models, QWidget* parent)

@@ -4,6 +4,8 @@
 #include <QFrame>
 #include <QWidget>
 
+class QCheckBox;
+class QDoubleSpinBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -25,6 +27,23 @@ class SeedList : public QWidget {
 
   CaseModels& models_;
   QLabel* summary_;
+  QListWidget* list_;
+  QPushButton* remove_;
+};
+
+/// The brush and the corrections that were made, each of which can be taken back.
+class CorrectionList : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CorrectionList(CaseModels& models, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+
+  CaseModels& models_;
+  QDoubleSpinBox* radius_;
+  QCheckBox* toEdge_;
   QListWidget* list_;
   QPushButton* remove_;
 };

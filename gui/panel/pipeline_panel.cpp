@@ -61,6 +61,8 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
     auto* panel = new StepPanel(models_, step, list);
     if (step == Step::Seeds) {
       panel->addExtra(new SeedList(models_, panel));
+    } else if (step == Step::Correct) {
+      panel->addExtra(new CorrectionList(models_, panel));
     } else if (step == Step::Evolve) {
       panel->addExtra(new EvolutionControls(models_, panel));
     }

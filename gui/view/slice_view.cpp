@@ -20,7 +20,7 @@ namespace angiomesh {
 
 namespace {
 
-enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port, Mark, Turn };
+enum class Drag { None, Contrast, Pan, Zoom, Crosshair, Roi, Port, Mark, Turn, Brush };
 
 constexpr double dimmedOpacity = 0.45;
 constexpr double pixelsForUsualWindow = 400.0;  // of a drag
@@ -30,13 +30,14 @@ constexpr double clickDistance = 3.0;           // Qt pixels: a shorter way is a
 
 struct SliceView::State {
   SliceScene scene;
-  SliceMeasures measures{scene};
+  SliceMeasures measures{scene}, sketch{scene};
   SliceGrip grip{scene, measures};
   Tool tool = Tool::Navigate;
   MouseScheme scheme = MouseScheme::Radiology;
   Drag drag = Drag::None;
   bool mayBeClick = false;
   QPointF pressed, last;
+  std::vector<Eigen::Vector3d> stroke;  // mm LPS
   WindowLimits limits;
   ColourLayer colourLayer;
   ContourLayer contour, preview;
@@ -200,6 +201,11 @@ void SliceView::setMeasures(std::vector<MeasureMark> marks) {
   requestRender();
 }
 
+void SliceView::setSketch(std::vector<MeasureMark> marks) {
+  state_->sketch.set(std::move(marks));
+  requestRender();
+}
+
 void SliceView::setTool(Tool tool) {
   if (tool == state_->tool) return;  // a drag under way goes on
   if (state_->drag == Drag::Roi) setRoi(state_->grip.roiBefore());
@@ -253,6 +259,7 @@ void SliceView::pictureBegins() {
 void SliceView::pixelRatioChanged(double ratio) {
   state_->scene.setPixelRatio(ratio);
   state_->measures.setPixelRatio(ratio);
+  state_->sketch.setPixelRatio(ratio);
 }
 
 void SliceView::moveCrosshair(const QPointF& position) {
@@ -305,6 +312,10 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   if (s.tool == Tool::DrawRoi) {
     s.drag = Drag::Roi;
     s.grip.takeRoi(toDisplay(event->position()));
+  } else if (isBrush(s.tool)) {
+    s.drag = Drag::Brush;
+    s.stroke.assign(1, lpsAt(event->position()));
+    Q_EMIT strokeMoved(s.stroke);
   } else if (!event->modifiers().testFlag(Qt::ControlModifier) &&
              s.grip.takePort(toDisplay(event->position()))) {
     s.drag = Drag::Port;
@@ -361,6 +372,10 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     case Drag::Mark:
       if (!s.mayBeClick) Q_EMIT markDragged(s.grip.markMoved(toDisplay(position)));
       break;
+    case Drag::Brush:
+      s.stroke.push_back(lpsAt(position));
+      Q_EMIT strokeMoved(s.stroke);
+      break;
     case Drag::Port:
       dragPort(position, event->modifiers().testFlag(Qt::ShiftModifier));
       break;
@@ -384,6 +399,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     else
       setRoi(s.grip.roiBefore());
   }
+  if (ended == Drag::Brush) Q_EMIT strokeDrawn(std::exchange(s.stroke, {}));
   if (ended == Drag::Port && !s.mayBeClick) Q_EMIT portDropped();
   if (ended == Drag::Mark && !s.mayBeClick) Q_EMIT markDropped();
   if (!s.mayBeClick) return;
@@ -394,6 +410,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   if (clicked && s.tool == Tool::Navigate) moveCrosshair(s.pressed);
   if (clicked && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
   if (clicked && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
+  if (clicked && correctedBy(s.tool)) Q_EMIT correctPicked(p[0], p[1], p[2]);
   if (clicked && measuredBy(s.tool)) Q_EMIT measurePicked(p[0], p[1], p[2]);
   if (ended == Drag::Zoom)
     Q_EMIT menuRequested(event->globalPosition().toPoint(), p,

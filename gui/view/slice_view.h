@@ -49,9 +49,9 @@ class SliceView : public VtkView {
   [[nodiscard]] const Slab& slab() const;
   /// The zero level set to outline; it may live on another grid. Null removes it.
   void setContour(std::shared_ptr<const Volume<float>> phi, bool dimmed = false);
-  /// What the pane shows, in lines.
   /// The segmentation that is tried in a part of the volume; null: none.
   void setPreview(std::shared_ptr<const Volume<float>> phi);
+  /// What the pane shows, in lines.
   void setCaption(const QString& lines);
   /// What the values under the pointer are of, and their unit; either may be empty.
   void setValueNames(const QString& layer, const QString& unit);
@@ -66,6 +66,8 @@ class SliceView : public VtkView {
   void setRoi(std::optional<RoiBox> roi);
   void setPorts(std::vector<PortMark> marks);
   void setMeasures(std::vector<MeasureMark> marks);
+  /// What is drawn of a correction while it is made.
+  void setSketch(std::vector<MeasureMark> marks);
   void setTool(Tool tool);
   void setScheme(MouseScheme scheme);
   void resetView();
@@ -89,6 +91,10 @@ class SliceView : public VtkView {
   void seedPicked(double x, double y, double z);
   void cutPicked(double x, double y, double z);
   void measurePicked(double x, double y, double z);
+  void correctPicked(double x, double y, double z);
+  /// A line is being painted, and is painted, mm LPS; a click paints one place.
+  void strokeMoved(const std::vector<Eigen::Vector3d>& lineLps);
+  void strokeDrawn(const std::vector<Eigen::Vector3d>& lineLps);
   /// The point of a measurement is taken, dragged over the slice, and left where it was last.
   void markPressed(const QString& name);
   void markDragged(const MarkPoint& point);

@@ -24,6 +24,11 @@ namespace angiomesh {
 
 namespace {
 
+/// Whether a left click on the surface gives a place to a tool.
+bool picksPlaces(Tool tool) {
+  return tool == Tool::CutVessel || isBrush(tool) || correctedBy(tool) || measuredBy(tool);
+}
+
 /// VTK's own hot keys (q, e, w, s, p, 3 ...) would quit, pick or switch to wireframe.
 class QuietTrackball : public vtkInteractorStyleTrackballCamera {
  public:
@@ -293,7 +298,7 @@ void SurfaceView::showGrip(const QPointF& position) {
   const auto hit = state_->scene.gripAt(at[0], at[1]);
   if (hit)
     setCursor(hit->grip == PortDrag::Grip::Arrow ? Qt::PointingHandCursor : Qt::SizeAllCursor);
-  else if (tool_ == Tool::CutVessel || measuredBy(tool_))
+  else if (picksPlaces(tool_))
     setCursor(Qt::CrossCursor);
   else
     unsetCursor();
@@ -342,8 +347,7 @@ void SurfaceView::clicked(const QMouseEvent& event) {
   State& s = *state_;
   s.mayBeClick = false;
   const Eigen::Vector2d at = toDisplay(s.pressed);
-  const bool picks =
-      tool_ == Tool::CutVessel || tool_ == Tool::Navigate || measuredBy(tool_).has_value();
+  const bool picks = tool_ == Tool::Navigate || picksPlaces(tool_);
   if (event.button() != Qt::RightButton && !(event.button() == Qt::LeftButton && picks)) return;
   const auto port = s.scene.portAt(at[0], at[1]);
   const std::optional<SurfaceHit> hit = s.scene.hitAt(at[0], at[1]);
@@ -357,6 +361,8 @@ void SurfaceView::clicked(const QMouseEvent& event) {
     const Eigen::Vector3d& p = *place;
     if (tool_ == Tool::CutVessel)
       Q_EMIT cutPicked(p[0], p[1], p[2]);
+    else if (isBrush(tool_) || correctedBy(tool_))
+      Q_EMIT correctPicked(p[0], p[1], p[2]);
     else if (measuredBy(tool_))
       Q_EMIT measurePicked(p[0], p[1], p[2]);
     else

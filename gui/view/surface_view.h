@@ -66,7 +66,8 @@ class SurfaceView : public VtkView {
   void setPatchColours(std::vector<std::array<double, 3>> colours);
   void setPorts(std::vector<PortMark> marks);
   void setMeasures(const std::vector<MeasureMark>& marks);
-  /// Tool::CutVessel and those that measure: a left click on the surface picks a place for them.
+  /// Tool::CutVessel, those that measure and those that correct: a left click on the surface picks
+  /// a place for them.
   void setTool(Tool tool) { tool_ = tool; }
 
   /// Qt's pixels of a point, and of the tip of a port's arrow.
@@ -98,6 +99,7 @@ class SurfaceView : public VtkView {
   void placePicked(double x, double y, double z);  ///< on the surface, with Tool::Navigate
   void cutPicked(double x, double y, double z);
   void measurePicked(double x, double y, double z);
+  void correctPicked(double x, double y, double z);
   /// `place` is empty off the surface, `port` off the ports.
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                      const QString& port);

@@ -1097,6 +1097,14 @@
         <source>width of the sigmoid, as the viewer&apos;s window; auto: 1st to 99.8th percentile</source>
         <translation>Breite des Sigmoids, wie das Fenster der Anzeige; auto: 1. bis 99,8. Perzentil</translation>
     </message>
+    <message>
+        <source>Corrections</source>
+        <translation>Korrekturen</translation>
+    </message>
+    <message>
+        <source>corrections of the segmentation by hand, made in their order after the evolution</source>
+        <translation>Korrekturen der Segmentierung von Hand, der Reihe nach nach der Evolution ausgeführt</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1463,6 +1471,10 @@ BSD-3-Clause.</translation>
     <message>
         <source>from a file</source>
         <translation>aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Korrigieren</translation>
     </message>
 </context>
 <context>
@@ -2338,6 +2350,57 @@ BSD-3-Clause.</translation>
     </message>
 </context>
 <context>
+    <name>angiomesh::CaseCorrections</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add to the edge</source>
+        <translation>Bis zum Rand hinzufügen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Erase to the edge</source>
+        <translation>Bis zum Rand löschen</translation>
+    </message>
+    <message>
+        <source>Join two ends</source>
+        <translation>Zwei Enden verbinden</translation>
+    </message>
+    <message>
+        <source>Separate two vessels</source>
+        <translation>Zwei Gefäße trennen</translation>
+    </message>
+    <message>
+        <source>Cut off</source>
+        <translation>Abschneiden</translation>
+    </message>
+    <message>
+        <source>Fill hole</source>
+        <translation>Loch füllen</translation>
+    </message>
+    <message>
+        <source>Open loop</source>
+        <translation>Schleife öffnen</translation>
+    </message>
+    <message>
+        <source>remove a correction</source>
+        <translation>Korrektur entfernen</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: nothing changed.</source>
+        <translation>%1: Es hat sich nichts geändert.</translation>
+    </message>
+</context>
+<context>
     <name>angiomesh::CaseDialogs</name>
     <message>
         <source>1 change</source>
@@ -2706,6 +2769,144 @@ BSD-3-Clause.</translation>
     <message>
         <source>No evolution yet</source>
         <translation>Noch keine Evolution</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::CorrectMenu</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Paint what is missing of a vessel</source>
+        <translation>Malen, was an einem Gefäß fehlt</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Paint over what is no vessel</source>
+        <translation>Übermalen, was kein Gefäß ist</translation>
+    </message>
+    <message>
+        <source>Join two ends</source>
+        <translation>Zwei Enden verbinden</translation>
+    </message>
+    <message>
+        <source>Click the two ends of a gap: they are joined along the vessel between them</source>
+        <translation>Beide Enden einer Lücke anklicken: sie werden entlang des Gefäßes dazwischen verbunden</translation>
+    </message>
+    <message>
+        <source>Separate two vessels</source>
+        <translation>Zwei Gefäße trennen</translation>
+    </message>
+    <message>
+        <source>Click each of two vessels that touch, beside the place</source>
+        <translation>Beide Gefäße, die sich berühren, neben der Stelle anklicken</translation>
+    </message>
+    <message>
+        <source>Cut off the smaller side</source>
+        <translation>Kleinere Seite abschneiden</translation>
+    </message>
+    <message>
+        <source>Ends the vessel at the crosshair; no port is made</source>
+        <translation>Beendet das Gefäß am Fadenkreuz; es entsteht keine Öffnung</translation>
+    </message>
+    <message>
+        <source>Fill the hole</source>
+        <translation>Loch füllen</translation>
+    </message>
+    <message>
+        <source>Fills the cavity, or the hole through a vessel, at the crosshair</source>
+        <translation>Füllt den Hohlraum oder das Loch durch ein Gefäß am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Open the loop</source>
+        <translation>Schleife öffnen</translation>
+    </message>
+    <message>
+        <source>Cuts the loop whose thinnest place is nearest to the crosshair</source>
+        <translation>Durchtrennt die Schleife, deren dünnste Stelle dem Fadenkreuz am nächsten ist</translation>
+    </message>
+    <message>
+        <source>C&amp;orrect</source>
+        <translation>&amp;Korrigieren</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Stop at the edge in the image</source>
+        <translation>Am Rand im Bild anhalten</translation>
+    </message>
+    <message>
+        <source>The brush adds only what is as bright as a vessel, and erases only what is not</source>
+        <translation>Der Pinsel fügt nur hinzu, was so hell wie ein Gefäß ist, und löscht nur, was es nicht ist</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Korrigieren</translation>
+    </message>
+    <message>
+        <source>Correct here</source>
+        <translation>Hier korrigieren</translation>
+    </message>
+    <message>
+        <source>Add with the brush</source>
+        <translation>Mit dem Pinsel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Erase with the brush</source>
+        <translation>Mit dem Pinsel löschen</translation>
+    </message>
+    <message>
+        <source>%1, from here</source>
+        <translation>%1, von hier</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::CorrectionList</name>
+    <message>
+        <source>%1. %2, %3</source>
+        <translation>%1. %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 (left out)</source>
+        <translation>%1 (ausgelassen)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 voxels)</source>
+        <translation>%1 (%2 Voxel)</translation>
+    </message>
+    <message>
+        <source>Brush: </source>
+        <translation>Pinsel: </translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Radius of the brush ([ and ])</source>
+        <translation>Radius des Pinsels ([ und ])</translation>
+    </message>
+    <message>
+        <source>To the edge</source>
+        <translation>Bis zum Rand</translation>
+    </message>
+    <message>
+        <source>The brush adds only what is as bright as a vessel, and erases only what is not</source>
+        <translation>Der Pinsel fügt nur hinzu, was so hell wie ein Gefäß ist, und löscht nur, was es nicht ist</translation>
+    </message>
+    <message>
+        <source>Remove correction</source>
+        <translation>Korrektur entfernen</translation>
     </message>
 </context>
 <context>

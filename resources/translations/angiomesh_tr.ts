@@ -1097,6 +1097,14 @@
         <source>width of the sigmoid, as the viewer&apos;s window; auto: 1st to 99.8th percentile</source>
         <translation>sigmoidin genişliği, görüntüleyicinin penceresi gibi; auto: 1. – 99.8. yüzdelik</translation>
     </message>
+    <message>
+        <source>Corrections</source>
+        <translation>Düzeltmeler</translation>
+    </message>
+    <message>
+        <source>corrections of the segmentation by hand, made in their order after the evolution</source>
+        <translation>segmentasyonun elle yapılan düzeltmeleri, evrimden sonra sırayla uygulanır</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1463,6 +1471,10 @@ BSD-3-Clause.</translation>
     <message>
         <source>from a file</source>
         <translation>dosyadan</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Düzelt</translation>
     </message>
 </context>
 <context>
@@ -2338,6 +2350,57 @@ BSD-3-Clause.</translation>
     </message>
 </context>
 <context>
+    <name>angiomesh::CaseCorrections</name>
+    <message>
+        <source>Add</source>
+        <translation>Ekle</translation>
+    </message>
+    <message>
+        <source>Add to the edge</source>
+        <translation>Kenara kadar ekle</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Sil</translation>
+    </message>
+    <message>
+        <source>Erase to the edge</source>
+        <translation>Kenara kadar sil</translation>
+    </message>
+    <message>
+        <source>Join two ends</source>
+        <translation>İki ucu birleştir</translation>
+    </message>
+    <message>
+        <source>Separate two vessels</source>
+        <translation>İki damarı ayır</translation>
+    </message>
+    <message>
+        <source>Cut off</source>
+        <translation>Kesip at</translation>
+    </message>
+    <message>
+        <source>Fill hole</source>
+        <translation>Deliği doldur</translation>
+    </message>
+    <message>
+        <source>Open loop</source>
+        <translation>Döngüyü aç</translation>
+    </message>
+    <message>
+        <source>remove a correction</source>
+        <translation>düzeltmeyi kaldır</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: nothing changed.</source>
+        <translation>%1: hiçbir şey değişmedi.</translation>
+    </message>
+</context>
+<context>
     <name>angiomesh::CaseDialogs</name>
     <message>
         <source>1 change</source>
@@ -2706,6 +2769,144 @@ BSD-3-Clause.</translation>
     <message>
         <source>No evolution yet</source>
         <translation>Henüz evrim yok</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::CorrectMenu</name>
+    <message>
+        <source>Add</source>
+        <translation>Ekle</translation>
+    </message>
+    <message>
+        <source>Paint what is missing of a vessel</source>
+        <translation>Damarın eksik kısmını boyayın</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Sil</translation>
+    </message>
+    <message>
+        <source>Paint over what is no vessel</source>
+        <translation>Damar olmayanın üzerini boyayın</translation>
+    </message>
+    <message>
+        <source>Join two ends</source>
+        <translation>İki ucu birleştir</translation>
+    </message>
+    <message>
+        <source>Click the two ends of a gap: they are joined along the vessel between them</source>
+        <translation>Boşluğun iki ucuna tıklayın: aralarındaki damar boyunca birleştirilir</translation>
+    </message>
+    <message>
+        <source>Separate two vessels</source>
+        <translation>İki damarı ayır</translation>
+    </message>
+    <message>
+        <source>Click each of two vessels that touch, beside the place</source>
+        <translation>Birbirine değen iki damarın her birine, değdikleri yerin yanında tıklayın</translation>
+    </message>
+    <message>
+        <source>Cut off the smaller side</source>
+        <translation>Küçük tarafı kesip at</translation>
+    </message>
+    <message>
+        <source>Ends the vessel at the crosshair; no port is made</source>
+        <translation>Damarı artı imleçte bitirir; açıklık oluşturmaz</translation>
+    </message>
+    <message>
+        <source>Fill the hole</source>
+        <translation>Deliği doldur</translation>
+    </message>
+    <message>
+        <source>Fills the cavity, or the hole through a vessel, at the crosshair</source>
+        <translation>Artı işaretindeki boşluğu ya da damardaki deliği doldurur</translation>
+    </message>
+    <message>
+        <source>Open the loop</source>
+        <translation>Döngüyü aç</translation>
+    </message>
+    <message>
+        <source>Cuts the loop whose thinnest place is nearest to the crosshair</source>
+        <translation>En ince yeri artı imlece en yakın olan döngüyü keser</translation>
+    </message>
+    <message>
+        <source>C&amp;orrect</source>
+        <translation>&amp;Düzelt</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Daha küçük fırça</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Daha büyük fırça</translation>
+    </message>
+    <message>
+        <source>Stop at the edge in the image</source>
+        <translation>Görüntüdeki kenarda dur</translation>
+    </message>
+    <message>
+        <source>The brush adds only what is as bright as a vessel, and erases only what is not</source>
+        <translation>Fırça yalnızca damar kadar parlak olanı ekler, yalnızca öyle olmayanı siler</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Düzelt</translation>
+    </message>
+    <message>
+        <source>Correct here</source>
+        <translation>Burada düzelt</translation>
+    </message>
+    <message>
+        <source>Add with the brush</source>
+        <translation>Fırçayla ekle</translation>
+    </message>
+    <message>
+        <source>Erase with the brush</source>
+        <translation>Fırçayla sil</translation>
+    </message>
+    <message>
+        <source>%1, from here</source>
+        <translation>%1, buradan</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::CorrectionList</name>
+    <message>
+        <source>%1. %2, %3</source>
+        <translation>%1. %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 (left out)</source>
+        <translation>%1 (atlandı)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 voxels)</source>
+        <translation>%1 (%2 voksel)</translation>
+    </message>
+    <message>
+        <source>Brush: </source>
+        <translation>Fırça: </translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Radius of the brush ([ and ])</source>
+        <translation>Fırçanın yarıçapı ([ ve ])</translation>
+    </message>
+    <message>
+        <source>To the edge</source>
+        <translation>Kenara kadar</translation>
+    </message>
+    <message>
+        <source>The brush adds only what is as bright as a vessel, and erases only what is not</source>
+        <translation>Fırça yalnızca damar kadar parlak olanı ekler, yalnızca öyle olmayanı siler</translation>
+    </message>
+    <message>
+        <source>Remove correction</source>
+        <translation>Düzeltmeyi kaldır</translation>
     </message>
 </context>
 <context>
