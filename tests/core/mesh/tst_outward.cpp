@@ -21,6 +21,19 @@ TriMesh ball(double radius, const Eigen::Vector3d& centre) {
   return mesh;
 }
 
+/// Two tetrahedra with one edge in common, opposite to one another; their triangles alternate.
+TriMesh hinged() {
+  const TriMesh one = tetrahedron();
+  TriMesh mesh{one.points, {}};
+  for (const std::size_t v : {1, 2}) mesh.points.push_back(-one.points[v]);
+  for (auto t : one.triangles) {
+    mesh.triangles.push_back(t);
+    for (std::uint32_t& v : t) v = v == 1 || v == 2 ? v + 3 : v;
+    mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
 TriMesh together(const std::vector<TriMesh>& meshes) {
   TriMesh all;
   for (const TriMesh& mesh : meshes) append(all, mesh);
@@ -96,6 +109,23 @@ class TestOutward : public QObject {
     }
     TriMesh nothing;
     QCOMPARE(turnOutward(nothing).turnedParts, std::size_t{0});
+  }
+
+  /// The four triangles at the edge that two bodies share run along it in either way twice.
+  void bodiesThatShareAnEdgeAreOneClosedPart() {
+    const TriMesh wanted = hinged();
+    TriMesh mesh = inward(wanted);
+    const OutwardTurn turn = turnOutward(mesh);
+    QCOMPARE(turn.closedParts, std::size_t{1});
+    QCOMPARE(turn.turnedParts, std::size_t{1});
+    QVERIFY(mesh.triangles == wanted.triangles);
+    QVERIFY(!isClosed(wanted));
+    // Such an edge does not say which of its triangles are alike.
+    const AlikeTurn none = turnAlike(mesh);
+    QVERIFY(none.turned == 0 && none.oneSided == 0);
+    std::swap(mesh.triangles[0][1], mesh.triangles[0][2]);
+    QCOMPARE(turnAlike(mesh).turned, std::size_t{1});
+    QVERIFY(mesh.triangles == wanted.triangles);
   }
 
   void partsAreMadeAlikeByTheFewestTurns() {
