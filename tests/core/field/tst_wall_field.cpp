@@ -8,6 +8,7 @@
 #include "core/field/wall_field.h"
 #include "tests/core/analytic.h"
 #include "tests/core/bars.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using analytic::clamped;
@@ -26,6 +27,16 @@ struct Tube {
   }
   [[nodiscard]] double distance(const Vector3d& x) const { return out(x).norm() - radius; }
 };
+
+Volume<float> mirrored(const Volume<float>& phi, std::size_t axis) {
+  Volume<float> other = phi;
+  for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+    Index3 p = phi.geometry.indexOf(i);
+    p[axis] = phi.geometry.size[axis] - 1 - p[axis];
+    other.at(p[0], p[1], p[2]) = phi.voxels[i];
+  }
+  return other;
+}
 
 struct Fault {
   double spread = 0.0, degrees = 0.0;
@@ -109,6 +120,33 @@ class TestWallField : public QObject {
       const Vector3d x(n, 11.3, 12.6);
       QCOMPARE(wall.valueAt(x), plain.valueAt(x));
     }
+  }
+
+  void axesAndSidesAreAlike() {
+    for (const bool fewAlongLast : {false, true}) {
+      const Volume<float> phi = analytic::unlikeVessels(fewAlongLast);
+      const Volume<float> round = withRoundRidges(phi);
+      QVERIFY(analytic::mostApart(round, phi) > 0.1 * phi.geometry.voxelMm());
+      const auto isSame = [&](const Volume<float>& other, const Volume<float>& expected) {
+        return analytic::mostApart(withRoundRidges(other), expected) <
+               1e-5 * phi.geometry.voxelMm();
+      };
+      QVERIFY(isSame(analytic::turned(phi), analytic::turned(round)));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        QVERIFY(isSame(mirrored(phi, axis), mirrored(round, axis)));
+    }
+  }
+
+  void lengthsHaveNoUnit() {
+    const Tube tube{1.4};
+    const auto phi =
+        clamped(analytic::cube(28), [&](const Vector3d& x) { return tube.distance(x); });
+    auto large = phi;
+    large.geometry.spacing *= 4.0;
+    for (float& value : large.voxels) value *= 4.0F;
+    auto expected = withRoundRidges(phi);
+    for (float& value : expected.voxels) value *= 4.0F;
+    QVERIFY(withRoundRidges(large).voxels == expected.voxels);
   }
 
   void theResultDoesNotDependOnTheNumberOfThreads() {
