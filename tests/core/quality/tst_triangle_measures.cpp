@@ -199,6 +199,25 @@ class TestTriangleMeasures : public QObject {
     QCOMPARE(scaleOf(measureOf("roughness"), {&thick}).worst, 4.0);
     QCOMPARE(scaleOf(measureOf("min-angle"), {&thick}).best, 60.0);
     QCOMPARE(scaleOf(measureOf("thickness"), {}).best, 1.0);
+    QCOMPARE(scaleOf(measureOf("thickness"), {&thick, &thin}).best, 4.0);
+    QCOMPARE(scaleOf(measureOf("roughness"), {&thick}).best, 0.0);
+  }
+
+  /// A few values that stand out do not stretch the scale, and what is no number has no say in it.
+  void scalesEndAtThe98thPercentile() {
+    std::vector<float> values;
+    for (int n = 100; n >= 0; --n) values.push_back(static_cast<float>(n));
+    const TriangleMeasure& thickness = measureOf("thickness");
+    QCOMPARE(scaleOf(thickness, {&values}).best, 98.0);
+    values[0] = 1e6F;  // in place of the largest
+    QCOMPARE(scaleOf(thickness, {&values}).best, 98.0);
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    values.insert(values.begin(), 300, none);
+    QCOMPARE(scaleOf(thickness, {&values}).best, 98.0);
+    const std::vector<float> unknown(5, none), empty, flat(5, 0.0F);
+    QCOMPARE(scaleOf(thickness, {&unknown, &values, &empty}).best, 98.0);
+    for (const auto* nothing : {&unknown, &empty, &flat})
+      QCOMPARE(scaleOf(thickness, {nothing}).best, thickness.best);
   }
 
   void bandsFollowTheGates() {
