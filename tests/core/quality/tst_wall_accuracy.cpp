@@ -131,6 +131,25 @@ class TestWallAccuracy : public QObject {
     QVERIFY(isBelow(a.all.curvatureErrorMedian, 0.03));
   }
 
+  /// Of a torus around z, whose wall is a saddle on the side of the axis: its mean curvature there
+  /// is less than 1 / 4r, which stands in for it.
+  void curvaturesOfSaddlesAreMeasuredAgainstTheRadius() {
+    constexpr double major = 16.0, minor = 7.0, off = 0.3;
+    const WallTruth truth(paramsOf(PhantomKind::Torus, 64, minor));
+    const auto meanCurvature = [](double r) { return 0.5 * (1.0 / r - 1.0 / (major - r)); };
+    TriMesh mesh = shapes::torus(240, 120, major, minor + off);
+    std::erase_if(mesh.triangles, [&](const auto& t) {
+      const Vector3d& p = mesh.points[t[0]];
+      return std::fabs(p.z()) > 0.5 || p.head<2>().norm() > major;
+    });
+    const WallAccuracy a = wallAccuracy(shapes::moved(mesh, Vector3d::Constant(31.5)), truth);
+    QVERIFY(a.all.vertices > 300);
+    QVERIFY(isNear(a.all.meanMm, off, 1e-4));
+    QVERIFY(meanCurvature(minor) < 0.2 / minor);
+    const double error = (meanCurvature(minor) - meanCurvature(minor + off)) * 4.0 * minor;
+    QVERIFY(isNear(a.all.curvatureErrorMedian / error, 1.0, 0.05));
+  }
+
   void aThroatIsAsWideAsItIs() {
     PhantomParams params = paramsOf(PhantomKind::Stenosis, 64, 5.0);
     params.stenosisPercent = 70.0;
