@@ -198,6 +198,29 @@ class TestPortCuts : public QObject {
     QVERIFY((one.sections[1].centreLps - kFrom).norm() < 10.0);
   }
 
+  /// Of two vessels side by side one end only can be cut at a place. What cannot be cut is told,
+  /// and stands in no way of the others or of their names.
+  void anEndThatCannotBeCutLeavesTheOthers() {
+    const Volume<float> phi = shapes::sampled(grid(), [](const Vector3d& p) {
+      return std::min({capsule(p, {11.0, 12.3, 20.2}, {52.0, 12.3, 20.2}, 3.2),
+                       capsule(p, {11.0, 20.0, 20.2}, {52.0, 20.0, 20.2}, 3.2),
+                       capsule(p, {12.0, 33.1, 19.8}, {51.0, 33.1, 19.8}, 3.0)});
+    });
+    const SplineField field(phi, SplineKind::InterpolatingBspline);
+    const EndPlan plan = planEndCuts(field, phi, skeletonOf(phi), {}, 2.0);
+    QCOMPARE(plan.names, (std::vector<std::string>{"end_1", "end_2", "end_3", "end_4"}));
+    QCOMPARE(plan.remarks.size(), std::size_t{2});
+    QVERIFY(anyHas(plan.remarks, "touch"));
+    QCOMPARE(plan.away.names, plan.names);
+    QCOMPARE(plan.away.sections.size(), plan.planes.size());
+    int third = 0;
+    for (std::size_t n = 0; n < plan.planes.size(); ++n) {
+      QVERIFY((plan.away.sections[n].plane.pointLps - plan.planes[n].pointLps).norm() < 1e-12);
+      third += plan.planes[n].pointLps.y() > 28.0 ? 1 : 0;
+    }
+    QCOMPARE(third, 2);
+  }
+
   void remarksSayWhatASolverWouldNot() {
     std::vector<std::string> remarks;
     made(forked(), {{"12,20,20,-1,0,0,far", "40,25.4,20,near"}, 0.0}, remarks);
