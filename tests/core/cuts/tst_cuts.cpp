@@ -14,6 +14,7 @@
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
 #include "tests/core/refusal.h"
+#include "tests/core/surface/surface_bed.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -120,6 +121,35 @@ class TestCuts : public QObject {
     QVERIFY(away.takenAt({6.6, 5.4, 5.4}));
     QVERIFY(!away.takenAt({7.6, 5.4, 5.4}));
     QVERIFY(!away.takenAt({0.4, 0.4, 0.4}));
+  }
+
+  /// A bubble is a surface of its own that no section touches: it goes with the voxels around it.
+  void bubblesGoWithTheVesselAroundThem() {
+    const Geometry g = analytic::cube(40);
+    const Vector3d centre = analytic::centreOf(g) + Vector3d(0.2, -0.3, 0.1);
+    const Vector3d axis = Vector3d(0.1, 0.2, 1.0).normalized();
+    const auto bubble = [&](const Vector3d& p, double along) {
+      return -analytic::ball(p, centre + along * axis, 2.6);
+    };
+    const Cut cut(shapes::sampled(g,
+                                  [&](const Vector3d& p) {
+                                    return std::max({analytic::tube(p, centre, axis, 7.0),
+                                                     bubble(p, -8.0), bubble(p, 8.0)});
+                                  }),
+                  {{centre + Vector3d(4.0, 0.0, 0.0), axis}});
+    const SurfaceBed bed(cut.phi);
+    PatchMesh reference = bed.reference;
+    QCOMPARE(meshComponents(wallOf(reference)).count, std::size_t{3});
+    clipReference(reference, cut.away, g.voxelMm());
+    const TriMesh wall = wallOf(reference);
+    QCOMPARE(meshComponents(wall).count, std::size_t{2});
+    bool left = false;
+    for (const auto& t : wall.triangles) {
+      const Vector3d& p = wall.points[t[0]];
+      QVERIFY((p - centre).dot(axis) < 4.0 * axis.x() + 0.1);
+      left = left || (p - centre + 8.0 * axis).norm() < 3.0;
+    }
+    QVERIFY(left);
   }
 
   void everyMethodEndsATubeAtItsCuts_data() {
