@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 #include <QTest>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -144,26 +146,116 @@ class TestProjection : public QObject {
     }
   }
 
-  void nearVesselsAreLighterAndHideThoseBehind() {
-    const Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {1.0, 1.0, 1.0});
-    const Ball front{Vector3d(-10.0, -15.0, 0.0), 4.0};  // anterior, on the patient's right
-    const Ball back{Vector3d(10.0, 15.0, 0.0), 4.0};
-    Volume<float> phi = fieldOf(g, front);
-    const Volume<float> second = fieldOf(g, back);
+  /// Nearer to the front, to the patient's left and to the feet, whichever way the grid runs.
+  void nearVesselsAreLighter() {
+    Eigen::Matrix3d direction = Eigen::Matrix3d::Identity();
+    direction(0, 0) = direction(1, 1) = -1.0;
+    const Geometry g = cubeGrid(direction, {1.0, 1.0, 1.0});
+    const Ball one{Vector3d(15.0, -14.0, -16.0), 4.0}, other{Vector3d(-15.0, 14.0, 16.0), 4.0};
+    Volume<float> phi = fieldOf(g, one);
+    const Volume<float> second = fieldOf(g, other);
     for (std::size_t i = 0; i < phi.voxels.size(); ++i)
       phi.voxels[i] = std::min(phi.voxels[i], second.voxels[i]);
-    const Picture p = previewPicture(imageOf(g, front), phi);
-    const Region coronal = tilesOf(p)[3];
-    const auto red = [&](double u, double v) {
-      const auto x = static_cast<std::size_t>(coronal.left + u * coronal.width);
-      const auto y = static_cast<std::size_t>(coronal.top + v * coronal.height);
-      return static_cast<int>(p.rgb[3 * (y * static_cast<std::size_t>(p.width) + x)]);
+    const Picture p = previewPicture(imageOf(g, one), phi);
+    for (std::size_t view = 0; view < 3; ++view) {
+      const Region tile = tilesOf(p)[3 + view];
+      const auto red = [&](const Vector3d& place) {
+        const double right = view == 1 ? place.y() : place.x();
+        const double down = view == 2 ? place.y() : -place.z();
+        const auto x = static_cast<std::size_t>(tile.left + (0.5 + right / 48.0) * tile.width);
+        const auto y = static_cast<std::size_t>(tile.top + (0.5 + down / 48.0) * tile.height);
+        return static_cast<int>(p.rgb[3 * (y * static_cast<std::size_t>(p.width) + x)]);
+      };
+      QVERIFY(red(one.centre) > 200);
+      QVERIFY(red(other.centre) > 60 && red(other.centre) < red(one.centre) - 60);
+      QCOMPARE(red(Vector3d::Zero()), 0);
+    }
+  }
+
+  /// The sides' letters, told from one another by their symmetries.
+  void lettersNameTheSides() {
+    Geometry g = cubeGrid(Eigen::Matrix3d::Identity(), {2.0, 2.0, 2.0});
+    const Picture p = previewPicture(Volume<float>(g, 0.0F), Volume<float>(g, 1.0F));
+    using Pixels = std::set<std::pair<int, int>>;
+    // The lit pixels near the middle of a side of a tile, from the corner of their box.
+    const auto letterAt = [&](const Region& tile, double u, double v) {
+      Pixels found;
+      int left = p.width, top = p.height;
+      for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x) {
+          const int px = tile.left + static_cast<int>(u * (tile.width - 24)) + x;
+          const int py = tile.top + static_cast<int>(v * (tile.height - 24)) + y;
+          if (p.rgb[static_cast<std::size_t>(3 * (py * p.width + px))] < 100) continue;
+          found.emplace(px, py);
+          left = std::min(left, px);
+          top = std::min(top, py);
+        }
+      Pixels moved;
+      for (const auto& [x, y] : found) moved.emplace(x - left, y - top);
+      return moved;
     };
-    const int near = red(0.5 - 10.0 / 48.0, 0.5);
-    const int far = red(0.5 + 10.0 / 48.0, 0.5);
-    QVERIFY(near > 200);
-    QVERIFY(far > 60 && far < near - 60);
-    QCOMPARE(red(0.5, 0.2), 0);
+    const auto mirrored = [](const Pixels& pixels, bool across, bool down) {
+      int right = 0, bottom = 0;
+      for (const auto& [x, y] : pixels) {
+        right = std::max(right, x);
+        bottom = std::max(bottom, y);
+      }
+      Pixels other;
+      for (const auto& [x, y] : pixels)
+        other.emplace(across ? right - x : x, down ? bottom - y : y);
+      return other;
+    };
+    const auto tiles = tilesOf(p);
+    for (const std::size_t row : {0, 3}) {
+      const auto side = [&](std::size_t view, double u, double v) {
+        return letterAt(tiles[row + view], u, v);
+      };
+      const Pixels right = side(0, 0.0, 0.5), left = side(0, 1.0, 0.5);
+      const Pixels head = side(0, 0.5, 0.0), feet = side(0, 0.5, 1.0);
+      const Pixels front = side(1, 0.0, 0.5), back = side(1, 1.0, 0.5);
+      QCOMPARE(side(1, 0.5, 0.0), head);
+      QCOMPARE(side(1, 0.5, 1.0), feet);
+      QCOMPARE(side(2, 0.0, 0.5), right);
+      QCOMPARE(side(2, 1.0, 0.5), left);
+      QCOMPARE(side(2, 0.5, 0.0), front);
+      QCOMPARE(side(2, 0.5, 1.0), back);
+      // I, A, S.
+      QVERIFY(!feet.empty() && mirrored(feet, true, false) == feet);
+      QVERIFY(mirrored(feet, false, true) == feet);
+      QVERIFY(mirrored(front, true, false) == front && mirrored(front, false, true) != front);
+      QVERIFY(mirrored(head, true, true) == head && mirrored(head, true, false) != head);
+      // R is a P with a leg; L has nothing but a stem on the left and a foot.
+      QVERIFY(back.size() < right.size() &&
+              std::includes(right.begin(), right.end(), back.begin(), back.end()));
+      QVERIFY(mirrored(back, true, false) != back && mirrored(back, false, true) != back);
+      for (const auto& [x, y] : left) QVERIFY(x < 2 || y > 11);
+      QCOMPARE(left.size(), std::size_t{14 * 2 + 10 * 2 - 2 * 2});
+    }
+  }
+
+  /// One each, and never by rounding where two choices are as near.
+  void axesOfTheGridAreNamedByThePatients() {
+    std::array<int, 3> axes{0, 1, 2};
+    do
+      for (int signs = 0; signs < 8; ++signs) {
+        Geometry g;
+        g.direction.setZero();
+        for (int a = 0; a < 3; ++a)
+          g.direction(axes[static_cast<std::size_t>(a)], a) = (signs >> a & 1) != 0 ? -1.0 : 1.0;
+        QCOMPARE(nearestPatientAxes(g), axes);
+        g.direction = Eigen::AngleAxisd(0.5, Vector3d(1, -2, 3).normalized()).toRotationMatrix() *
+                      g.direction;
+        QCOMPARE(nearestPatientAxes(g), axes);
+      }
+    while (std::next_permutation(axes.begin(), axes.end()));
+    std::set<std::array<int, 3>> found;
+    for (const double off : {-1e-13, 0.0, 1e-13}) {
+      Geometry g;
+      g.direction = Eigen::AngleAxisd(0.25 * M_PI + off, Vector3d::UnitZ()).toRotationMatrix();
+      found.insert(nearestPatientAxes(g));
+    }
+    QCOMPARE(found.size(), std::size_t{1});
+    QCOMPARE((*found.begin())[2], 2);
   }
 
   /// Round ones darken towards their outline; where the volume's border cuts one, it is even.
