@@ -12,6 +12,7 @@
 #include "core/pipeline/surface_step.h"
 #include "tests/core/bars.h"
 #include "tests/core/mesh_shapes.h"
+#include "tests/core/turned_axes.h"
 
 using namespace angiomesh;
 using Eigen::Vector3d;
@@ -228,6 +229,81 @@ class TestBorderPorts : public QObject {
     CutAway away;
     QVERIFY(addBorderCuts(field, phi, away).empty());
     QCOMPARE(away.sections.size(), std::size_t{1});
+  }
+
+  /// A horseshoe lies in one border of the volume, a ring that is one voxel wide in places, and it
+  /// is one opening, of the same area and centre from whichever side it is looked for.
+  void openingsAreWholeInEveryDirection() {
+    Geometry g;
+    g.size = {26, 22, 20};
+    g.spacing = {0.8, 1.0, 0.7};
+    const auto shape = [&](const Vector3d& p) {
+      const Vector3d d = p - Vector3d(9.6, 10.3, 0.0);
+      const double ring = std::fabs(std::hypot(d.x(), d.y()) - 5.1) - 0.75;
+      const double gap = 1.9 - std::hypot(d.x() - 3.4, d.y() + 3.4);
+      return std::max({ring, gap, d.z() - 3.0});
+    };
+    Volume<float> phi = analytic::sampled(g, shape);
+    const std::vector<Port> expected = borderOpenings(phi);
+    QCOMPARE(expected.size(), std::size_t{1});
+    for (int turn = 0; turn < 3; ++turn) {
+      for (std::size_t mirror = 0; mirror < 8; ++mirror) {
+        Volume<float> other = phi;
+        for (std::size_t i = 0; i < phi.voxels.size(); ++i) {
+          Index3 p = phi.geometry.indexOf(i);
+          for (std::size_t a = 0; a < 3; ++a)
+            if ((mirror >> a & 1U) != 0) p[a] = phi.geometry.size[a] - 1 - p[a];
+          other.at(p[0], p[1], p[2]) = phi.voxels[i];
+        }
+        const std::vector<Port> openings = borderOpenings(other);
+        QCOMPARE(openings.size(), std::size_t{1});
+        QVERIFY(isNear(openings[0].areaMm2 / expected[0].areaMm2, 1.0, 1e-6));
+        Vector3d index = phi.geometry.toIndex(openings[0].centreLps);
+        for (std::size_t a = 0; a < 3; ++a)
+          if ((mirror >> a & 1U) != 0)
+            index[static_cast<int>(a)] = phi.geometry.size[a] - 1 - index[static_cast<int>(a)];
+        QVERIFY((phi.geometry.toPhysical(index) - expected[0].centreLps).norm() < 1e-6);
+      }
+      phi = analytic::turned(phi);
+    }
+  }
+
+  /// One voxel of surroundings parts two openings, also of which one lies around the other.
+  void openingsThatAllButTouchAreTwo() {
+    const Volume<float> phi = analytic::sampled(analytic::cube(20), [&](const Vector3d& p) {
+      const double off = std::max(std::fabs(p.x() - 9.0), std::fabs(p.y() - 8.0));
+      return std::max(std::min(off - 2.5, std::fabs(off - 5.0) - 1.5), p.z() - 3.2);
+    });
+    const std::vector<Port> openings = borderOpenings(phi);
+    QCOMPARE(openings.size(), std::size_t{2});
+    for (const Port& opening : openings)
+      QVERIFY((opening.centreLps - Vector3d(9.0, 8.0, 0.0)).norm() < 0.1);
+    QVERIFY(openings[0].areaMm2 > 2.0 * openings[1].areaMm2);
+  }
+
+  /// Of two openings side by side one can be cut across. The other is told, and stands in no way of
+  /// a third.
+  void anOpeningThatCannotBeCutLeavesTheOthers() {
+    const Vector3d axis = Vector3d(0.77, 0.0, 0.64).normalized();
+    const Geometry g = grid();
+    const Volume<float> phi = analytic::clamped(g, [&](const Vector3d& x) {
+      double least = 1e9;
+      for (const double y : {8.2, 15.9, 36.3}) {
+        const Vector3d d = g.toIndex(x) - Vector3d(16.0, y, 0.0);
+        least = std::min(least, (d - std::min(d.dot(axis), 24.0) * axis).norm() - 3.4);
+      }
+      return least;
+    });
+    const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
+    CutAway away;
+    const std::vector<std::string> remarks = addBorderCuts(field, phi, away);
+    QCOMPARE(remarks.size(), std::size_t{1});
+    QVERIFY(remarks[0].find("was not cut: ") != std::string::npos &&
+            remarks[0].find("touch") != std::string::npos);
+    QCOMPARE(away.names, (std::vector<std::string>{"across_1", "across_2"}));
+    QCOMPARE(away.sections.size(), std::size_t{2});
+    QVERIFY(std::fabs(g.toIndex(away.sections[0].centreLps).y() - 8.2) < 0.3);
+    QVERIFY(std::fabs(g.toIndex(away.sections[1].centreLps).y() - 36.3) < 0.3);
   }
 
   void whatIsStraightIsNotCut() {
