@@ -206,6 +206,68 @@ class TestSmoothWall : public QObject {
     }
   }
 
+  /// Every second place tells of another point spread, which does not count without evidence or
+  /// contrast, or on a vessel that is too thin while there are enough others.
+  void thePointSpreadIsThatOfPlacesThatTell() {
+    constexpr double spread = 0.6, otherSpread = 1.2;
+    const Volume<float> phi = analytic::clamped(
+        analytic::cube(kSize), [](const Vector3d& p) { return tubeDistance(p, 4.3); });
+    WallCells cells(phi, 4.5);
+    cells.place(analytic::fieldOf(phi), {});
+    const std::vector<WallBend> bends(cells.size(), {static_cast<float>(1.0 / 4.3), 0.0F});
+    WallEvidence evidence;
+    evidence.lumen.assign(cells.size(), static_cast<float>(kLumen));
+    evidence.around.assign(cells.size(), static_cast<float>(kAround));
+    std::vector<std::uint32_t> number(cells.size());
+    std::iota(number.begin(), number.end(), 0U);
+    const auto isOther = [](std::size_t n) { return n % 2 == 1; };
+    const auto tell = [&](const auto& other) {
+      evidence.value.clear();
+      for (std::size_t n = 0; n < cells.size(); ++n) {
+        const WallProfile profile{other(n) ? otherSpread : spread};
+        const double x = profile.argument(static_cast<double>(cells[n].distance), bends[n]);
+        evidence.value.push_back(
+            static_cast<float>(kAround + (kLumen - kAround) * WallProfile::share(x)));
+      }
+    };
+    const auto withRadii = [&](float one, float other) {
+      std::vector<float> radii(cells.size(), one);
+      for (std::size_t n = 0; n < radii.size(); ++n)
+        if (isOther(n)) radii[n] = other;
+      return measureSpread(cells, evidence, number, radii, bends);
+    };
+    tell([](std::size_t) { return false; });
+    QVERIFY(isNear(withRadii(4.3F, 4.3F), spread, 2e-3));
+    tell(isOther);
+    const double mixed = withRadii(4.3F, 4.3F);
+    QVERIFY(mixed > 1.1 * spread && mixed < otherSpread);
+    QVERIFY(isNear(withRadii(2.0F, 1.99F), spread, 2e-3));
+    QVERIFY(isNear(withRadii(1.2F, 1.19F), spread, 2e-3));
+    QVERIFY(isNear(withRadii(1.99F, 1.2F), mixed, 2e-3));
+    QCOMPARE(withRadii(1.19F, 0.0F), 0.0);
+    const std::vector<std::uint32_t> all = number;
+    for (std::size_t n = 0; n < number.size(); ++n)
+      if (isOther(n)) number[n] = kNoEvidence;
+    QVERIFY(isNear(withRadii(4.3F, 4.3F), spread, 2e-3));
+    // Where thick vessels are too few, their places count as much as those of thin ones.
+    std::size_t one = 0, other = 0;
+    for (std::size_t n = 0; n < number.size(); ++n) {
+      std::size_t& count = isOther(n) ? other : one;
+      const bool kept = std::fabs(cells[n].distance) < 1.9F && count++ < 150;
+      number[n] = kept ? all[n] : kNoEvidence;
+    }
+    QCOMPARE(withRadii(1.5F, 4.3F), withRadii(1.5F, 1.5F));
+    number = all;
+    for (const float dark : {0.0F, 1.0F}) {
+      for (std::size_t n = 0; n < number.size(); ++n)
+        if (isOther(n)) evidence.lumen[n] = (evidence.value[n] = evidence.around[n]) - dark;
+      QVERIFY(isNear(withRadii(4.3F, 4.3F), spread, 2e-3));
+    }
+    // Too few.
+    std::fill(number.begin() + 40, number.end(), kNoEvidence);
+    QCOMPARE(withRadii(4.3F, 4.3F), 0.0);
+  }
+
   void aTubeIsAsSmoothAsATube_data() {
     QTest::addColumn<double>("radius");
     QTest::addColumn<double>("noise");
