@@ -2,6 +2,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "core/base/random.h"
 #include "core/pipeline/brighter_around.h"
 #include "core/pipeline/segmentation_doubts.h"
 #include "tests/core/analytic.h"
@@ -76,6 +77,60 @@ class TestSegmentationDoubts : public QObject {
     fine.origin = {39.0, 0.0, 0.0};
     const std::vector<double> other = sharesOf(sampled(fine, scan), *result.phi, Polarity::Bright);
     QVERIFY(other[0] > 0.9 && other[1] == 0.0);
+  }
+
+  /// An image of noise that ends amid the vessels goes on as it is at its border, on every side.
+  void beyondTheImageItsNearestVoxelCounts() {
+    const EvolveResult result = found();
+    const auto noiseOf = [](const Index3& p) {
+      return static_cast<float>(randomNormal(3, (p[2] * 97ULL + p[1]) * 89ULL + p[0]));
+    };
+    // The vessels reach beyond each of its six sides.
+    const Index3 first{9, 11, 8}, last{28, 27, 31};
+    Geometry part = kGrid;
+    for (std::size_t a = 0; a < 3; ++a) {
+      part.size[a] = last[a] - first[a] + 1;
+      part.origin[static_cast<Eigen::Index>(a)] = first[a];
+    }
+    Volume<float> image(part), whole(kGrid);
+    for (std::size_t i = 0; i < image.voxels.size(); ++i)
+      image.voxels[i] = noiseOf(part.indexOf(i));
+    for (std::size_t i = 0; i < whole.voxels.size(); ++i) {
+      Index3 p = kGrid.indexOf(i);
+      for (std::size_t a = 0; a < 3; ++a) p[a] = std::clamp(p[a], first[a], last[a]) - first[a];
+      whole.voxels[i] = noiseOf(p);
+    }
+    const std::vector<double> shares = sharesOf(image, *result.phi, Polarity::Bright);
+    QVERIFY(shares[0] > 0.2 && shares[0] < 0.8);
+    QCOMPARE(shares, sharesOf(whole, *result.phi, Polarity::Bright));
+  }
+
+  /// Places between two vessels tell nothing, nor do so few as there are around a speck.
+  void whatTellsNothingIsLeftOut() {
+    // Two voxels off the wall of one begins the other, which is brighter.
+    const Volume<float> phi = sampled(kGrid, [](const Vector3d& x) {
+      return std::min(std::fabs(x.x() - 16.0), std::fabs(x.x() - 20.0)) - 1.7;
+    });
+    const Volume<float> image = sampled(kGrid, [](const Vector3d& x) {
+      return x.x() < 14.5 || x.x() > 21.5 ? 50.0 : x.x() < 17.5 ? 300.0 : 900.0;
+    });
+    QCOMPARE(sharesOf(image, phi, Polarity::Bright), (std::vector<double>{0.0, 0.0}));
+    const auto speck = [](double radius) {
+      const Volume<float> ball = sampled(kGrid, [&](const Vector3d& x) {
+        return analytic::ball(x, Vector3d(20.0, 20.0, 20.0), radius);
+      });
+      const Volume<float> hollow = sampled(kGrid, [&](const Vector3d& x) {
+        return analytic::ball(x, Vector3d(20.0, 20.0, 20.0), radius) < 0.0 ? 100.0 : 900.0;
+      });
+      return sharesOf(hollow, ball, Polarity::Bright);
+    };
+    // As bright as the vessel is not brighter.
+    QCOMPARE(sharesOf(Volume<float>(kGrid, 100.0F), *found().phi, Polarity::Bright),
+             (std::vector<double>{0.0, 0.0}));
+    QCOMPARE(speck(1.1), std::vector<double>{0.0});
+    QCOMPARE(speck(3.3), std::vector<double>{1.0});
+    QVERIFY(
+        brighterAround(image, phi, Volume<std::int32_t>(kGrid, 0), 0, Polarity::Bright).empty());
   }
 
   void aVesselThatTouchesBoneIsNone() {
