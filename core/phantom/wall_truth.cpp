@@ -54,9 +54,7 @@ std::vector<Branching> branchingsOf(const std::vector<CentreLineSegment>& lines,
     const CentreLineSegment& parent = lines[static_cast<std::size_t>(s.parent)];
     if (keyOf(s.from, unit) == keyOf(parent.to, unit)) continue;
     // It begins on the parent's way: that one passes.
-    const Vector3d way = parent.to - parent.from;
-    const double t = std::clamp((s.from - parent.from).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    meet(s.from, parent.radiusFromMm + t * (parent.radiusToMm - parent.radiusFromMm), 2);
+    meet(s.from, nearestVesselRadius({parent}, s.from), 2);
   }
   std::vector<Branching> branchings;
   for (const auto& [key, place] : places)

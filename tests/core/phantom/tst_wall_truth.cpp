@@ -162,6 +162,57 @@ class TestWallTruth : public QObject {
     QVERIFY(!fork.nearBranching(place.point + Vector3d(7.1, 0, 0)));
   }
 
+  /// The thickest of the vessels that meet, also of one that goes on: of that where it passes.
+  void branchingsAreAsWideAsTheThickestVessel() {
+    std::size_t passed = 0;
+    for (const PhantomKind kind :
+         {PhantomKind::Bifurcation, PhantomKind::Tree, PhantomKind::CapsuleTree,
+          PhantomKind::VesselTree, PhantomKind::Aneurysm, PhantomKind::NeckAneurysm})
+      for (const std::uint64_t seed : {1, 2, 3}) {
+        PhantomParams params = paramsOf(kind, 128, 4.0);
+        params.spacingMm = {0.5, 0.5, 0.5};
+        params.randomSeed = seed;
+        const std::vector<CentreLineSegment> lines = makeShape(params).centreLines;
+        const WallTruth truth(params);
+        for (const Branching& place : truth.branchings()) {
+          double thickest = 0.0;
+          for (const CentreLineSegment& s : lines) {
+            const Vector3d way = s.to - s.from;
+            const double t = (place.point - s.from).dot(way) / way.squaredNorm();
+            if (t < -1e-6 || t > 1.0 + 1e-6 || (place.point - s.from - t * way).norm() > 1e-6)
+              continue;
+            thickest = std::max(thickest, s.radiusFromMm + t * (s.radiusToMm - s.radiusFromMm));
+            if (t > 0.01 && t < 0.99) ++passed;
+          }
+          QVERIFY(isNear(place.radiusMm, thickest, 1e-6));
+        }
+      }
+    QVERIFY(passed > 0);
+  }
+
+  /// It changes evenly along a line, and the nearest wall counts, not the nearest line.
+  void radiiAreThoseOfTheNearestWall() {
+    const Vector3d way = Vector3d(0.6, 0.0, 0.8), aside = way.unitOrthogonal();
+    CentreLineSegment cone, ball;
+    cone.from = {3.0, -2.0, 1.0};
+    cone.to = cone.from + 10.0 * way;
+    cone.radiusFromMm = 3.0;
+    cone.radiusToMm = 1.0;
+    for (const auto& [along, radius] :
+         {std::pair{-4.0, 3.0}, std::pair{0.0, 3.0}, std::pair{2.5, 2.5}, std::pair{10.0, 1.0},
+          std::pair{13.0, 1.0}})
+      for (const double off : {0.0, 0.7, 6.0})
+        QVERIFY(isNear(nearestVesselRadius({cone}, cone.from + along * way + off * aside), radius,
+                       1e-12));
+    // Lines without length are balls.
+    ball.from = ball.to = cone.from + 8.0 * way + 9.0 * aside;
+    ball.radiusFromMm = ball.radiusToMm = 6.0;
+    const Vector3d between = cone.from + 8.0 * way + 3.0 * aside;
+    for (const auto& lines : {std::vector{cone, ball}, std::vector{ball, cone}})
+      QCOMPARE(nearestVesselRadius(lines, between), 6.0);
+    QCOMPARE(nearestVesselRadius({}, between), 0.0);
+  }
+
   void aVesselTreeIsWhatItSays() {
     for (const std::uint64_t seed : {1, 2, 3}) {
       PhantomParams params = paramsOf(PhantomKind::VesselTree, 128, 4.0);
