@@ -105,10 +105,10 @@ double RemeshWorker::ringBadness(const Ring& ring, const Vector3d& point) {
   return worst;
 }
 
-// Moves v to where the worst triangle around it is best: a pattern search along the surface.
+// Moves v, which is free to, to where the worst triangle around it is best: a pattern search along
+// the surface.
 bool RemeshWorker::relocate(std::uint32_t v) {
   const int free = freedom(v);
-  if (free == 0) return false;
   const Ring ring = mesh_.ring(v);
   const Vector3d start = mesh_.point(v), n = mesh_.normal(v);
   const double g = mesh_.size(v);
