@@ -78,38 +78,13 @@ class Cutter {
       for (std::size_t n = m + 1; n < away_.sections.size(); ++n) {
         const Section &a = away_.sections[m], &b = away_.sections[n];
         if ((a.centreLps - b.centreLps).norm() > a.radiusMm + b.radiusMm + least) continue;
-        if (apart(a, b) && apart(b, a) && rimsApart(a, b, least)) continue;
+        if (rimsApart(a, b, least)) continue;
         throw InputError(nameOf(m) + " and " + nameOf(n) + " touch", "surface cuts",
                          "move them apart");
       }
   }
 
-  // No piece of `b` passes through `a`.
-  static bool apart(const Section& a, const Section& b) {
-    const Section::Lattice& lattice = b.lattice;
-    const auto at = [&](int i, int j) {
-      return Vector3d(lattice.origin + i * lattice.u + j * lattice.v);
-    };
-    const auto in = [&](int i, int j) {
-      return i < lattice.columns && j < lattice.rows &&
-             lattice.inside[static_cast<std::size_t>(i) +
-                            static_cast<std::size_t>(lattice.columns) *
-                                static_cast<std::size_t>(j)] != 0;
-    };
-    for (int j = 0; j < lattice.rows; ++j)
-      for (int i = 0; i < lattice.columns; ++i) {
-        if (!in(i, j)) continue;
-        for (const auto& [di, dj] : {std::pair{1, 0}, std::pair{0, 1}}) {
-          if (!in(i + di, j + dj)) continue;
-          const Vector3d p = at(i, j), q = at(i + di, j + dj);
-          const double hp = a.height(p), hq = a.height(q);
-          if ((hp > 0.0) == (hq > 0.0)) continue;
-          if (a.covers(p + hp / (hp - hq) * (q - p))) return false;
-        }
-      }
-    return true;
-  }
-
+  // Sections that pass through each other do so up to the wall, where their rims meet.
   static bool rimsApart(const Section& a, const Section& b, double least) {
     for (const auto& one : a.loops)
       for (const Vector3d& p : one)
