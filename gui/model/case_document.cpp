@@ -41,7 +41,10 @@ class CaseDocument::Change final : public QUndoCommand {
 CaseDocument::CaseDocument(MessageLog& log, QObject* parent)
     : QObject(parent),
       log_(log),
-      content_{preset("angiomesh"), std::make_shared<const CaseNotes>()} {}
+      content_{std::make_shared<const Parameters>(preset("angiomesh")),
+               std::make_shared<const CaseNotes>()} {
+  undo_.setUndoLimit(kMostEdits);
+}
 
 void CaseDocument::begin(std::shared_ptr<Pipeline> pipeline, const FieldContext& facts,
                          const DisplayFacts& display, const QString& name, const Parameters& params,
@@ -51,14 +54,14 @@ void CaseDocument::begin(std::shared_ptr<Pipeline> pipeline, const FieldContext&
   display_ = display;
   name_ = name;
   undo_.clear();
-  content_ = {params, std::make_shared<const CaseNotes>(notes)};
+  content_ = {std::make_shared<const Parameters>(params), std::make_shared<const CaseNotes>(notes)};
   keys_.fill({});
 }
 
 const std::string& CaseDocument::key(Step step) const {
   // Everything that is shown asks for keys, many times with each change.
   std::string& known = keys_[static_cast<std::size_t>(step)];
-  if (known.empty()) known = pipeline_->key(step, content_.params);
+  if (known.empty()) known = pipeline_->key(step, parameters());
   return known;
 }
 
@@ -72,11 +75,11 @@ std::string CaseDocument::sourceHash() const {
 
 void CaseDocument::change(const Parameters& after, const QString& text, const QString& mergeKey,
                           bool continued) {
-  if (after == content_.params) {
+  if (after == parameters()) {
     Q_EMIT parametersChanged();
     return;
   }
-  push({after, content_.notes}, text, mergeKey, continued);
+  push({std::make_shared<const Parameters>(after), content_.notes}, text, mergeKey, continued);
 }
 
 void CaseDocument::changeNotes(const CaseNotes& after, const QString& text, const QString& mergeKey,
@@ -86,8 +89,9 @@ void CaseDocument::changeNotes(const CaseNotes& after, const QString& text, cons
 }
 
 void CaseDocument::change(const Parameters& params, const CaseNotes& notes, const QString& text) {
-  if (params == content_.params && notes == *content_.notes) return;
-  push({params, std::make_shared<const CaseNotes>(notes)}, text, {}, false);
+  if (params == parameters() && notes == *content_.notes) return;
+  push({std::make_shared<const Parameters>(params), std::make_shared<const CaseNotes>(notes)}, text,
+       {}, false);
 }
 
 void CaseDocument::push(Content after, const QString& text, const QString& mergeKey,
@@ -97,7 +101,7 @@ void CaseDocument::push(Content after, const QString& text, const QString& merge
 
 void CaseDocument::replace(const Content& content) {
   const Content before = std::exchange(content_, content);
-  if (content_.params != before.params) {
+  if (*content_.params != *before.params) {
     keys_.fill({});
     Q_EMIT parametersChanged();
     Q_EMIT edited();
@@ -106,7 +110,7 @@ void CaseDocument::replace(const Content& content) {
 }
 
 void CaseDocument::setField(const QString& key, const FieldValue& value, bool continued) {
-  Parameters after = content_.params;
+  Parameters after = parameters();
   try {
     const Field& field = findField(key.toStdString());
     angiomesh::setField(after, field.key, value);
@@ -123,7 +127,7 @@ void CaseDocument::setField(const QString& key, const FieldValue& value, bool co
 
 void CaseDocument::applyPreset(const QString& name) {
   Parameters after = preset(name.toStdString());
-  copyPlaces(content_.params, after);
+  copyPlaces(parameters(), after);
   change(after, tr("preset %1").arg(name));
   Q_EMIT presetChosen(name);
 }
@@ -131,28 +135,28 @@ void CaseDocument::applyPreset(const QString& name) {
 QString CaseDocument::presetName() const {
   for (const std::string& name : presetNames()) {
     Parameters candidate = preset(name);
-    copyPlaces(content_.params, candidate);
-    if (candidate == content_.params) return QString::fromStdString(name);
+    copyPlaces(parameters(), candidate);
+    if (candidate == parameters()) return QString::fromStdString(name);
   }
   return {};
 }
 
 std::vector<Eigen::Vector3d> CaseDocument::seeds() const {
   std::vector<Eigen::Vector3d> points;
-  const std::vector<double>& numbers = content_.params.seeds.points;
+  const std::vector<double>& numbers = parameters().seeds.points;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
     points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
   return points;
 }
 
 void CaseDocument::addSeed(const Eigen::Vector3d& lps) {
-  Parameters after = content_.params;
+  Parameters after = parameters();
   after.seeds.points.insert(after.seeds.points.end(), {lps[0], lps[1], lps[2]});
   change(after, tr("add a seed"));
 }
 
 void CaseDocument::removeSeed(int index) {
-  Parameters after = content_.params;
+  Parameters after = parameters();
   std::vector<double>& points = after.seeds.points;
   const auto at = static_cast<std::ptrdiff_t>(index) * 3;
   if (index < 0 || at + 3 > static_cast<std::ptrdiff_t>(points.size())) return;
@@ -169,19 +173,19 @@ void CaseDocument::setRoi(const std::optional<std::array<double, 6>>& roi) {
       return;
     }
   }
-  Parameters after = content_.params;
+  Parameters after = parameters();
   after.preprocess.roi = roi;
   change(after, roi ? tr("draw the region of interest") : tr("clear the region of interest"));
 }
 
 QString CaseDocument::setCuts(const std::vector<std::string>& cuts, const QString& what) {
-  PortParams ports = content_.params.ports;
+  PortParams ports = parameters().ports;
   ports.cuts = cuts;
   return setPorts(ports, what);
 }
 
 QString CaseDocument::setPorts(const PortParams& ports, const QString& what) {
-  Parameters after = content_.params;
+  Parameters after = parameters();
   after.ports = ports;
   try {
     checkPorts(after.ports);

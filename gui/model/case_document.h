@@ -44,8 +44,9 @@ class CaseDocument : public QObject {
   /// Source::hash; empty without a case.
   [[nodiscard]] std::string sourceHash() const;
 
-  // Edits: each one is undoable.
-  [[nodiscard]] const Parameters& parameters() const { return content_.params; }
+  // Edits: each one is undoable, as far as the last kMostEdits.
+  static constexpr int kMostEdits = 500;
+  [[nodiscard]] const Parameters& parameters() const { return *content_.params; }
   [[nodiscard]] QUndoStack* undoStack() { return &undo_; }
   /// There are edits since the last save.
   [[nodiscard]] bool modified() const { return hasCase() && !undo_.isClean(); }
@@ -80,8 +81,9 @@ class CaseDocument : public QObject {
  private:
   /// What edits change.
   struct Content {
-    Parameters params;
-    std::shared_ptr<const CaseNotes> notes;  ///< never null
+    // Never null; neighbours among the edits share them.
+    std::shared_ptr<const Parameters> params;
+    std::shared_ptr<const CaseNotes> notes;
   };
   class Change;
   void push(Content after, const QString& text, const QString& mergeKey, bool continued);

@@ -186,6 +186,23 @@ class TestModels : public QObject {
     QCOMPARE(models.document.parameters().levelset.gamma, 0.7);
   }
 
+  void theLastEditsAreKept() {
+    CaseModels models(makeInlineJobRunner);
+    models.files.take(twoTubes());
+    constexpr int kMore = 10;
+    const auto xiAfter = [](int edits) { return 20.0 + 0.01 * edits; };
+    for (int n = 1; n <= CaseDocument::kMostEdits + kMore; ++n)
+      models.document.setField("levelset.xi", xiAfter(n));
+    QUndoStack& undo = *models.document.undoStack();
+    QCOMPARE(undo.count(), CaseDocument::kMostEdits);
+    while (undo.canUndo()) undo.undo();
+    QCOMPARE(models.document.parameters().thresholds.xi, xiAfter(kMore));
+    QVERIFY(models.document.modified());
+    while (undo.canRedo()) undo.redo();
+    QCOMPARE(models.document.parameters().thresholds.xi,
+             xiAfter(CaseDocument::kMostEdits + kMore));
+  }
+
   void valuesOutOfRangeAreRefused() {
     CaseModels models(makeInlineJobRunner);
     Messages messages(models);
