@@ -33,6 +33,10 @@ struct EditedCase : WindowCase {
     PortParams ports = models().document.parameters().ports;
     ports.names = {"border_1=inlet"};
     (void)models().document.setPorts(ports, "rename");
+    models().corrections.setRadius(2.0);
+    models().corrections.paint(true, {insideOf(models(), 0.3)});
+    models().corrections.setToEdge(false);
+    models().corrections.paint(true, {insideOf(models(), 0.3), insideOf(models(), 0.35)});
     click(find<QPushButton>("run"));
   }
 
@@ -64,6 +68,7 @@ class TestRecipeExport : public QObject {
     EditedCase c;
     const Parameters& params = c.models().document.parameters();
     QVERIFY(params.seeds.points.size() == 3 && params.segmentation.drop.size() == 3);
+    QVERIFY(!params.segmentation.corrections.empty());
     QVERIFY(params.ports.cuts.size() == 1 && c.models().results.meshFresh());
     c.savePath = c.folder.filePath("case");
     trigger(c, "exportRecipe");
@@ -89,6 +94,7 @@ class TestRecipeExport : public QObject {
 
     const QString methods = c.copied("copyMethods");
     QCOMPARE(methods.toUtf8(), readBytes(c.folder.filePath("out/methods.txt")));
+    QVERIFY(methods.contains("corrections of the segmentation"));
     QVERIFY(methods.contains(QString::fromStdString(c.hash())));
     QVERIFY(!methods.contains("Mustermann") && !methods.contains(c.folder.path()));
 
