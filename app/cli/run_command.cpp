@@ -51,8 +51,9 @@ struct RunCommandOptions {
 Step stepOf(const std::string& until) {
   const std::optional<Step> step = stepFromId(until);
   if (!step || *step == Step::Load)
-    throw InputError("no step is called '" + until + "'", "--until",
-                     "use preprocess, vesselness, seeds, evolve, surface, smooth or quality");
+    throw InputError(
+        "no step is called '" + until + "'", "--until",
+        "use preprocess, vesselness, seeds, evolve, correct, surface, smooth or quality");
   return *step;
 }
 
@@ -232,7 +233,8 @@ void addRun(CLI::App& program, Session& session) {
   addPlaces(*command, options->settings);
   addCuts(*command, options->settings);
   command->add_option("--until", options->until,
-                      "Last step: preprocess, vesselness, seeds, evolve, surface, smooth, quality");
+                      "Last step: preprocess, vesselness, seeds, evolve, correct, surface, smooth, "
+                      "quality");
   addSoundness(*command, options->soundness);
   command->add_option("--truth", options->truth, "Mask to compare the result with");
   command->add_flag("--force", options->force, "Replace a former run in the output folder");

@@ -7,6 +7,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/study_panel_command.h"
+#include "app/cli/study_sensitivity_command.h"
 #include "app/cli/study_surface_command.h"
 #include "app/cli/study_table.h"
 #include "app/session/field_input.h"
@@ -207,6 +208,7 @@ void addStudy(CLI::App& program, Session& session) {
   addStudyPanel(*study, session);
   addStudyPorts(*study, session);
   addStudySurface(*study, session);
+  addStudySensitivity(*study, session);
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command =
       study->add_subcommand("figures",

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/formatted.h"
@@ -43,6 +44,9 @@ void checkOptions(const MeshFormat& format, const MeshWriteOptions& options, con
   if ((options.normals || options.quality) && !format.properties)
     throw InputError("normals and quality can be written only to PLY and VTP files", path.string(),
                      "choose .ply or .vtp, or leave them out");
+  if (!options.pointValues.empty() && std::string_view(format.extension) != ".vtp")
+    throw InputError("values of the vertices can be written only to VTP files", path.string(),
+                     "choose .vtp");
 }
 
 /// Says what the single precision of a binary STL file does to the mesh.
@@ -240,6 +244,10 @@ std::vector<std::string> writeMesh(const TriMesh& mesh, const fs::path& path,
   } catch (const InputError& error) {
     throw InputError(error.what(), path.string(), "mesh the volume again");
   }
+  for (const auto& [name, values] : options.pointValues)
+    if (values.size() != mesh.points.size())
+      throw InputError("the values " + name + " are not one for each vertex", path.string(),
+                       "measure the mesh again");
   std::vector<std::string> warnings;
   WritableMesh moved{mesh, {}, {}, {}, options};
   if (const std::size_t turned = turnOutward(moved.mesh).turnedParts; turned > 0)

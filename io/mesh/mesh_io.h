@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
@@ -26,6 +27,8 @@ struct MeshWriteOptions {
   MeshEncoding encoding = MeshEncoding::Binary;  ///< of PLY and STL; OBJ is always text
   bool normals = false;  ///< PLY and VTP: unit normals of the vertices, 0 where no triangle is
   bool quality = false;  ///< PLY and VTP: `quality` of each face, 2 * inradius / circumradius
+  /// VTP: arrays of the vertices by their names, one value each.
+  std::vector<std::pair<std::string, std::vector<float>>> pointValues = {};
   /// Of TriMesh::patch: the wall's, then the ports' in their order. One that is not given is "wall"
   /// or "patch_n". In names, what is no printable ASCII becomes '_'; the same name again gets a
   /// number. Of a mesh without patches the first names the solid of an ASCII STL file ("surface").

@@ -202,6 +202,12 @@ void writeVtp(const WritableMesh& mesh, const fs::path& path) {
       quality->SetTuple(static_cast<vtkIdType>(t), &mesh.quality[t]);
     data->GetCellData()->SetScalars(quality);
   }
+  for (const auto& [name, values] : options.pointValues) {
+    const vtkSmartPointer<vtkFloatArray> array = namedArray(name.c_str(), 1, values.size());
+    for (std::size_t v = 0; v < values.size(); ++v)
+      array->SetValue(static_cast<vtkIdType>(v), values[v]);
+    data->GetPointData()->AddArray(array);
+  }
   if (!mesh.mesh.patch.empty()) addPatches(data, mesh);
   addField(data, "SPACE", {frameWord(options.frame)});
   addField(data, "UNIT", {unitWord(options.unit)});

@@ -74,6 +74,44 @@ class TestStudy : public QObject {
     QCOMPARE(runCli(dir.path(), command).code, 2);
   }
 
+  void sensitivityOfAScan() {
+    const QTemporaryDir dir;
+    PhantomParams params;
+    params.kind = PhantomKind::Bifurcation;
+    params.size = {40, 40, 40};
+    params.radius = 4.0;
+    params.noiseSigma = 5.0;
+    writeVolume(makePhantom(params).image, dir.filePath("scan.nrrd").toStdString());
+    const QStringList command{
+        "study",       "sensitivity",          "scan.nrrd",   "-o",         "moves",
+        "--parameter", "levelset.refineLevel", "--parameter", "levelset.xi"};
+    const CliResult result = runCli(dir.path(), command);
+    QVERIFY2(result.code == 0, result.errors.constData());
+    QVERIFY(result.output.contains("| levelset.refineLevel | 0.41 -> "));
+    const auto lines = [&](const char* name) {
+      QFile file(dir.filePath(QLatin1String("moves/") + QLatin1String(name)));
+      return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n')
+                                            : QList<QByteArray>();
+    };
+    const QList<QByteArray> table = lines("sensitivity.csv");
+    QCOMPARE(table.size(), 5);
+    for (qsizetype n = 1; n < table.size(); ++n) {
+      const QList<QByteArray> cells = table[n].split(',');
+      QCOMPARE(cells.size(), table[0].split(',').size());
+      QVERIFY(std::fabs(cells[3].toDouble()) <= cells[4].toDouble());
+      QVERIFY(cells[8].toDouble() > 50.0 && cells[9].isEmpty());
+    }
+    const QList<QByteArray> branches = lines("branches.csv");
+    QVERIFY(branches.size() >= 4);  // three branches meet
+    QCOMPARE(branches[1].count(','), branches[0].count(','));
+    QVERIFY(QFile(dir.filePath("moves/sensitivity.vtp")).size() > 10000);
+    QCOMPARE(runCli(dir.path(), command).code, 2);
+    QCOMPARE(runCli(dir.path(),
+                    {"study", "sensitivity", "scan.nrrd", "-o", "no", "--parameter", "surface.rho"})
+                 .code,
+             2);
+  }
+
   void panelOfChosenRows() {
     const QTemporaryDir dir;
     const QStringList command{"study",   "panel",  "-o",

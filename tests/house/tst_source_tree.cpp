@@ -108,6 +108,7 @@ const std::map<std::string, std::string> kMayInclude{
      "centreline openings sizing contour cuts front remesh smooth surface quality measure "
      "corrections parameters"},
     {"core/preview", "base image preprocess pipeline"},
+    {"core/sensitivity", "base image field mesh centreline contour parameters pipeline"},
     {"io/file", ""},
     {"io/volume", "file"},
     {"io/dicom", "file volume"},

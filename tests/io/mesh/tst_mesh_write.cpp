@@ -199,6 +199,30 @@ class TestMeshWrite : public QObject {
   }
 
   /// 3D Slicer looks for "SPACE=LPS" in what these readers of VTK call the header or the comments.
+  void valuesOfTheVerticesGoIntoAVtp() {
+    const Folder folder;
+    const TriMesh mesh = octahedron();
+    MeshWriteOptions options;
+    std::vector<float> heights;
+    for (const Eigen::Vector3d& p : mesh.points) heights.push_back(static_cast<float>(p[2]));
+    options.pointValues = {{"height", heights}, {"nothing", std::vector<float>(heights.size())}};
+    const fs::path path = folder / "m.vtp";
+    writeMesh(mesh, path, options);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    vtkPolyData* back = reader->GetOutput();
+    vtkDataArray* read = back->GetPointData()->GetArray("height");
+    QVERIFY(read && back->GetPointData()->GetArray("nothing"));
+    QCOMPARE(read->GetNumberOfTuples(), static_cast<vtkIdType>(heights.size()));
+    for (vtkIdType v = 0; v < read->GetNumberOfTuples(); ++v)
+      QVERIFY(std::fabs(read->GetTuple1(v) - back->GetPoint(v)[2]) < 1e-5);
+    QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(mesh, folder / "m.ply", options));
+    options.pointValues[1].second.pop_back();
+    QVERIFY_THROWS_EXCEPTION(InputError, writeMesh(mesh, folder / "n.vtp", options));
+    QVERIFY(!fs::exists(folder / "n.vtp"));
+  }
+
   void theFrameStandsWhereSlicerLooks() {
     const Folder folder;
     const TriMesh mesh = octahedron();
