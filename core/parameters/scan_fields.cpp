@@ -6,6 +6,16 @@
 namespace angiomesh {
 namespace {
 
+std::string idleWithoutSigmoid(const Parameters& p) {
+  return p.preprocess.sigmoidEnabled ? "" : "it is used only with preprocess.sigmoid.enabled";
+}
+
+std::string idleWithoutFlow(const Parameters& p) {
+  return p.preprocess.curvatureFlowEnabled
+             ? ""
+             : "it is used only with preprocess.curvatureFlow.enabled";
+}
+
 void addPreprocess(FieldTable& t) {
   t.begin(Step::Preprocess, ReadOf::Scans);
   t.choice("preprocess.isotropic", "Cubic voxels", ANGIOMESH_MEMBER(preprocess.isotropic),
@@ -45,6 +55,7 @@ void addPreprocess(FieldTable& t) {
       .main()
       .slider(0.01, 3.0, SliderUnit::Window)
       .suggest([](const Parameters&, const FieldContext& c) { return c.window; })
+      .idle(idleWithoutSigmoid)
       .rises("the step from dark to bright gets gentler");
   t.real("preprocess.sigmoid.level", "Stretch, middle", ANGIOMESH_MEMBER(preprocess.sigmoidLevel),
          -1e6, 1e6, "",
@@ -52,6 +63,7 @@ void addPreprocess(FieldTable& t) {
       .main()
       .slider(-1.0, 2.0, SliderUnit::Level)
       .suggest([](const Parameters&, const FieldContext& c) { return c.level; })
+      .idle(idleWithoutSigmoid)
       .rises("faint vessels get darker");
   t.boolean("preprocess.curvatureFlow.enabled", "Remove noise",
             ANGIOMESH_MEMBER(preprocess.curvatureFlowEnabled),
@@ -59,10 +71,12 @@ void addPreprocess(FieldTable& t) {
   t.integer("preprocess.curvatureFlow.iterations", "Noise removal, steps",
             ANGIOMESH_MEMBER(preprocess.curvatureFlowIterations), 1, 1000,
             "iterations of the curvature flow")
+      .idle(idleWithoutFlow)
       .rises("noise goes, and then thin vessels");
   t.real("preprocess.curvatureFlow.timeStep", "Noise removal per step",
          ANGIOMESH_MEMBER(preprocess.curvatureFlowTimeStep), 1e-4, 0.125, "voxels\u00b2",
          "time step of the curvature flow, in voxels whatever their size; 0.0625 is stable")
+      .idle(idleWithoutFlow)
       .rises("each iteration smooths more");
   t.box("preprocess.roi", "Region of interest", ANGIOMESH_MEMBER(preprocess.roi),
         "region of interest: two opposite corners x0,y0,z0,x1,y1,z1 in mm LPS")
