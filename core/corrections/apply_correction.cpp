@@ -79,33 +79,85 @@ std::optional<VoxelBox> edit(Volume<float>& phi, const Correction& correction,
   return std::nullopt;
 }
 
-/// Distances again around what a correction changed in a box. @returns the box of what is made anew
+/// The voxels at most kReach + 1 steps from where the wall moved.
+CellBand touchedBy(const Volume<float>& before, const Volume<float>& after,
+                   const Progress& progress) {
+  const auto near = static_cast<float>(kNearWall * after.geometry.voxelMm());
+  Volume<std::uint8_t> moved(after.geometry);
+  for (std::size_t v = 0; v < after.voxels.size(); ++v) {
+    const float was = before.voxels[v], is = after.voxels[v];
+    moved.voxels[v] = was != is && std::min(std::fabs(was), std::fabs(is)) < near ? 1 : 0;
+  }
+  return bandAround(moved, kReach + 1, progress);
+}
+
+/// Of these the ones that have a wall so near that it counts; the others are far from any.
+Volume<std::uint8_t> besideWalls(const Volume<float>& phi, const CellBand& touched,
+                                 const Progress& progress) {
+  const Geometry& g = phi.geometry;
+  Volume<std::uint8_t> walls(g);
+  for (std::size_t v = 0; v < phi.voxels.size(); ++v) {
+    if (!(phi.voxels[v] < 0.0F)) continue;
+    bool atWall = false;
+    forFaceNeighbours(g, v, [&](std::size_t next) { atWall |= !(phi.voxels[next] < 0.0F); });
+    walls.voxels[v] = atWall ? 1 : 0;
+  }
+  Volume<std::uint8_t> near(g), both(g);
+  for (const std::uint32_t v : bandAround(walls, kReach + 1, progress).voxel) near.voxels[v] = 1;
+  for (const std::uint32_t v : touched.voxel) both.voxels[v] = near.voxels[v];
+  return both;
+}
+
+/// The boxes of the connected parts of a set.
+std::vector<VoxelBox> boxesOf(const Components& parts) {
+  const Geometry& g = parts.labels.geometry;
+  std::vector<VoxelBox> boxes(parts.sizes.size(), {g.size, {-1, -1, -1}});
+  for (std::size_t v = 0; v < parts.labels.voxels.size(); ++v) {
+    if (parts.labels.voxels[v] == 0) continue;
+    VoxelBox& box = boxes[static_cast<std::size_t>(parts.labels.voxels[v] - 1)];
+    const Index3 p = g.indexOf(v);
+    for (std::size_t a = 0; a < 3; ++a) {
+      box.low[a] = std::min(box.low[a], p[a]);
+      box.high[a] = std::max(box.high[a], p[a]);
+    }
+  }
+  return boxes;
+}
+
+/// Distances again around what a correction changed in a box, and nowhere else.
+/// @returns the box of what is made anew
 VoxelBox redistanceAround(const Volume<float>& before, Volume<float>& phi, const VoxelBox& changed,
                           const Progress& progress) {
   const Geometry& g = phi.geometry;
-  const VoxelBox box = changed.widened(kReach, g);
-  const VoxelBox around = box.widened(kMargin, g);
+  // With the walls that are nearest to what is touched.
+  const VoxelBox around = changed.widened(2 * (kReach + 1), g);
   Volume<float> part = cropped(phi, around);
-  const Volume<float> was = cropped(before, around);
-  const auto near = static_cast<float>(kNearWall * g.voxelMm());
-  Volume<std::uint8_t> moved(part.geometry);
-  bool anyInside = false, anyOutside = false;
-  for (std::size_t v = 0; v < part.voxels.size(); ++v) {
-    const float a = was.voxels[v], b = part.voxels[v];
-    moved.voxels[v] = a != b && std::min(std::fabs(a), std::fabs(b)) < near ? 1 : 0;
-    (b < 0.0F ? anyInside : anyOutside) = true;
+  const CellBand touched = touchedBy(cropped(before, around), part, progress);
+  const auto far = static_cast<float>(kBandVoxels * g.voxelMm());
+  const Components parts = connectedComponents(besideWalls(part, touched, progress));
+  for (const std::uint32_t v : touched.voxel)
+    if (parts.labels.voxels[v] == 0) part.voxels[v] = std::copysign(far, part.voxels[v]);
+  // Each where it is, as a tree that was cut off touches others in few places.
+  std::int32_t label = 0;
+  for (const VoxelBox& box : boxesOf(parts)) {
+    ++label;
+    const VoxelBox inGrid{
+        {box.low[0] + around.low[0], box.low[1] + around.low[1], box.low[2] + around.low[2]},
+        {box.high[0] + around.low[0], box.high[1] + around.low[1], box.high[2] + around.low[2]}};
+    const VoxelBox wide = inGrid.widened(kMargin, g);
+    const Volume<float> distance = redistance(cropped(phi, wide), kBandVoxels, progress);
+    const VoxelBox inner = inGrid.seenFrom(wide);
+    for (int k = box.low[2]; k <= box.high[2]; ++k)
+      for (int j = box.low[1]; j <= box.high[1]; ++j)
+        for (int i = box.low[0]; i <= box.high[0]; ++i)
+          if (parts.labels.at(i, j, k) == label)
+            part.at(i, j, k) =
+                distance.at(inner.low[0] + i - box.low[0], inner.low[1] + j - box.low[1],
+                            inner.low[2] + k - box.low[2]);
   }
-  if (anyInside && anyOutside) {
-    part = redistance(std::move(part), kBandVoxels, progress);
-  } else {
-    const double far = kBandVoxels * g.voxelMm();
-    std::fill(part.voxels.begin(), part.voxels.end(), static_cast<float>(anyInside ? -far : far));
-  }
-  // The walls beside it are not made anew.
-  const Index3& low = around.low;
-  for (const std::uint32_t v : bandAround(moved, kReach + 1, progress).voxel) {
+  for (const std::uint32_t v : touched.voxel) {
     const Index3 p = part.geometry.indexOf(v);
-    phi.at(low[0] + p[0], low[1] + p[1], low[2] + p[2]) = part.voxels[v];
+    phi.at(around.low[0] + p[0], around.low[1] + p[1], around.low[2] + p[2]) = part.voxels[v];
   }
   return changed.widened(kReach + 1, g);
 }

@@ -13,14 +13,14 @@ namespace angiomesh {
 /// length in mm times the mean of both voxels' cost.
 struct CheapestWays {
   static constexpr std::uint32_t none = 0xffffffffU;
-  Volume<float> cost;               ///< of the way to each voxel
+  Volume<float> cost;               ///< of the way to each voxel; infinite where there is none
   std::vector<std::uint32_t> from;  ///< the voxel before on it; none at the start
 
   /// The voxels of the way to one, the start first.
   [[nodiscard]] std::vector<Index3> wayTo(const Index3& end) const;
 };
 
-/// @param costPerMm above 0   @throws Cancelled
+/// @param costPerMm above 0; no way leads through infinite ones   @throws Cancelled
 CheapestWays cheapestWays(const Volume<float>& costPerMm, const Index3& start,
                           const Progress& progress = {});
 

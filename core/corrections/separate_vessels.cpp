@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/formatted.h"
@@ -51,6 +53,19 @@ class Likeness {
   float radius_, bright_ = 0.0F, dark_ = 0.0F;
 };
 
+/// Gives all other voxels the value of the nearest one in a list, by steps over faces.
+void spread(Volume<std::uint8_t>& values, std::vector<std::size_t> known) {
+  Volume<std::uint8_t> has(values.geometry);
+  for (const std::size_t v : known) has.voxels[v] = 1;
+  for (std::size_t n = 0; n < known.size(); ++n)
+    forFaceNeighbours(values.geometry, known[n], [&](std::size_t next) {
+      if (has.voxels[next] != 0) return;
+      has.voxels[next] = 1;
+      values.voxels[next] = values.voxels[known[n]];
+      known.push_back(next);
+    });
+}
+
 }  // namespace
 
 Shape gapBetween(const Volume<float>* image, float sign, const Volume<float>& phi,
@@ -89,13 +104,19 @@ Shape gapBetween(const Volume<float>* image, float sign, const Volume<float>& ph
   constexpr auto least = static_cast<float>(1.0 / kDearest);
   for (std::size_t v = 0; v < cost.voxels.size(); ++v) {
     const float share = likeness.at(v);
-    cost.voxels[v] = (1.0F + least) / (share * share + least);
+    cost.voxels[v] = parts.labels.voxels[v] == joined ? (1.0F + least) / (share * share + least)
+                                                      : std::numeric_limits<float>::infinity();
   }
   const Volume<float> one = cheapestWays(cost, starts.low, progress).cost;
   const Volume<float> other = cheapestWays(cost, starts.high, progress).cost;
   Volume<std::uint8_t> nearerToOne(cost.geometry);
-  for (std::size_t v = 0; v < one.voxels.size(); ++v)
+  std::vector<std::size_t> reached;
+  for (std::size_t v = 0; v < one.voxels.size(); ++v) {
+    if (std::isinf(one.voxels[v])) continue;
     nearerToOne.voxels[v] = one.voxels[v] < other.voxels[v] ? 1 : 0;
+    reached.push_back(v);
+  }
+  spread(nearerToOne, reached);
   Shape gap{box, distanceOfMask(nearerToOne, progress).phi};
   // Only around the middle, and not where another vessel lies that is neither.
   const Vector3d middle = 0.5 * (places[0] + places[1]);
