@@ -54,8 +54,11 @@ WallPlaces wallPlaces(const Volume<float>& phi, const Progress& progress) {
   places.wall = marchingCubes(phi, SurfaceBorder::Open, progress.sub(0.0, 0.2));
   places.skeleton = skeletonOf(phi, progress.sub(0.2, 0.9));
   places.branch.resize(places.wall.points.size());
+  places.off.resize(places.wall.points.size());
+  const SplineField field = wallField(phi, SplineKind::InterpolatingBspline);
   parallelForEach(places.branch.size(), 256, [&](std::size_t n) {
     places.branch[n] = branchAt(places.skeleton, places.wall.points[n]);
+    places.off[n] = static_cast<float>(field.valueAt(places.wall.points[n]));
   });
   progress.report(1.0);
   return places;
@@ -69,7 +72,8 @@ WallMoves wallMoves(const WallPlaces& places, const Volume<float>& phi,
   const SplineField field = wallField(other, SplineKind::InterpolatingBspline);
   moves.movedMm.resize(points.size());
   parallelForEach(points.size(), 1024, [&](std::size_t n) {
-    moves.movedMm[n] = std::clamp(-static_cast<float>(field.valueAt(points[n])), -limit, limit);
+    const auto now = static_cast<float>(field.valueAt(points[n]));
+    moves.movedMm[n] = std::clamp(places.off[n] - now, -limit, limit);
   });
   moves.branches.resize(places.skeleton.branches.size());
   std::vector<double> sizes;

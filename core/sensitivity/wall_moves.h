@@ -13,8 +13,10 @@ namespace angiomesh {
 
 /// The wall of a segmentation, where others are compared with it.
 struct WallPlaces {
-  TriMesh wall;                      ///< marching cubes, without caps; its vertices are the places
-  Skeleton skeleton;                 ///< of the same vessels
+  TriMesh wall;       ///< marching cubes, without caps; its vertices are the places
+  Skeleton skeleton;  ///< of the same vessels
+  /// Of the field through phi at each vertex, mm: marching cubes leaves them a little off.
+  std::vector<float> off;
   std::vector<std::int32_t> branch;  ///< of each vertex, of the skeleton; -1 where there is none
 };
 
