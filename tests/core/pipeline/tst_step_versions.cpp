@@ -53,6 +53,15 @@ std::string hashOf(Step step, const RunResult& run) {
       bytes.add(*run.evolve->phi);
       bytes.add(run.evolve->iterations);
       break;
+    case Step::Correct:
+      bytes.add(*run.corrected->phi);
+      for (const CorrectionOutcome& outcome : run.corrected->corrections) {
+        bytes.add(outcome.text);
+        bytes.add(outcome.added);
+        bytes.add(outcome.removed);
+        bytes.add(outcome.why);
+      }
+      break;
     case Step::Surface:
       bytes.add(*run.surface->phi);
       bytes.add(*run.surface->mesh);
@@ -129,10 +138,11 @@ const std::vector<Case>& cases() {
         {2, "f46edb180c08fa9f"},
         {2, "d449928f3cf392fa"},
         {9, "d6289f3a10a0b90a"},
+        {1, "3769f3cdf617c919"},
         {6, "120711098e46196e"},
         {5, "5dd957ba8a025700"},
         {4, "c93902e70e9196e5"}},
-       "8e94fa743b7d9cab"},
+       "79622b21f3e96455"},
       {"inside the volume, ends cut",
        PhantomKind::CapsuleTree,
        {72, 68, 76},
@@ -148,10 +158,11 @@ const std::vector<Case>& cases() {
         {2, "55e96805a650ee27"},
         {2, "1edac1cdf1a72c79"},
         {9, "c0a221c8cefec68d"},
+        {1, "38a6bc4dfa7b6fa0"},
         {6, "a7af57dcf6a15e40"},
         {5, "9d8a315762bb1d7d"},
         {4, "fb098288c4a056f7"}},
-       "25b54ea65a25349b"},
+       "4aa15194704174ee"},
       {"as printed",
        PhantomKind::Helix,
        {48, 44, 52},
@@ -167,10 +178,11 @@ const std::vector<Case>& cases() {
         {2, "c07d29c755f59949"},
         {2, "3fa908a31276b61f"},
         {9, "7ff37f8cb88ab095"},
+        {1, "9303ffd785839e33"},
         {6, "c31d35188a8b0277"},
         {5, "25ba4db0ea299a05"},
         {4, "8e17654c061039f0"}},
-       "67f91b15cba991ef"},
+       "d03c4357044f5c88"},
       {"bounds, remeshed",
        PhantomKind::NeckAneurysm,
        {52, 48, 44},
@@ -186,10 +198,11 @@ const std::vector<Case>& cases() {
         {2, "d18a7c8625ec3be9"},
         {2, "fba3d904bd3848bb"},
         {9, "3bc4e534be102349"},
+        {1, "9c32558313ba9d0f"},
         {6, "6cb6f3dfa6969bcf"},
         {5, "6bea2b3de8a6038c"},
         {4, "a12953312c5f0799"}},
-       "826462bbee4bbeb8"},
+       "72f098f0c6df8d4d"},
       {"mask, marching cubes",
        PhantomKind::Kissing,
        {40, 44, 48},
@@ -208,10 +221,11 @@ const std::vector<Case>& cases() {
         {2, "2d06800538d394c2"},
         {2, "2d06800538d394c2"},
         {9, "8ea12ee3b1406f5a"},
+        {1, "0004b79ed0f837b1"},
         {6, "14c3bd940b07bbf5"},
         {5, "d2ab9560f4da3310"},
         {4, "0300342f2d6f8464"}},
-       "954fd66e10c9ac6e"},
+       "fa3e3b1bd65b321e"},
       {"dark, Frangi's measure",
        PhantomKind::Torus,
        {36, 44, 40},
@@ -234,10 +248,11 @@ const std::vector<Case>& cases() {
         {2, "374b76417848ae71"},
         {2, "dd05b680f2e7edf4"},
         {9, "faacd1f7e529e159"},
+        {1, "b5976e15c77f3b9e"},
         {6, "8358b1d68b419328"},
         {5, "e1e64009ec0d20cd"},
         {4, "6b6b38b55ab19584"}},
-       "a36fc4366eeb7d9f"},
+       "47e9be7afd3cdc43"},
       {"a tree in noise, cut at the borders",
        PhantomKind::Tree,
        {60, 56, 52},
@@ -253,10 +268,11 @@ const std::vector<Case>& cases() {
         {2, "2b004feaa4e6e8e4"},
         {2, "a0e86992e21bebf3"},
         {9, "e9b402d98efa1226"},
+        {1, "e8ab81811c169283"},
         {6, "435514a202c61d51"},
         {5, "9319c49ad79637d4"},
         {4, "4235677eb666cb19"}},
-       "7daf27f78e3a0c9f"},
+       "e0a2c23e1c78a7c9"},
       {"a tree, remeshed",
        PhantomKind::Tree,
        {68, 72, 76},
@@ -276,10 +292,11 @@ const std::vector<Case>& cases() {
         {2, "41f860de164787e3"},
         {2, "8028f6f85dd93344"},
         {9, "2713b161fd7a7373"},
+        {1, "65484dcf31fcc650"},
         {6, "035a03e74f6bdc80"},
         {5, "616a27d5065b9c66"},
         {4, "72c8083988cf885b"}},
-       "f2b297236940cc13"},
+       "ef0f00a072890980"},
       {"bent vessels, marching cubes on the wall",
        PhantomKind::VesselTree,
        {72, 68, 64},
@@ -295,10 +312,11 @@ const std::vector<Case>& cases() {
         {2, "abf15b447cc2459c"},
         {2, "1bfeb16bee80047a"},
         {9, "106747ce37304e8f"},
+        {1, "05403b361c17e44f"},
         {6, "39552cbf2af4ca39"},
         {5, "2536b94c1d4c5bf1"},
         {4, "879985fb9a32680d"}},
-       "e3ddc7c6fdf74211"},
+       "f92f291454a0a12c"},
       {"a rough mask with handles",
        PhantomKind::Tree,
        {52, 48, 56},
@@ -316,10 +334,40 @@ const std::vector<Case>& cases() {
         {2, "2d06800538d394c2"},
         {2, "2d06800538d394c2"},
         {9, "e2e48213ceed94bc"},
+        {1, "3c648f100c1726ab"},
         {6, "f09876777fce34c4"},
         {5, "db4ef6ed079973d4"},
         {4, "6e116f513ba507ca"}},
-       "a407497056279741"},
+       "ef082db34531eec6"},
+      {"corrected in every way",
+       PhantomKind::Kissing,
+       {44, 44, 44},
+       {0.5, 0.5, 0.5},
+       3.0,
+       10.0,
+       "angiomesh",
+       {{"segmentation.corrections",
+         "bridge 9.2,10.75,10.75 12.4,10.75,10.75;"
+         "separate 9.2,10.75,10.75 12.4,10.75,10.75;"
+         "bridge 9.2,10.75,8 12.4,10.75,8;"
+         "add 0.8 9.2,10.75,10.75 9.5,10.75,14 12,10.75,14 12.4,10.75,10.75;"
+         "open-loop 10.8,10.75,14;"
+         "bridge 9.2,10.75,9.5 12.4,10.75,9.5;"
+         "fill-hole 10.8,10.75,9;"
+         "erase 0.8 13.6,7.5,1 14,8,4;"
+         "add-to-edge 2 14,8,3;"
+         "erase-to-edge 2.5 19.5,14,19;"
+         "cut-off 2.2,7.9,1.2;"
+         "cut-off 7.6,13.6,20 0,0,1"}},
+       false,
+       Step::Correct,
+       {{1, "81ea4e38a17842f6"},
+        {2, "81ea4e38a17842f6"},
+        {2, "eda0afea55912bd2"},
+        {2, "afdb6bff9e5e6625"},
+        {9, "f43db1af1a79c978"},
+        {1, "cfe01682cf6b1906"}},
+       "a2ed4bd56dc93896"},
       {"geodesic active contour",
        PhantomKind::Stenosis,
        {30, 34, 40},
@@ -337,7 +385,7 @@ const std::vector<Case>& cases() {
         {2, "98c2c0a2b17bfa29"},
         {2, "6668a74556a84072"},
         {9, "79d5ee1ca5fd280c"}},
-       "ba772ca23d4e8834"},
+       "022ea433aa355f73"},
       {"confidence connected",
        PhantomKind::Cone,
        {30, 34, 40},
@@ -353,7 +401,7 @@ const std::vector<Case>& cases() {
         {2, "9130a6f08c2fb2ef"},
         {2, "bebec23857d89f27"},
         {9, "dcf1b0b114027a8d"}},
-       "341ce95b14b8a801"},
+       "ba14a66d4b64bb35"},
       {"threshold",
        PhantomKind::Aneurysm,
        {40, 44, 38},
@@ -369,7 +417,7 @@ const std::vector<Case>& cases() {
         {2, "aec881ff76257037"},
         {2, "5527b1a96f0e4f80"},
         {9, "e3edec96ae28a168"}},
-       "347770226239b1f2"},
+       "08fbfadbafcf66a6"},
   };
   return all;
 }
