@@ -72,6 +72,11 @@ void ResultModel::accept(const StepResult& result) {
       if (run.evolve != shown_.evolve) shown_.corrected.reset();
       shown_.evolve = run.evolve;
       evolveParams_ = run.params;
+      if (run.params.segmentation.corrections.empty()) {
+        // Nothing is left to be made for it.
+        shown_.corrected = run.evolve;
+        keys_[static_cast<std::size_t>(Step::Correct)] = result.key;
+      }
       livePhi_.reset();
       liveSurface_.reset();
       wanted_.reset();

@@ -83,6 +83,10 @@ void RunModel::fail(Step step, const Parameters& params, const std::string& reas
 }
 
 void RunModel::startRun(Step until) {
+  // What was corrected belongs to a segmentation, of which it may be the last chance where the
+  // evolution is ended by hand.
+  if (until == Step::Evolve && !document_.parameters().segmentation.corrections.empty())
+    until = Step::Correct;
   failedKey_.clear();
   polledStep_.reset();
   saidBefore_.clear();

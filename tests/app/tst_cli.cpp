@@ -147,8 +147,8 @@ class TestCli : public QObject, CliRun {
     QStringList stages;
     for (const QJsonValue& stage : report.value("stages").toArray())
       stages << stage.toObject().value("name").toString();
-    QCOMPARE(stages, QStringList({"load", "preprocess", "vesselness", "seeds", "evolve", "surface",
-                                  "smooth", "quality"}));
+    QCOMPARE(stages, QStringList({"load", "preprocess", "vesselness", "seeds", "evolve", "correct",
+                                  "surface", "smooth", "quality"}));
     QCOMPARE(report.value("parameters").toObject(),
              readJson(at("out/recipe.json")).value("parameters").toObject());
   }

@@ -26,6 +26,22 @@ inline FieldValue randomValue(const Field& field, std::uint64_t seed) {
       if (field.key == "ports.names")
         return std::vector<std::string>{"border_" + std::to_string(1 + seed % 3) + "=left",
                                         "border_9=right-" + std::to_string(seed % 7)};
+      if (field.key == "segmentation.corrections") {
+        std::vector<std::string> made;
+        for (int n = 0; n < 3; ++n) {
+          Correction correction;
+          correction.kind = static_cast<CorrectionKind>((seed + static_cast<unsigned>(n)) % 9);
+          if (isBrush(correction.kind)) correction.radiusMm = 0.5 + u;
+          const bool two = correction.kind == CorrectionKind::Bridge ||
+                           correction.kind == CorrectionKind::Separate;
+          for (int p = 0; p < (two || isBrush(correction.kind) ? 2 : 1); ++p)
+            correction.placesLps.emplace_back(100.0 * u, -30.0 * n, 5.0 * p);
+          if (correction.kind == CorrectionKind::CutOff && u < 0.5)
+            correction.normalLps = Eigen::Vector3d(0.3, -u, 1.0).normalized();
+          made.push_back(correctionText(correction));
+        }
+        return made;
+      }
       std::vector<std::string> cuts;
       for (int n = 0; n < 2; ++n) {
         GivenCut cut;

@@ -56,7 +56,7 @@ class TestPipeline : public QObject {
     const Progress progress;
     const RunResult run = pipeline.run(smallParams(), {}, progress);
     QCOMPARE(progress.fraction(), 1.0);
-    QCOMPARE(run.stages.size(), std::size_t{7});
+    QCOMPARE(run.stages.size(), static_cast<std::size_t>(kStepCount - 1));
     const OverlapMeasures overlap =
         compareMasks(maskOnGrid(*run.surface->phi, phantom.truth.geometry), phantom.truth);
     QVERIFY(isAbove(overlap.overlap, 85.0));
@@ -132,7 +132,7 @@ class TestPipeline : public QObject {
     };
     QVERIFY_THROWS_EXCEPTION(Cancelled, pipeline.run(Parameters(), options, progress));
     const std::vector<Step> upToSurface{Step::Preprocess, Step::Vesselness, Step::Seeds,
-                                        Step::Evolve, Step::Surface};
+                                        Step::Evolve,     Step::Correct,    Step::Surface};
     QVERIFY(told == upToSurface);
     QVERIFY(pipeline.has(Step::Surface, Parameters()));
     QCOMPARE(pipeline.deepestAtHand(Parameters()), Step::Surface);
@@ -451,8 +451,8 @@ class TestPipeline : public QObject {
     const RunResult run = pipeline.run(params, options);
     QVERIFY(run.failure && run.failure->step == Step::Surface);
     QVERIFY(run.evolve && !run.surface && !run.smoothed && !run.quality);
-    QCOMPARE(run.key, pipeline.key(Step::Evolve, params));
-    QVERIFY(run.stages.back().step == Step::Evolve);
+    QCOMPARE(run.key, pipeline.key(Step::Correct, params));
+    QVERIFY(run.stages.back().step == Step::Correct);
     // What failed before is thrown all the same.
     params.thresholds.b = 1.0;
     QVERIFY_THROWS_EXCEPTION(NumericError, pipeline.run(params, options));
