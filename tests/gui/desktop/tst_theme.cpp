@@ -162,7 +162,7 @@ class TestTheme : public QObject {
         w.window->resize(size);
         QTRY_VERIFY((bar->toolButtonStyle() == Qt::ToolButtonTextBesideIcon) == text);
       }
-      QCOMPARE(tools, 19);
+      QCOMPARE(tools, 20);
     }
     QApplication::setFont(usual);
   }
