@@ -26,8 +26,8 @@ struct PreprocessParams {
   bool operator==(const PreprocessParams&) const = default;
 };
 
-/// The least box of the voxels whose centres lie in the LPS box (any order of the corners). Looks at
-/// rows, not at voxels.
+/// The least box of the voxels whose centres lie in the LPS box (any order of the corners). Looks
+/// at rows, not at voxels.
 /// @throws InputError when no voxel centre, or fewer than 2 in some direction, lies in it
 VoxelBox voxelsInBox(const Geometry& geometry, const std::array<double, 6>& boxLps);
 

@@ -199,8 +199,7 @@ class TestModels : public QObject {
     QCOMPARE(models.document.parameters().thresholds.xi, xiAfter(kMore));
     QVERIFY(models.document.modified());
     while (undo.canRedo()) undo.redo();
-    QCOMPARE(models.document.parameters().thresholds.xi,
-             xiAfter(CaseDocument::kMostEdits + kMore));
+    QCOMPARE(models.document.parameters().thresholds.xi, xiAfter(CaseDocument::kMostEdits + kMore));
   }
 
   void valuesOutOfRangeAreRefused() {
