@@ -5,8 +5,8 @@
 #include <QSlider>
 #include <QSpinBox>
 
-#include "core/parameters/field.h"
 #include "core/image/voxel_box.h"
+#include "core/parameters/field.h"
 #include "tests/gui/port_case.h"
 #include "tests/gui/window_case.h"
 
