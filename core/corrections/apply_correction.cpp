@@ -15,6 +15,7 @@
 #include "core/corrections/tube_shape.h"
 #include "core/distance/cell_band.h"
 #include "core/distance/redistance.h"
+#include "core/image/growing_box.h"
 #include "core/image/voxels.h"
 
 namespace angiomesh {
@@ -109,18 +110,11 @@ Volume<std::uint8_t> besideWalls(const Volume<float>& phi, const CellBand& touch
 }
 
 /// The boxes of the connected parts of a set.
-std::vector<VoxelBox> boxesOf(const Components& parts) {
-  const Geometry& g = parts.labels.geometry;
-  std::vector<VoxelBox> boxes(parts.sizes.size(), {g.size, {-1, -1, -1}});
-  for (std::size_t v = 0; v < parts.labels.voxels.size(); ++v) {
-    if (parts.labels.voxels[v] == 0) continue;
-    VoxelBox& box = boxes[static_cast<std::size_t>(parts.labels.voxels[v] - 1)];
-    const Index3 p = g.indexOf(v);
-    for (std::size_t a = 0; a < 3; ++a) {
-      box.low[a] = std::min(box.low[a], p[a]);
-      box.high[a] = std::max(box.high[a], p[a]);
-    }
-  }
+std::vector<GrowingBox> boxesOf(const Components& parts) {
+  std::vector<GrowingBox> boxes(parts.sizes.size());
+  for (std::size_t v = 0; v < parts.labels.voxels.size(); ++v)
+    if (const std::int32_t part = parts.labels.voxels[v]; part != 0)
+      boxes[static_cast<std::size_t>(part - 1)].add(parts.labels.geometry.indexOf(v));
   return boxes;
 }
 
@@ -139,8 +133,9 @@ VoxelBox redistanceAround(const Volume<float>& before, Volume<float>& phi, const
     if (parts.labels.voxels[v] == 0) part.voxels[v] = std::copysign(far, part.voxels[v]);
   // Each where it is, as a tree that was cut off touches others in few places.
   std::int32_t label = 0;
-  for (const VoxelBox& box : boxesOf(parts)) {
+  for (const GrowingBox& grown : boxesOf(parts)) {
     ++label;
+    const VoxelBox& box = *grown.box();
     const VoxelBox inGrid{
         {box.low[0] + around.low[0], box.low[1] + around.low[1], box.low[2] + around.low[2]},
         {box.high[0] + around.low[0], box.high[1] + around.low[1], box.high[2] + around.low[2]}};

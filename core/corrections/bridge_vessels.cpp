@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/formatted.h"
 #include "core/corrections/cheapest_ways.h"
 #include "core/corrections/vessel_beside.h"
 #include "core/image/voxels.h"
@@ -24,11 +23,8 @@ constexpr std::size_t kMostVoxels = 2'000'000;
 constexpr int kRounds = 8;
 
 VesselBeside endAt(const Volume<float>& phi, const Vector3d& placeLps) {
-  const auto vessel = vesselBeside(phi, placeLps);
-  if (!vessel)
-    throw InputError("there is no vessel at " + placeText(placeLps), "bridge",
-                     "give two places in vessels, or at most 3 voxels beside them");
-  return *vessel;
+  return requireVesselBeside(phi, placeLps, "bridge",
+                             "give two places in vessels, or at most 3 voxels beside them");
 }
 
 /// Per mm: 1 inside phi < 0 and where the vesselness is largest.

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/formatted.h"
+#include "core/image/growing_box.h"
 #include "core/image/voxels.h"
 #include "core/topology/close_handles.h"
 
@@ -27,15 +28,9 @@ constexpr double kLongestLoop = 1000.0;
 constexpr float kFilledVoxels = 0.5F;
 
 VoxelBox boxOfVoxels(const Geometry& g, const std::vector<std::size_t>& voxels) {
-  VoxelBox box{g.indexOf(voxels.front()), g.indexOf(voxels.front())};
-  for (const std::size_t v : voxels) {
-    const Index3 p = g.indexOf(v);
-    for (std::size_t a = 0; a < 3; ++a) {
-      box.low[a] = std::min(box.low[a], p[a]);
-      box.high[a] = std::max(box.high[a], p[a]);
-    }
-  }
-  return box;
+  GrowingBox box;
+  for (const std::size_t v : voxels) box.add(g.indexOf(v));
+  return *box.box();
 }
 
 /// The voxels of phi >= 0 joined by faces to the one at the place; nothing where they reach the

@@ -9,6 +9,7 @@
 #include "core/base/formatted.h"
 #include "core/centreline/vessel_at.h"
 #include "core/field/wall_field.h"
+#include "core/image/growing_box.h"
 #include "core/image/voxels.h"
 
 namespace angiomesh {
@@ -76,7 +77,7 @@ class Cutter {
     for (const std::size_t v : beyond_) raise(v, std::max(height(v), half_));
     for (const std::size_t v : section_) raise(v, height(v));
     for (const std::size_t v : before) raise(v, height(v));
-    return *changed_;
+    return *changed_.box();
   }
 
   VoxelBox run(std::size_t start) {
@@ -119,12 +120,7 @@ class Cutter {
   void raise(std::size_t v, double to) {
     float& value = phi_.voxels[v];
     value = std::max(value, static_cast<float>(std::min(to, clamp_)));
-    const Index3 p = phi_.geometry.indexOf(v);
-    if (!changed_) changed_ = VoxelBox{p, p};
-    for (std::size_t a = 0; a < 3; ++a) {
-      changed_->low[a] = std::min(changed_->low[a], p[a]);
-      changed_->high[a] = std::max(changed_->high[a], p[a]);
-    }
+    changed_.add(phi_.geometry.indexOf(v));
   }
 
   Volume<float>& phi_;
@@ -132,7 +128,7 @@ class Cutter {
   double half_ = 0.0, clamp_ = 0.0;
   Volume<std::uint8_t> seen_;
   std::vector<std::size_t> section_, beyond_;
-  std::optional<VoxelBox> changed_;
+  GrowingBox changed_;
 };
 
 }  // namespace

@@ -2,12 +2,12 @@
 #include "core/corrections/separate_vessels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/formatted.h"
 #include "core/corrections/cheapest_ways.h"
 #include "core/corrections/vessel_beside.h"
 #include "core/distance/mask_distance.h"
@@ -71,15 +71,11 @@ void spread(Volume<std::uint8_t>& values, std::vector<std::size_t> known) {
 Shape gapBetween(const Volume<float>* image, float sign, const Volume<float>& phi,
                  const Vector3d& oneLps, const Vector3d& otherLps, const Progress& progress) {
   const Geometry& g = phi.geometry;
-  std::array<VesselBeside, 2> vessels;
-  for (std::size_t n = 0; n < 2; ++n) {
-    const Vector3d& place = n == 0 ? oneLps : otherLps;
-    const auto vessel = vesselBeside(phi, place);
-    if (!vessel)
-      throw InputError("there is no vessel at " + placeText(place), "separate",
-                       "give a place in each of the two vessels");
-    vessels[n] = *vessel;
-  }
+  const auto vesselOf = [&phi](const Vector3d& placeLps) {
+    return requireVesselBeside(phi, placeLps, "separate",
+                               "give a place in each of the two vessels");
+  };
+  const std::array vessels{vesselOf(oneLps), vesselOf(otherLps)};
   if (vessels[0].middle == vessels[1].middle)
     throw InputError("both places lie in one vessel", "separate",
                      "give a place in the middle of each of the two vessels");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/growing_box.h"
 #include "core/image/voxels.h"
 
 namespace angiomesh {
@@ -45,7 +46,7 @@ std::optional<VoxelBox> combine(Volume<float>& phi, const Shape& shape, float si
   const auto fillet = static_cast<float>(kFillet * phi.geometry.voxelMm());
   const Index3& size = shape.phi.geometry.size;
   const Index3& low = shape.box.low;
-  std::optional<VoxelBox> changed;
+  GrowingBox changed;
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i) {
@@ -59,13 +60,9 @@ std::optional<VoxelBox> combine(Volume<float>& phi, const Shape& shape, float si
         if (now == sign * a) continue;
         const Index3 p{low[0] + i, low[1] + j, low[2] + k};
         phi.at(p[0], p[1], p[2]) = now;
-        if (!changed) changed = VoxelBox{p, p};
-        for (std::size_t n = 0; n < 3; ++n) {
-          changed->low[n] = std::min(changed->low[n], p[n]);
-          changed->high[n] = std::max(changed->high[n], p[n]);
-        }
+        changed.add(p);
       }
-  return changed;
+  return changed.box();
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/centreline/vessel_at.h"
 #include "core/field/wall_field.h"
 #include "core/image/voxel_box.h"
@@ -54,6 +56,12 @@ std::optional<VesselBeside> vesselBeside(const Volume<float>& phi, const Eigen::
     found->radiusMm = vessel->radiusMm;
   }
   return found;
+}
+
+VesselBeside requireVesselBeside(const Volume<float>& phi, const Eigen::Vector3d& placeLps,
+                                 const char* where, const char* advice) {
+  if (const auto vessel = vesselBeside(phi, placeLps)) return *vessel;
+  throw InputError("there is no vessel at " + placeText(placeLps), where, advice);
 }
 
 }  // namespace angiomesh

@@ -20,4 +20,8 @@ struct VesselBeside {
 std::optional<VesselBeside> vesselBeside(const Volume<float>& phi, const Eigen::Vector3d& placeLps,
                                          double reachVoxels = 3.0);
 
+/// The same. @throws InputError from `where` with `advice` where there is none
+VesselBeside requireVesselBeside(const Volume<float>& phi, const Eigen::Vector3d& placeLps,
+                                 const char* where, const char* advice);
+
 }  // namespace angiomesh
