@@ -6,14 +6,11 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QToolBar>
-#include <QToolButton>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "gui/menu/window_actions.h"
-#include "gui/panel/named.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 
@@ -145,14 +142,7 @@ void CorrectMenu::buildHere() {
 }
 
 void CorrectMenu::addTo(QToolBar* bar) {
-  // Not the menu's own action: its icon would stand in the menu bar.
-  auto* entry = named(new QAction(tr("Correct"), window_), "correctMenu");
-  entry->setMenu(menu_);
-  const QList<QAction*> all = bar->actions();
-  const qsizetype after = all.indexOf(actionOf(window_, "toolCut")) + 1;
-  bar->insertAction(after < all.size() ? all[after] : nullptr, entry);
-  if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(entry)))
-    button->setPopupMode(QToolButton::InstantPopup);
+  addMenuButton(window_, bar, "correctMenu", tr("Correct"), menu_);
 }
 
 void CorrectMenu::addTo(QMenu* menu, const std::optional<Eigen::Vector3d>& place) {

@@ -7,14 +7,11 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QToolBar>
-#include <QToolButton>
 #include <array>
 #include <utility>
 
 #include "gui/findings/measurement_text.h"
 #include "gui/menu/window_actions.h"
-#include "gui/panel/named.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 
@@ -151,14 +148,7 @@ void MeasureMenu::buildEdits() {
 }
 
 void MeasureMenu::addTo(QToolBar* bar) {
-  // Not the menu's own action: its icon would stand in the menu bar.
-  auto* entry = named(new QAction(tr("Measure"), window_), "measureMenu");
-  entry->setMenu(menu_);
-  const QList<QAction*> all = bar->actions();
-  const qsizetype after = all.indexOf(actionOf(window_, "toolCut")) + 1;
-  bar->insertAction(after < all.size() ? all[after] : nullptr, entry);
-  if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(entry)))
-    button->setPopupMode(QToolButton::InstantPopup);
+  addMenuButton(window_, bar, "measureMenu", tr("Measure"), menu_);
 }
 
 void MeasureMenu::connectPanes() {

@@ -4,6 +4,8 @@
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
+#include <QToolBar>
+#include <QToolButton>
 
 namespace angiomesh {
 
@@ -26,6 +28,19 @@ QAction* addMenuToggle(QMainWindow* window, QMenu* menu, const char* name, const
   action->setCheckable(true);
   QObject::connect(action, &QAction::triggered, window, slot);
   return action;
+}
+
+void addMenuButton(QMainWindow* window, QToolBar* bar, const char* name, const QString& text,
+                   QMenu* menu) {
+  // Not the menu's own action: its icon would stand in the menu bar.
+  auto* entry = new QAction(text, window);
+  entry->setObjectName(QLatin1String(name));
+  entry->setMenu(menu);
+  const QList<QAction*> all = bar->actions();
+  const qsizetype after = all.indexOf(actionOf(window, "toolCut")) + 1;
+  bar->insertAction(after < all.size() ? all[after] : nullptr, entry);
+  if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(entry)))
+    button->setPopupMode(QToolButton::InstantPopup);
 }
 
 QAction* actionOf(const QMainWindow* window, const char* name) {

@@ -9,6 +9,7 @@
 class QAction;
 class QMainWindow;
 class QMenu;
+class QToolBar;
 
 namespace angiomesh {
 
@@ -18,6 +19,10 @@ QAction* addMenuAction(QMainWindow* window, QMenu* menu, const char* name, const
 /// The same, to be switched on and off.
 QAction* addMenuToggle(QMainWindow* window, QMenu* menu, const char* name, const QString& text,
                        const QKeySequence& shortcut, const std::function<void(bool)>& slot);
+
+/// A button of a bar that opens a menu, behind the tools that act with the mouse.
+void addMenuButton(QMainWindow* window, QToolBar* bar, const char* name, const QString& text,
+                   QMenu* menu);
 
 QAction* actionOf(const QMainWindow* window, const char* name);
 void enableActions(const QMainWindow* window, std::initializer_list<const char*> names, bool on);
