@@ -38,6 +38,9 @@ std::string arrow(const ParameterStep& step) {
          shortestText(std::round(step.to * 1e4) / 1e4);
 }
 
+/// "levelset.xi+" of a step up.
+std::string nameOf(const ParameterStep& step) { return step.key + (step.up ? "+" : "-"); }
+
 std::string markdown(const Sensitivity& found) {
   std::string text =
       "| parameter | step | mean move, mm | mean size, mm | 95 %, mm | lost, % | volume, % | "
@@ -76,8 +79,7 @@ std::string branches(const Sensitivity& found) {
   std::string text = "branch,component,length_mm,mean_radius_mm,middle_x,middle_y,middle_z,places";
   for (const StepEffect& effect : found.effects)
     if (effect.why.empty())
-      text += "," + effect.step.key + (effect.step.up ? "+" : "-") + "," + effect.step.key +
-              (effect.step.up ? "+" : "-") + " lost_percent";
+      text += "," + nameOf(effect.step) + "," + nameOf(effect.step) + " lost_percent";
   text += "\n";
   const std::vector<SkeletonBranch>& all = found.places.skeleton.branches;
   for (std::size_t b = 0; b < all.size(); ++b) {
@@ -105,8 +107,7 @@ void writeWall(const Sensitivity& found, const std::filesystem::path& place) {
   options.pointValues.emplace_back("spread_mm", found.spreadMm);
   for (const StepEffect& effect : found.effects)
     if (effect.why.empty())
-      options.pointValues.emplace_back(effect.step.key + (effect.step.up ? "+" : "-"),
-                                       effect.moves.movedMm);
+      options.pointValues.emplace_back(nameOf(effect.step), effect.moves.movedMm);
   writeMesh(found.places.wall, place, options);
 }
 
