@@ -209,6 +209,16 @@ class TestCorrections : public QObject {
       }
       QVERIFY2(worst < 0.3, qPrintable(QString::number(worst)));
     }
+    // What is as bright, and not connected to the middle of the line, is no part of it.
+    const Vector3d other = middle + Vector3d(4.0, 6.5, 0.0);
+    const auto both = imageOf(
+        sampled(g, [&](const Vector3d& p) { return std::min(vessel(p), ball(p, other, 1.6)); }));
+    const Corrected alone = applyCorrection(
+        phi, brush(CorrectionKind::AddToEdge, 9.0, {middle - 3.0 * x, middle + 10.0 * x}),
+        groundOf(&both));
+    QVERIFY(alone.added > 200);
+    for (std::size_t i = 0; i < g.voxelCount(); ++i)
+      if ((voxelCentre(g, i) - other).norm() < 2.0) QVERIFY(alone.phi.voxels[i] > 0.0F);
     // Where there is nothing bright under the brush.
     QVERIFY_THROWS_EXCEPTION(
         InputError, applyCorrection(phi, brush(CorrectionKind::AddToEdge, 3.0, {{20.0, 5.0, 5.0}}),
@@ -379,6 +389,15 @@ class TestCorrections : public QObject {
     QVERIFY(worstNear(
                 solid.phi, [&](const Vector3d& p) { return ball(p, middle, 9.0); }, 3.0) < 0.03);
     QCOMPARE(solid.removed, std::size_t{0});
+
+    // However deep it is.
+    const auto wide = redistance(clamped(g, [&](const Vector3d& p) {
+      return std::max(ball(p, middle, 13.0), -ball(p, middle, 8.0));
+    }));
+    const Corrected full =
+        applyCorrection(wide, at(CorrectionKind::FillHole, {middle}), groundOf(nullptr));
+    QVERIFY(worstNear(
+                full.phi, [&](const Vector3d& p) { return ball(p, middle, 13.0); }, 1.5) < 0.03);
 
     const auto ring =
         redistance(clamped(g, [&](const Vector3d& p) { return torus(p, middle, 6.0, 3.5); }));
