@@ -114,6 +114,37 @@ class TestFacingCheck : public QObject {
     }
   }
 
+  // Wherever on a large triangle the gradient turns away in a small place, at its corners, at the
+  // middles of its edges or at its centroid: its angle there is the one that is told.
+  void cornersEdgesAndTheCentroidAreMeasured() {
+    const Geometry g = analytic::cube(40);
+    const Vector3d centre = analytic::centreOf(g) + Vector3d(0.2, 0.1, 0.3);
+    std::vector<Vector3d> corners, places{centre};
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2.0 * M_PI * k / 3.0;
+      corners.push_back(centre + 11.0 * Vector3d(std::cos(angle), std::sin(angle), 0.0));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      places.push_back(corners[k]);
+      places.push_back(0.5 * (corners[k] + corners[(k + 1) % 3]));
+    }
+    PatchMesh mesh;
+    mesh.mesh.points = corners;
+    mesh.place.assign(3, Place::onWall());
+    addTriangle(mesh, {0, 1, 2});
+    for (const Vector3d& place : places) {
+      const SplineField field = analytic::fieldOf(analytic::sampled(g, [&](const Vector3d& p) {
+        const Vector3d d = p - place;
+        return 0.5 * d.x() + d.z() * (1.0 - 1.5 * std::exp(-0.25 * d.squaredNorm()));
+      }));
+      const double degrees = analytic::degreesBetween(field.at(place).gradient, Vector3d::UnitZ());
+      QVERIFY(degrees > 125.0);
+      const auto turned = turnedFaces(mesh, field, {});
+      QCOMPARE(turned.size(), std::size_t{1});
+      QVERIFY(turned[0].measured && std::fabs(turned[0].degrees - degrees) < 1e-6);
+    }
+  }
+
   // Where no bound over the whole triangle is enough boxes are halved; a wave that nowhere turns is
   // found to face, one that turns a little is found to turn.
   void halvedBoxesDecide() {
