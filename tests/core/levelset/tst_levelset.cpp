@@ -224,6 +224,22 @@ class TestLevelSet : public QObject {
     QCOMPARE(evolution.step(1), 0);
   }
 
+  /// After three checks in a row whose change is as that before: the first has none before it.
+  void threeSteadyChecksSettleTheEvolution() {
+    LevelSetParams params;
+    params.checkEvery = 2;
+    params.tolerance = 0.0;       // no change is small enough
+    params.toleranceDelta = 1e9;  // any two changes are alike
+    LevelSetEvolution evolution = startedTorus(params);
+    QCOMPARE(evolution.step(100), 8);
+    QCOMPARE(evolution.stopReason(), StopReason::Settled);
+    params.toleranceDelta = 0.0;  // none are
+    params.maxIterations = 20;
+    LevelSetEvolution restless = startedTorus(params);
+    QCOMPARE(restless.step(100), 20);
+    QCOMPARE(restless.stopReason(), StopReason::Limit);
+  }
+
   void aSeedOnGroundShrinksToNothing() {
     const Geometry g = cube(16);
     LevelSetEvolution evolution(std::make_shared<const Volume<float>>(g, -0.5F), simpleThresholds(),
