@@ -73,6 +73,17 @@ class TestTriangleMeasures : public QObject {
     }
   }
 
+  /// Of shapes equilateral triangles of one size are the best, and one without an area the worst.
+  void scalesEndAtTheBestAndTheWorstTriangle() {
+    for (const char* key :
+         {"min-angle", "max-angle", "radius-ratio", "skewness", "aspect-ratio", "gradation"})
+      for (const float value : valuesOf(key, shapes::icosahedron()))
+        QVERIFY2(near(value, measureOf(key).best, 1e-4), key);
+    const TriMesh line{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1, 2}}};
+    for (const char* key : {"min-angle", "max-angle", "radius-ratio", "skewness"})
+      QVERIFY2(near(valuesOf(key, line)[0], measureOf(key).worst, 1e-4), key);
+  }
+
   void shapesOfARightTriangle() {
     // Sides 3, 4, 5: inradius 1, circumradius 2.5.
     const TriMesh right{{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}};
