@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QTest>
+#include <array>
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/centreline/lumen_probe.h"
 #include "core/centreline/vessel_at.h"
 #include "core/distance/redistance.h"
 #include "core/phantom/phantom.h"
@@ -74,6 +76,25 @@ class TestVesselAt : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// Into the box of the voxels' centres, at each of its faces, edges and corners.
+  void pointsBeyondTheVolumeAreMovedToItsFaces() {
+    const Geometry g = oblique(24, 22, 18);
+    const SplineField field =
+        fieldOf(g, [&](const Vector3d& x) { return ball(x, centreOf(g), 3); });
+    const LumenProbe probe(field);
+    const Vector3d last(23.0, 21.0, 17.0);
+    for (int n = 0; n < 27; ++n) {
+      Vector3d index, nearest;
+      int beyond = n;
+      for (int a = 0; a < 3; ++a, beyond /= 3) {
+        nearest[a] = std::array{0.0, 0.4 * last[a], last[a]}[static_cast<std::size_t>(beyond % 3)];
+        index[a] = nearest[a] + 3.5 * (beyond % 3 - 1);
+        if (beyond % 3 == 1) index[a] = nearest[a];
+      }
+      QVERIFY((probe.intoVolume(g.toPhysical(index)) - g.toPhysical(nearest)).norm() < 1e-9);
+    }
+  }
+
   void straightTubes_data() {
     QTest::addColumn<Vector3d>("axis");
     QTest::addColumn<double>("radius");
