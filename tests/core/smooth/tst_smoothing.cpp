@@ -378,6 +378,22 @@ class TestSmoothing : public QObject {
     QVERIFY(rims[0] > 10 && rims[0] == rims[1]);
   }
 
+  // A mesh that tells its patches apart says no more about its open rims than one that does not.
+  void openRimsStayOfTheWallBesidePatches() {
+    const Scene scene = tubeScene(3.0, SurfaceBorder::Open);
+    TriMesh mesh = scene.mesh;
+    mesh.patch.assign(mesh.triangles.size(), 0);
+    const WallPlaces places(mesh, scene.field.get(), {}, std::vector<char>(mesh.points.size(), 0));
+    int rim = 0;
+    for (const RimEdge& edge : rimEdges(mesh)) {
+      const Place& place = places.mesh.place[edge.from];
+      QVERIFY(place.wall && place.planes() == 1 && places.offWall[edge.from] == 0);
+      QVERIFY(!places.planes[static_cast<std::size_t>(place.firstPlane() - 6)].isZero());
+      ++rim;
+    }
+    QVERIFY(rim > 20);
+  }
+
   void noiseStaysSound() {
     const Volume<float> phi = shapes::noise({8, 8, 8}, 5);
     const SplineField field(phi, SplineKind::InterpolatingBspline);
