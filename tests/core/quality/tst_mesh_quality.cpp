@@ -215,6 +215,23 @@ class TestMeshQuality : public QObject {
     QVERIFY(shapesOf(mesh)[2].minAngle > 30.0);
   }
 
+  // Wherever triangles that repeat a vertex stand, the topology is that of the others.
+  void trianglesThatRepeatAVertexDoNotCountInTheTopology() {
+    const TriMesh torus = shapes::torus(24, 12, 3.0, 1.0);
+    for (const std::ptrdiff_t place : {0, 100, 576}) {
+      TriMesh mesh = torus;
+      QCOMPARE(mesh.triangles.size(), std::size_t{576});
+      mesh.triangles.insert(mesh.triangles.begin() + place, {7, 7, 8});
+      const MeshQuality q = measureQuality(mesh);
+      QVERIFY(q.closed && q.oriented);
+      QCOMPARE(q.components, 1);
+      QCOMPARE(q.euler, 0);
+      QCOMPARE(q.genus, 1);
+      QCOMPARE(q.boundaryLoops, std::size_t{0});
+      QCOMPARE(q.degenerateTriangles, std::size_t{1});
+    }
+  }
+
   void interpenetratingBodies() {
     TriMesh mesh = shapes::tetrahedron();
     shapes::append(mesh, shapes::moved(shapes::tetrahedron(), {0.2, 0.2, 0.2}));
