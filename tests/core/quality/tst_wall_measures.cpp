@@ -90,6 +90,22 @@ class TestWallMeasures : public QObject {
     QVERIFY(inscribed < torus.volumeMm3 && inscribed > 0.98 * torus.volumeMm3);
   }
 
+  // phi = x^2 - h^2 has walls at -h and h. Between them it is so flat that the way to the wall, by
+  // phi's derivatives, comes out far too long: no piece of wall is moved farther than a fine cell.
+  void theMiddleOfAThinPlateMovesNoWallFar() {
+    const Geometry g = analytic::cube(8);
+    constexpr double half = 0.1, refine = 4.0;
+    for (int n = 0; n < 50; ++n) {
+      const double middle = 3.0 + 0.02 * n;
+      const auto phi = analytic::sampled(g, [&](const Eigen::Vector3d& x) {
+        return (x.x() - middle) * (x.x() - middle) - half * half;
+      });
+      const ZeroSetMeasure plate = measureZeroSet(SplineField(phi, SplineKind::CatmullRom));
+      // A straight line finds each wall within a fine cell, and it is moved by one at most.
+      QVERIFY(std::fabs(plate.volumeMm3 / 49.0 - 2.0 * half) < 2.0 * 2.0 / refine);
+    }
+  }
+
   void nothingInsideAndEverythingInside() {
     Volume<float> phi(analytic::cube(9), 1.0F);
     QCOMPARE(measureZeroSet(SplineField(phi, SplineKind::Bspline)).volumeMm3, 0.0);
