@@ -13,9 +13,12 @@ using namespace angiomesh::analytic;
 
 namespace {
 
-/// A tube along z of radius 3, brightness 200 on 20, and a grey one beside it.
-Volume<float> tubes() {
-  return sampled(cube(40), [](const Eigen::Vector3d& x) {
+/// A tube along z of radius 3 voxels, brightness 200 on 20, and a grey one beside it.
+Volume<float> tubes(double voxelMm) {
+  Geometry g = cube(40);
+  g.spacing.setConstant(voxelMm);
+  return sampled(g, [&](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d x = p / voxelMm;
     const double a = tube(x, {12.0, 20.0, 20.0}, {0, 0, 1}, 3.0);
     const double b = tube(x, {30.0, 20.0, 20.0}, {0, 0, 1}, 2.0);
     return 20.0 + 180.0 * std::clamp(0.5 - a, 0.0, 1.0) + 90.0 * std::clamp(0.5 - b, 0.0, 1.0);
@@ -26,11 +29,11 @@ struct Case {
   Parameters params;
   RunResult run;
 
-  Case() {
-    params.vesselness.sigmaMaxMm = 4.0;
+  explicit Case(double voxelMm = 1.0) {
+    params.vesselness.sigmaMaxMm = 4.0 * voxelMm;
     RunOptions options;
     options.until = Step::Evolve;
-    run = Pipeline(makeSource(tubes(), "tubes")).run(params, options);
+    run = Pipeline(makeSource(tubes(voxelMm), "tubes")).run(params, options);
   }
 
   [[nodiscard]] VoxelReason at(const Eigen::Vector3d& lps, const Volume<float>* kept = nullptr) {
@@ -49,8 +52,13 @@ class TestVoxelReason : public QObject {
 
  private Q_SLOTS:
   /// The numbers are those that the run itself went by, also at the border of the volume.
+  void theNumbersAreThoseOfTheRun_data() {
+    QTest::addColumn<double>("voxelMm");
+    for (const double voxelMm : {0.4, 1.0}) QTest::addRow("%g", voxelMm) << voxelMm;
+  }
   void theNumbersAreThoseOfTheRun() {
-    Case c;
+    QFETCH(double, voxelMm);
+    Case c(voxelMm);
     const Volume<float>& v = *c.run.vesselness->multiScale;
     const Volume<float> speed = speedVolume(v, c.run.evolve->thresholds);
     for (const Index3& at : {Index3{12, 20, 20}, Index3{16, 20, 20}, Index3{0, 39, 3},
