@@ -145,6 +145,32 @@ class TestFacingCheck : public QObject {
     }
   }
 
+  // Nor does a small place between all those in which the gradient turns away go unnoticed, though
+  // only halved boxes lead there; they also tell where it comes near to that but does not.
+  void placesInsideATriangleAreLookedAt() {
+    const Geometry g = analytic::cube(24);
+    const Vector3d centre = analytic::centreOf(g) + Vector3d(0.2, 0.1, 0.3);
+    PatchMesh mesh;
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2.0 * M_PI * k / 3.0;
+      mesh.mesh.points.push_back(centre + 5.0 * Vector3d(std::cos(angle), std::sin(angle), 0.0));
+    }
+    mesh.place.assign(3, Place::onWall());
+    addTriangle(mesh, {0, 1, 2});
+    // Along the normal the gradient is 1 - depth in that place.
+    for (const auto& [depth, turns] : {std::pair{0.95, false}, std::pair{1.5, true}}) {
+      for (const Vector3d& corner : mesh.mesh.points) {
+        const Vector3d place = 0.55 * centre + 0.45 * corner;
+        const SplineField field =
+            analytic::fieldOf(analytic::sampled(g, [&, most = depth](const Vector3d& p) {
+              const Vector3d d = p - place;
+              return 0.5 * d.x() + d.z() * (1.0 - most * std::exp(-0.25 * d.squaredNorm()));
+            }));
+        QCOMPARE(!turnedFaces(mesh, field, {}).empty(), turns);
+      }
+    }
+  }
+
   // Where no bound over the whole triangle is enough boxes are halved; a wave that nowhere turns is
   // found to face, one that turns a little is found to turn.
   void halvedBoxesDecide() {
