@@ -33,15 +33,8 @@ void countRims(const PatchMesh& mesh, const std::vector<EdgeSide>& sides, Surfac
     const std::uint32_t label = check.parts.label[sides[i].triangle];
     SurfaceComponent& component = check.components[label];
     --component.euler;
-    if (count == 2) {
-      if (sides[i].forward == sides[i + 1].forward)
-        doubtIt(component, "faces disagree in orientation");
-      continue;
-    }
-    if (count > 2) {
-      doubtIt(component, "an edge has more than two faces");
-      continue;
-    }
+    // Where faces disagree in orientation or are more than two, the edge's ends are irregular.
+    if (count > 1) continue;
     rims.join(sides[i].low, sides[i].high);
     onRim.emplace_back(sides[i].low, label);
     const bool inPlane = mesh.place[sides[i].low].shared(mesh.place[sides[i].high]).planes() > 0;
