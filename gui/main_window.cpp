@@ -33,6 +33,8 @@
 #include "gui/menu/measure_menu.h"
 #include "gui/menu/pane_menu.h"
 #include "gui/menu/port_menu.h"
+#include "gui/menu/preset_menu.h"
+#include "gui/menu/run_menu.h"
 #include "gui/menu/window_actions.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
@@ -59,7 +61,6 @@ namespace {
 constexpr int kWidth = 1560, kHeight = 960;
 constexpr int kPanelWidth = 400, kNarrowPanelWidth = 360;
 constexpr int kInspectorHeight = 650, kPortsHeight = 250;
-constexpr int kStepIterations = 10;
 
 }  // namespace
 
@@ -81,6 +82,8 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       pictures_(new Pictures(this, *models_, *views_, options_.chooser, options_.makeRunner)),
       report_(new MeshReport(*models_, *state_, *views_, *measures_, *review_, options_.makeRunner,
                              this)),
+      presets_(new PresetMenu(this, *models_, options_.chooser, options_.questions,
+                              options_.makeRunner)),
       recipes_(new RecipeActions(*models_, options_.chooser, options_.makeRunner, this)),
       workspaces_(new Workspaces(this)),
       recents_(new RecentCases(*models_, options_.makeRunner, this)),
@@ -142,6 +145,7 @@ MainWindow::~MainWindow() {
   };
   drop(report_);
   drop(recipes_);
+  drop(presets_);
   drop(why_);
   drop(views_);
   drop(inspection_);
@@ -219,7 +223,12 @@ void MainWindow::buildMenus() {
                 [this] { models_->document.setRoi(std::nullopt); });
   edit->addSeparator();
   recipes_->addCopies(edit);
-  buildRunMenu();
+  presets_->addTo(edit);
+  findChild<PipelinePanel*>()->setPresetMenu(presets_->menu());
+  addRunMenu(this, *models_, [this] {
+    models_->cancel();
+    pictures_->cancel();
+  });
   tools_->buildToolMenu();
   portMenu_ = new PortMenu(this, *models_, *ports_, *portPanel_, *views_, options_.chooser);
   buildReviewMenu();
@@ -287,23 +296,6 @@ void MainWindow::buildFileMenu() {
   pictures_->addActions(file);
   file->addSeparator();
   addMenuAction(this, file, "quit", tr("Quit"), QKeySequence::Quit, [this] { close(); });
-}
-
-void MainWindow::buildRunMenu() {
-  QMenu* run = menuBar()->addMenu(tr("&Run"));
-  addMenuAction(this, run, "runAll", tr("Run"), QKeySequence(Qt::Key_F5),
-                [this] { models_->runs.run(); });
-  addMenuAction(this, run, "cancelRun", tr("Cancel"), QKeySequence(Qt::Key_Escape), [this] {
-    models_->cancel();
-    pictures_->cancel();
-  });
-  run->addSeparator();
-  addMenuAction(this, run, "pauseRun", tr("Pause"), QKeySequence(Qt::Key_F6),
-                [this] { models_->runs.setPaused(!models_->runs.paused()); });
-  addMenuAction(this, run, "stepRun", tr("Step"), QKeySequence(Qt::Key_F7),
-                [this] { models_->runs.stepEvolution(kStepIterations); });
-  addMenuAction(this, run, "finishRun", tr("Finish"), QKeySequence(Qt::Key_F8),
-                [this] { models_->runs.finishEvolution(); });
 }
 
 void MainWindow::buildReviewMenu() {

@@ -31,6 +31,7 @@ class MeasurePanel;
 class Pictures;
 class PortMenu;
 class PortPanel;
+class PresetMenu;
 class RecipeActions;
 class ViewGrid;
 class WhyPanel;
@@ -83,7 +84,6 @@ class MainWindow : public QMainWindow {
   void buildDocks();
   void buildMenus();
   void buildFileMenu();
-  void buildRunMenu();
   void buildReviewMenu();
   void buildStatusBar();
   void runOnceLoaded();
@@ -112,6 +112,7 @@ class MainWindow : public QMainWindow {
   ViewTools* tools_;
   Pictures* pictures_;
   MeshReport* report_;
+  PresetMenu* presets_;
   RecipeActions* recipes_;
   Workspaces* workspaces_;
   RecentCases* recents_;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/cli/commands.h"
 #include "core/base/formatted.h"
 #include "core/parameters/field.h"
+#include "core/parameters/presets.h"
 
 namespace angiomesh::cli {
 namespace {
@@ -40,24 +44,46 @@ std::string valueIn(const Field& field, const std::string& presetName) {
   return text.empty() ? "none" : text;
 }
 
+/// The values that presets beside the default have, in groups: "0 (ct, head-cta)".
+std::string otherValues(const Field& field) {
+  std::vector<std::pair<std::string, std::string>> groups;  // value, names
+  const std::string own = valueIn(field, presetNames().front());
+  for (const std::string& name : presetNames()) {
+    const std::string value = valueIn(field, name);
+    if (value == own) continue;
+    const auto known = std::find_if(groups.begin(), groups.end(),
+                                    [&](const auto& group) { return group.first == value; });
+    if (known == groups.end())
+      groups.emplace_back(value, name);
+    else
+      known->second += ", " + name;
+  }
+  std::string text;
+  for (const auto& [value, names] : groups)
+    text += (text.empty() ? "" : "; ") + value + " (" + names + ")";
+  return text;
+}
+
 void printMarkdown() {
   std::printf(
       "# Parameters\n\n"
       "Keys as in `--set key=value`, in `params.json` (nested by the dots) and in the forms of "
       "the\n"
       "desktop program. A working voxel is a voxel of the grid that the pipeline works on after\n"
-      "cropping and resampling. `--preset` chooses between the columns of values.\n\n"
-      "This page is the output of `angiomesh-cli parameters --markdown`.\n\n| key |");
-  for (const std::string& name : presetNames()) std::printf(" `%s` |", name.c_str());
-  std::printf(" allowed | unit | meaning | a larger value |\n|---|");
-  for (std::size_t i = 0; i < presetNames().size(); ++i) std::printf("---|");
-  std::printf("---|---|---|---|\n");
+      "cropping and resampling.\n\n"
+      "This page is the output of `angiomesh-cli parameters --markdown`.\n\n"
+      "## Presets\n\n`--preset` chooses what to begin with.\n\n"
+      "| preset | for |\n|---|---|\n");
+  for (const Preset& preset : shippedPresets())
+    std::printf("| `%s` | %s |\n", preset.name.c_str(), preset.about.c_str());
+  std::printf(
+      "\n## Fields\n\n"
+      "| key | default | in other presets | allowed | unit | meaning | a larger value |\n"
+      "|---|---|---|---|---|---|---|\n");
   for (const Field& field : parameterFields()) {
-    std::printf("| `%s` |", field.key.c_str());
-    for (const std::string& name : presetNames())
-      std::printf(" %s |", valueIn(field, name).c_str());
-    std::printf(" %s | %s | %s | %s |\n", allowed(field).c_str(), field.unit.c_str(),
-                field.help.c_str(), field.rise.c_str());
+    std::printf("| `%s` | %s | %s | %s | %s | %s | %s |\n", field.key.c_str(),
+                valueIn(field, presetNames().front()).c_str(), otherValues(field).c_str(),
+                allowed(field).c_str(), field.unit.c_str(), field.help.c_str(), field.rise.c_str());
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "app/session/session.h"
 #include "core/base/error.h"
+#include "core/base/formatted.h"
 #include "core/parameters/field.h"
 #include "io/file/files.h"
 #include "io/vessel/ports_file.h"
@@ -72,7 +73,7 @@ Recipe ParameterOptions::recipe() const {
 
 void addSettings(CLI::App& command, ParameterOptions& options) {
   command.add_option("--preset", options.presetName,
-                     "Parameters to start from: angiomesh, ct, thesis");
+                     "Parameters to start from: " + joined(presetNames()));
   command.add_option("--recipe,--params", options.recipeFile,
                      "The recipe.json of a run or an exported one, or a JSON file of parameters");
   command

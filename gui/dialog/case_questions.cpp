@@ -11,11 +11,14 @@ namespace angiomesh {
 
 namespace {
 
-bool replaceCase(QWidget* parent, const QString& name) {
-  return QMessageBox::warning(parent, QObject::tr("Save case"),
-                              QObject::tr("There is a case %1 already. Replace it?").arg(name),
-                              QMessageBox::Yes | QMessageBox::Cancel,
+bool sure(QWidget* parent, const QString& title, const QString& question) {
+  return QMessageBox::warning(parent, title, question, QMessageBox::Yes | QMessageBox::Cancel,
                               QMessageBox::Cancel) == QMessageBox::Yes;
+}
+
+bool replaceCase(QWidget* parent, const QString& name) {
+  return sure(parent, QObject::tr("Save case"),
+              QObject::tr("There is a case %1 already. Replace it?").arg(name));
 }
 
 SaveAnswer saveChanges(QWidget* parent, const QString& name) {
@@ -88,6 +91,15 @@ CaseQuestions dialogCaseQuestions() {
   questions.saveChanges = saveChanges;
   questions.restore = restore;
   questions.findSource = findSource;
+  questions.replacePreset = [](QWidget* parent, const QString& name) {
+    return sure(parent, QObject::tr("Import a preset"),
+                QObject::tr("There is a preset %1 already. Replace it?").arg(name));
+  };
+  questions.removePreset = [](QWidget* parent, const QString& name) {
+    return sure(
+        parent, QObject::tr("Remove a preset"),
+        QObject::tr("Remove the preset %1 for good? The parameters in use stay.").arg(name));
+  };
   return questions;
 }
 

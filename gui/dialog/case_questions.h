@@ -22,6 +22,7 @@ struct CaseQuestions {
   std::function<RestoreAnswer(QWidget*, const QString& what, bool later)> restore;
   /// Where the volume of a case is. `reason` says why the last answer would not do; empty at first.
   std::function<SourceAnswer(QWidget*, const QString& what, const QString& reason)> findSource;
+  std::function<bool(QWidget*, const QString&name)> replacePreset, removePreset;
 };
 CaseQuestions dialogCaseQuestions();
 

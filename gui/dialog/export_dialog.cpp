@@ -144,6 +144,13 @@ PathChooser dialogPathChooser() {
         QObject::tr("Meshes (%1);;All files (*)").arg(patterns.join(' ')), nullptr,
         QFileDialog::DontUseNativeDialog);
   };
+  chooser.openPreset = [](QWidget* parent) {
+    const SharedHistory history;
+    return QFileDialog::getOpenFileName(
+        parent, QObject::tr("Import a preset"), {},
+        QObject::tr("Presets, recipes and parameters (*.json);;All files (*)"), nullptr,
+        QFileDialog::DontUseNativeDialog);
+  };
   chooser.save = [](QWidget* parent, const QString& suggested, const QString& filter) {
     const SharedHistory history;
     return QFileDialog::getSaveFileName(parent, QObject::tr("Export"), suggested, filter, nullptr,

@@ -26,6 +26,7 @@ struct PathChooser {
   std::function<QString(QWidget*)> openFolder;
   std::function<QString(QWidget*)> openPorts;
   std::function<QString(QWidget*)> openMesh;
+  std::function<QString(QWidget*)> openPreset;
   std::function<QString(QWidget*, const QString& suggested, const QString& filter)> save;
 };
 PathChooser dialogPathChooser();

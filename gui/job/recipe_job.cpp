@@ -16,4 +16,13 @@ void RecipeFileJob::execute() noexcept {
   }
 }
 
+void RecipeReadJob::execute() noexcept {
+  try {
+    recipe = readRecipe(path, Parameters());
+    validate(recipe.params);
+  } catch (const std::exception& failure) {
+    error = withoutPath(failure.what(), path, path.filename().string());
+  }
+}
+
 }  // namespace angiomesh

@@ -19,4 +19,15 @@ struct RecipeFileJob {
   std::string error;
 };
 
+/// Reads a recipe or a file of parameters, likewise.
+struct RecipeReadJob {
+  std::filesystem::path path;
+
+  void execute() noexcept;
+
+  // After execute():
+  Recipe recipe;
+  std::string error;
+};
+
 }  // namespace angiomesh

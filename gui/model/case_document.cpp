@@ -125,22 +125,6 @@ void CaseDocument::setField(const QString& key, const FieldValue& value, bool co
   change(after, tr("change %1").arg(key), key, continued);
 }
 
-void CaseDocument::applyPreset(const QString& name) {
-  Parameters after = preset(name.toStdString());
-  copyPlaces(parameters(), after);
-  change(after, tr("preset %1").arg(name));
-  Q_EMIT presetChosen(name);
-}
-
-QString CaseDocument::presetName() const {
-  for (const std::string& name : presetNames()) {
-    Parameters candidate = preset(name);
-    copyPlaces(parameters(), candidate);
-    if (candidate == parameters()) return QString::fromStdString(name);
-  }
-  return {};
-}
-
 std::vector<Eigen::Vector3d> CaseDocument::seeds() const {
   std::vector<Eigen::Vector3d> points;
   const std::vector<double>& numbers = parameters().seeds.points;

@@ -61,9 +61,6 @@ class CaseDocument : public QObject {
   void change(const Parameters& params, const CaseNotes& notes, const QString& text);
   /// @param continued merges with the last change of the same field, as while a slider is dragged
   void setField(const QString& key, const FieldValue& value, bool continued = false);
-  void applyPreset(const QString& name);
-  /// The preset that the parameters, places aside, are equal to; empty: none.
-  [[nodiscard]] QString presetName() const;
   [[nodiscard]] std::vector<Eigen::Vector3d> seeds() const;
   void addSeed(const Eigen::Vector3d& lps);
   void removeSeed(int index);
@@ -76,7 +73,6 @@ class CaseDocument : public QObject {
   void parametersChanged();  ///< or an edit was refused, and a form has to show what is
   void edited();             ///< after parametersChanged(), where there was an edit
   void notesChanged();
-  void presetChosen(const QString& name);
 
  private:
   /// What edits change.

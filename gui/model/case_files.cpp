@@ -50,11 +50,13 @@ std::string absolute(const QString& path) {
 
 }  // namespace
 
-CaseFiles::CaseFiles(CaseDocument& document, ResultModel& results, RunModel& runs, MessageLog& log,
-                     JobTimer& timer, const JobRunnerFactory& makeRunner,
-                     const std::filesystem::path& recovery, QObject* parent)
+CaseFiles::CaseFiles(CaseDocument& document, PresetShelf& presets, ResultModel& results,
+                     RunModel& runs, MessageLog& log, JobTimer& timer,
+                     const JobRunnerFactory& makeRunner, const std::filesystem::path& recovery,
+                     QObject* parent)
     : QObject(parent),
       document_(document),
+      presets_(presets),
       results_(results),
       runs_(runs),
       log_(log),
@@ -63,7 +65,7 @@ CaseFiles::CaseFiles(CaseDocument& document, ResultModel& results, RunModel& run
       slot_(timer, makeRunner, [this](const std::shared_ptr<LoadJob>& job) { finishLoad(job); }) {
   timer_.add(*this);
   connect(document_.undoStack(), &QUndoStack::indexChanged, this, &CaseFiles::noteEdit);
-  connect(&document_, &CaseDocument::presetChosen, this, [this](const QString& name) {
+  connect(&presets_, &PresetShelf::chosen, this, [this](const QString& name) {
     if (document_.hasCase()) rememberPreset(info_.modality, name);
   });
   connect(&runs_, &RunModel::ended, this, [this] {
@@ -186,10 +188,11 @@ void CaseFiles::announce() {
 Parameters CaseFiles::parametersToBegin(const LoadJob& job) {
   if (job.startParameters()) return *job.startParameters();
   if (!document_.hasCase() && document_.undoStack()->count() > 0) return document_.parameters();
-  const QString name = presetFor(job.info().modality);
-  if (name != QLatin1String("angiomesh"))
-    log_.say(Severity::Info, tr("Begins with the preset %1.").arg(name));
-  return preset(name.toStdString());
+  const Preset& preset = presets_.beginningFor(job.info().modality);
+  if (&preset != &presets_.all().front())
+    log_.say(Severity::Info,
+             tr("Begins with the preset %1.").arg(QString::fromStdString(preset.name)));
+  return preset.params;
 }
 
 void CaseFiles::takeVolume(const LoadJob& job) {

@@ -11,6 +11,7 @@
 #include "gui/job/case_store.h"
 #include "gui/job/file_jobs.h"
 #include "gui/job/open_case_job.h"
+#include "gui/model/preset_shelf.h"
 #include "gui/model/run_model.h"
 
 namespace angiomesh {
@@ -23,8 +24,8 @@ class CaseFiles : public QObject, private Polled {
  public:
   /// @param recovery the folder for the edits of cases that were never saved; empty: they are not
   /// kept
-  CaseFiles(CaseDocument& document, ResultModel& results, RunModel& runs, MessageLog& log,
-            JobTimer& timer, const JobRunnerFactory& makeRunner,
+  CaseFiles(CaseDocument& document, PresetShelf& presets, ResultModel& results, RunModel& runs,
+            MessageLog& log, JobTimer& timer, const JobRunnerFactory& makeRunner,
             const std::filesystem::path& recovery, QObject* parent = nullptr);
   /// Edits stay on the disk as after a crash: see leaveCase().
   ~CaseFiles() override;
@@ -104,6 +105,7 @@ class CaseFiles : public QObject, private Polled {
   [[nodiscard]] CaseSource describeSource() const;
 
   CaseDocument& document_;
+  PresetShelf& presets_;
   ResultModel& results_;
   RunModel& runs_;
   MessageLog& log_;

@@ -5,10 +5,11 @@ namespace angiomesh {
 
 CaseModels::CaseModels(const JobRunnerFactory& makeRunner, const std::filesystem::path& recovery)
     : document(log),
+      presets(document),
       results(document, log, timer, makeRunner),
       runs(document, results, log, timer, makeRunner),
       live(document, results, runs, timer, makeRunner),
-      files(document, results, runs, log, timer, makeRunner, recovery),
+      files(document, presets, results, runs, log, timer, makeRunner, recovery),
       exports(results, log, timer, makeRunner),
       corrections(document, results, log) {
   QObject::connect(&files, &CaseFiles::loadingChanged, &runs, &RunModel::statesChanged);

@@ -7,6 +7,7 @@
 #include "gui/model/case_files.h"
 #include "gui/model/exports.h"
 #include "gui/model/live_preview.h"
+#include "gui/model/preset_shelf.h"
 
 namespace angiomesh {
 
@@ -19,6 +20,7 @@ struct CaseModels {
   MessageLog log;
   JobTimer timer;
   CaseDocument document;
+  PresetShelf presets;
   ResultModel results;
   RunModel runs;
   LivePreview live;

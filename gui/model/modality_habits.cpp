@@ -3,10 +3,7 @@
 
 #include <QSettings>
 #include <QStringList>
-#include <algorithm>
 #include <cmath>
-
-#include "core/parameters/parameters.h"
 
 namespace angiomesh {
 
@@ -26,12 +23,8 @@ const QString kPercentileWindow = QStringLiteral("percentiles");
 
 }  // namespace
 
-QString presetFor(const std::string& modality) {
-  const std::string made = modality == "CT" ? "ct" : "angiomesh";
-  const QString known = QSettings().value(keyOf("preset", modality)).toString();
-  const auto& names = presetNames();
-  const bool exists = std::find(names.begin(), names.end(), known.toStdString()) != names.end();
-  return exists ? known : QString::fromStdString(made);
+QString rememberedPreset(const std::string& modality) {
+  return QSettings().value(keyOf("preset", modality)).toString();
 }
 
 void rememberPreset(const std::string& modality, const QString& preset) {

@@ -12,8 +12,8 @@ namespace angiomesh {
 // What is remembered from one volume to the next of the same modality ("MR", "CT"; empty where the
 // file does not tell).
 
-/// The preset that was chosen last, else the one made for the modality.
-QString presetFor(const std::string& modality);
+/// The preset that was chosen last; empty: none was. It may not exist any more.
+QString rememberedPreset(const std::string& modality);
 void rememberPreset(const std::string& modality, const QString& preset);
 
 /// The window that was set last, for another image. Numbers are remembered of CT alone, whose

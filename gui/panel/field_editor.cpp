@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +25,8 @@ namespace {
 constexpr int kSliderSteps = 1000;
 /// Of a spin box beside its number, pixels.
 constexpr int kSpinFrame = 32;
+/// Of the button that goes back to the preset's value, pixels.
+constexpr int kResetSide = 18;
 /// Decades that a logarithmic slider spans when its field begins at 0.
 constexpr double kDecades = 1e4;
 
@@ -66,9 +69,10 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent) : QWidget(parent),
   row->setSpacing(6);
   if (field.kind == FieldKind::Boolean) {
     check_ = named(new QCheckBox(labelOf(field), this), "check");
-    row->addWidget(check_);
+    row->addWidget(check_, 1);
     connect(check_, &QCheckBox::clicked, this,
             [this](bool on) { Q_EMIT edited(QString::fromStdString(field_.key), on, false); });
+    buildReset(*row);
     return;
   }
   auto* label = new QLabel(labelOf(field), this);
@@ -85,7 +89,37 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent) : QWidget(parent),
       break;
     default:
       buildNumbers(*row);
+      return;
   }
+  buildReset(*row);
+}
+
+void FieldEditor::buildReset(QHBoxLayout& row) {
+  reset_ = named(new QToolButton(this), "reset");
+  reset_->setText(QStringLiteral("↺"));
+  reset_->setAutoRaise(true);
+  reset_->setFixedSize(kResetSide, kResetSide);
+  QSizePolicy policy = reset_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  reset_->setSizePolicy(policy);
+  reset_->hide();
+  row.addWidget(reset_);
+  connect(reset_, &QToolButton::clicked, this,
+          [this] { Q_EMIT edited(QString::fromStdString(field_.key), base_, false); });
+}
+
+void FieldEditor::setBase(const FieldValue& base, const QString& preset, bool changed) {
+  if (!reset_) return;
+  base_ = base;
+  reset_->setVisible(changed);
+  if (!changed) return;
+  const bool number = spin_ && !std::holds_alternative<std::monostate>(base);
+  const QString value =
+      number
+          ? spin_->locale().toString(asNumber(base) * field_.shownTimes, 'g', 6) + spin_->suffix()
+      : field_.kind == FieldKind::Boolean ? (std::get<bool>(base) ? tr("on") : tr("off"))
+                                          : QString::fromStdString(fieldText(base, field_));
+  reset_->setToolTip(tr("Changed. Back to %1, as in the preset %2.").arg(value, preset));
 }
 
 void FieldEditor::keepFromWheel(QWidget* widget) {

@@ -16,6 +16,7 @@ class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
+class QToolButton;
 
 namespace angiomesh {
 
@@ -35,6 +36,8 @@ class FieldEditor : public QWidget {
                const std::array<double, 2>& range);
   /// Disables the editor and says why in its tooltip; "" enables it.
   void setIdle(const QString& why);
+  /// Whether the value is another one than a preset's, and which: a button goes back to it.
+  void setBase(const FieldValue& base, const QString& preset, bool changed);
 
  Q_SIGNALS:
   /// By the user. `continued`: the same drag of the slider goes on.
@@ -48,6 +51,7 @@ class FieldEditor : public QWidget {
   void buildNumber(QHBoxLayout& row);
   void buildChoice(QHBoxLayout& row);
   void buildNumbers(QHBoxLayout& row);
+  void buildReset(QHBoxLayout& row);
   void keepFromWheel(QWidget* widget);
   [[nodiscard]] double sliderToValue(int position) const;
   [[nodiscard]] int valueToSlider(double value) const;
@@ -61,7 +65,7 @@ class FieldEditor : public QWidget {
   double lowest_ = 0.0, highest_ = 1.0;  ///< of the slider, stored units
   bool logarithmic_ = false;
   bool dragging_ = false;
-  FieldValue suggested_;
+  FieldValue suggested_, base_;
   QSlider* slider_ = nullptr;
   QDoubleSpinBox* spin_ = nullptr;
   QCheckBox* empty_ = nullptr;
@@ -69,6 +73,7 @@ class FieldEditor : public QWidget {
   QComboBox* combo_ = nullptr;
   QLabel* summary_ = nullptr;
   QPushButton* clear_ = nullptr;
+  QToolButton* reset_ = nullptr;
 };
 
 }  // namespace angiomesh

@@ -9,8 +9,10 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
@@ -26,6 +28,8 @@ namespace {
 
 /// Of the notes, which keep this room whether there are any or not.
 constexpr int kNoteLines = 3;
+/// Of the chooser of presets, which cuts longer names.
+constexpr int kPresetLetters = 14;
 /// Left and right of the fields: of the panel, the steps and their frames, pixels.
 constexpr int kStepMargins = 30;
 
@@ -38,9 +42,14 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
   auto* top = new QHBoxLayout;
   top->addWidget(new QLabel(tr("Preset"), this));
   preset_ = named(new QComboBox(this), "preset");
-  for (const std::string& name : presetNames()) preset_->addItem(QString::fromStdString(name));
-  preset_->setPlaceholderText(tr("(changed)"));
+  preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  preset_->setMinimumContentsLength(kPresetLetters);
   top->addWidget(preset_, 1);
+  presetMenu_ = named(new QToolButton(this), "presetMenuButton");
+  presetMenu_->setText(QStringLiteral("…"));
+  presetMenu_->setToolTip(tr("Save, remove, import and export presets"));
+  presetMenu_->setPopupMode(QToolButton::InstantPopup);
+  top->addWidget(presetMenu_);
   run_ = named(new QPushButton(tr("Run"), this), "run");
   run_->setToolTip(tr("Runs the whole pipeline; what is fresh is not computed again"));
   cancel_ = named(new QPushButton(tr("Cancel"), this), "cancel");
@@ -79,13 +88,14 @@ PipelinePanel::PipelinePanel(CaseModels& models, QWidget* parent)
     widest = std::max(widest, editor->minimumSizeHint().width());
   setMinimumWidth(widest + scroll->verticalScrollBar()->sizeHint().width() + kStepMargins);
 
-  connect(preset_, &QComboBox::textActivated, &models_.document, &CaseDocument::applyPreset);
+  connect(preset_, &QComboBox::textActivated, &models_.presets, &PresetShelf::apply);
+  connect(&models_.presets, &PresetShelf::changed, this, &PipelinePanel::listPresets);
   connect(run_, &QPushButton::clicked, this, [this] { models_.runs.run(); });
   connect(cancel_, &QPushButton::clicked, this, [this] { models_.cancel(); });
   connect(&models_.document, &CaseDocument::parametersChanged, this, &PipelinePanel::refreshPreset);
   connect(&models_.runs, &RunModel::statesChanged, this, &PipelinePanel::refreshButtons);
   connect(&models_.runs, &RunModel::statesChanged, this, &PipelinePanel::refreshFailure);
-  refreshPreset();
+  listPresets();
   refreshFailure();
   refreshButtons();
 }
@@ -164,9 +174,30 @@ void PipelinePanel::refreshFailure() {
   failure_->setVisible(!lines.isEmpty());
 }
 
+void PipelinePanel::setPresetMenu(QMenu* menu) { presetMenu_->setMenu(menu); }
+
+void PipelinePanel::listPresets() {
+  const QSignalBlocker quiet(preset_);
+  preset_->clear();
+  bool own = false;
+  for (const Preset& preset : models_.presets.all()) {
+    const QString name = QString::fromStdString(preset.name);
+    if (!std::exchange(own, models_.presets.isOwn(name)) && own)
+      preset_->insertSeparator(preset_->count());
+    preset_->addItem(name);
+    preset_->setItemData(preset_->count() - 1, models_.presets.about(preset), Qt::ToolTipRole);
+  }
+  refreshPreset();
+}
+
 void PipelinePanel::refreshPreset() {
   const QSignalBlocker quiet(preset_);
-  preset_->setCurrentIndex(preset_->findText(models_.document.presetName()));
+  const Preset& base = models_.presets.base();
+  const QString name = QString::fromStdString(base.name);
+  const bool changed = models_.presets.current().isEmpty();
+  preset_->setPlaceholderText(tr("%1, changed").arg(name));
+  preset_->setCurrentIndex(changed ? -1 : preset_->findText(name));
+  preset_->setToolTip(models_.presets.about(base));
 }
 
 void PipelinePanel::refreshButtons() {

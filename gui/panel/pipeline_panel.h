@@ -9,8 +9,10 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QMenu;
 class QPushButton;
 class QSpinBox;
+class QToolButton;
 
 namespace angiomesh {
 
@@ -23,6 +25,9 @@ class PipelinePanel : public QWidget {
  public:
   explicit PipelinePanel(CaseModels& models, QWidget* parent = nullptr);
 
+  /// What the button beside the presets opens.
+  void setPresetMenu(QMenu* menu);
+
  protected:
   // While the panel is open, somebody tunes.
   void showEvent(QShowEvent* event) override;
@@ -33,6 +38,7 @@ class PipelinePanel : public QWidget {
   QWidget* buildNotes();
   void refreshLive();
   void refreshFailure();
+  void listPresets();
   void refreshPreset();
   void refreshButtons();
 
@@ -43,6 +49,7 @@ class PipelinePanel : public QWidget {
   QSpinBox* liveSide_ = nullptr;
   QLabel* liveStatus_ = nullptr;
   QComboBox* preset_;
+  QToolButton* presetMenu_;
   QPushButton* run_;
   QPushButton* cancel_;
 };

@@ -51,6 +51,7 @@ StepPanel::StepPanel(CaseModels& models, Step step, QWidget* parent)
   buildHeader(*column);
   buildFields(*column);
   connect(&models_.document, &CaseDocument::parametersChanged, this, &StepPanel::showParameters);
+  connect(&models_.presets, &PresetShelf::changed, this, &StepPanel::showParameters);
   connect(&models_.results, &ResultModel::resultsChanged, this, &StepPanel::showParameters);
   connect(&models_.runs, &RunModel::statesChanged, this, &StepPanel::showState);
   connect(&models_.timer, &JobTimer::ticked, this, &StepPanel::showProgress);
@@ -108,7 +109,6 @@ void StepPanel::buildFields(QVBoxLayout& column) {
   column.addLayout(extras_);
   if (restColumn->count() > 0) {
     more_ = named(new QToolButton(this), "more");
-    more_->setText(tr("More"));
     more_->setCheckable(true);
     more_->setAutoRaise(true);
     more_->setArrowType(Qt::RightArrow);
@@ -116,8 +116,8 @@ void StepPanel::buildFields(QVBoxLayout& column) {
     column.addWidget(more_);
     connect(more_, &QToolButton::toggled, this, [this](bool on) {
       rest_->setVisible(on);
-      more_->setText(on ? tr("Less") : tr("More"));
       more_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+      showMore();
     });
   }
   column.addWidget(rest_);
@@ -129,16 +129,31 @@ void StepPanel::addExtra(QWidget* widget) { extras_->addWidget(widget); }
 void StepPanel::showParameters() {
   const Parameters& params = models_.document.parameters();
   const FieldContext context = models_.results.fieldContext();
+  const Preset& base = models_.presets.base();
+  const QString baseName = QString::fromStdString(base.name);
+  changedBelow_ = 0;
   for (FieldEditor* editor : editors_) {
     const Field& field = editor->field();
     editor->display(field.get(params), suggestedValue(field, params, context),
                     sliderRange(field, context));
+    const FieldValue wanted = field.get(base.params);
+    const bool changed = !field.place && field.get(params) != wanted;
+    editor->setBase(wanted, baseName, changed);
+    if (changed && !field.main) ++changedBelow_;
     if (field.idle) {
       const std::string idle = field.idle(params);
       editor->setIdle(QString::fromStdString(idle));
       if (field.key == "segmentation.label") editor->setVisible(idle.empty());  // of few images
     }
   }
+  showMore();
+}
+
+void StepPanel::showMore() {
+  if (!more_) return;
+  more_->setText(more_->isChecked()  ? tr("Less")
+                 : changedBelow_ > 0 ? tr("More (changed: %1)").arg(changedBelow_)
+                                     : tr("More"));
 }
 
 void StepPanel::showState() {

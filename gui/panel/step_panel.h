@@ -29,6 +29,7 @@ class StepPanel : public QFrame {
   void buildHeader(QVBoxLayout& column);
   void buildFields(QVBoxLayout& column);
   void showParameters();
+  void showMore();
   void showState();
   void showProgress();
 
@@ -39,6 +40,7 @@ class StepPanel : public QFrame {
   QProgressBar* progress_ = nullptr;
   QToolButton* run_ = nullptr;
   QToolButton* more_ = nullptr;
+  int changedBelow_ = 0;  ///< fields under more_ that are not as in the preset
   QVBoxLayout* extras_ = nullptr;
   QWidget* rest_ = nullptr;
   std::vector<FieldEditor*> editors_;

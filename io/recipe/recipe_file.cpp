@@ -49,6 +49,21 @@ RecipeSource sourceIn(const Json& json, const JsonPlace& place) {
   return source;
 }
 
+/// "legs" of "legs.recipe.json".
+std::string baseNameOf(std::string file) {
+  for (const std::string_view ending : {".json", ".recipe", ".preset"})
+    if (file.size() > ending.size() && file.ends_with(ending))
+      file.resize(file.size() - ending.size());
+  return file;
+}
+
+void readName(const Json& json, const JsonPlace& place, Recipe& recipe) {
+  const std::vector<Json> values = valuesOf(json, {"name", "about"}, place);
+  recipe.name = textIn(values[0], place.in("name"));
+  recipe.about = textIn(values[1], place.in("about"));
+  if (recipe.name.empty()) place.in("name").refuse("is empty");
+}
+
 std::string gridText(const RecipeSource& source) {
   return formatted("%d x %d x %d voxels of %.4g x %.4g x %.4g mm", source.size[0], source.size[1],
                    source.size[2], source.spacingMm[0], source.spacingMm[1], source.spacingMm[2]);
@@ -102,8 +117,25 @@ Recipe recipeOf(const Parameters& params, const Source& source, const EvolveResu
   return recipe;
 }
 
+Recipe recipeOf(const Preset& preset) {
+  Recipe recipe;
+  recipe.params = preset.params;
+  recipe.program = versionText();
+  recipe.name = preset.name;
+  recipe.about = preset.about;
+  return recipe;
+}
+
+Preset presetOf(const Recipe& recipe, const std::filesystem::path& file) {
+  Preset preset{recipe.name, recipe.about, recipe.params};
+  if (preset.name.empty()) preset.name = baseNameOf(file.filename().string());
+  copyPlaces(Parameters(), preset.params);
+  return preset;
+}
+
 std::string recipeText(const Recipe& recipe) {
   Json json = {{"schema", kSchema}, {"program", recipe.program}};
+  if (!recipe.name.empty()) json["preset"] = {{"name", recipe.name}, {"about", recipe.about}};
   if (recipe.source) {
     const RecipeSource& source = *recipe.source;
     const Eigen::Vector3d& mm = source.spacingMm;
@@ -127,12 +159,14 @@ Recipe recipeFromText(std::string_view text, const Parameters& base, const std::
   const JsonPlace root(file);
   checkSchema(json.value("schema", Json()), kSchema, "the recipe was", file);
   std::vector<std::string> keys{"schema", "program", "parameters"};
-  if (json.contains("source")) keys.emplace_back("source");
+  for (const char* key : {"source", "preset"})
+    if (json.contains(key)) keys.emplace_back(key);
   const std::vector<Json> values = valuesOf(json, keys, root);
   recipe.program = textIn(values[1], root.in("program"));
   if (!values[2].is_object()) root.in("parameters").refuse("is no object");
   recipe.params = parametersFromJson(values[2].dump(), base, file);
-  if (values.size() > 3) recipe.source = sourceIn(values[3], root.in("source"));
+  if (json.contains("source")) recipe.source = sourceIn(json["source"], root.in("source"));
+  if (json.contains("preset")) readName(json["preset"], root.in("preset"), recipe);
   return recipe;
 }
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/parameters/parameters.h"
+#include "core/parameters/presets.h"
 #include "core/pipeline/source.h"
 #include "core/pipeline/step_results.h"
 
@@ -28,12 +28,19 @@ struct Recipe {
   Parameters params;
   std::string program;                 ///< the version that wrote it; empty: parameters alone
   std::optional<RecipeSource> source;  ///< empty: parameters alone
+  std::string name, about;             ///< of a preset, see Preset; no name: it is none
 };
 
 /// The recipe of a case, in this version. @param evolve the evolution that these parameters led to,
 /// where it is at hand: one that was ended by hand is ended there by levelset.stopAfter
 Recipe recipeOf(const Parameters& params, const Source& source,
                 const EvolveResult* evolve = nullptr);
+
+/// Of a preset, which is for any volume, in this version.
+Recipe recipeOf(const Preset& preset);
+
+/// The parameters of any recipe without its places. One that has no name is called as its file.
+Preset presetOf(const Recipe& recipe, const std::filesystem::path& file);
 
 /// As a file holds it: JSON, schema 1, all parameters.
 std::string recipeText(const Recipe& recipe);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parameters/field.h"
+#include "core/parameters/presets.h"
 #include "core/quality/quality_gates.h"
 #include "core/quality/quality_table.h"
 #include "core/quality/triangle_measures.h"
@@ -41,6 +42,7 @@ void addTables(Texts& texts) {
   for (const Field& field : parameterFields())
     for (const std::string& text : {field.label, field.help, field.rise})
       texts.add("Parameter", text);
+  for (const Preset& preset : shippedPresets()) texts.add("Preset", preset.about);
   for (const QualityMeasure& measure : qualityMeasures())
     for (const char* text : {measure.label, measure.meaning}) texts.add("QualityMeasure", text);
   for (const TriangleMeasure& measure : triangleMeasures())

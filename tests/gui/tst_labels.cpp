@@ -78,9 +78,9 @@ class TestLabels : public QObject {
     QCOMPARE(c.models().runs.state(Step::Evolve), StepState::Fresh);
 
     // A preset is for everything but what the image is.
-    c.models().document.applyPreset("thesis");
+    c.models().presets.apply("thesis");
     QCOMPARE(c.models().document.parameters().segmentation.method, SegmentationMethod::Label);
-    QCOMPARE(c.models().document.presetName(), QString("thesis"));
+    QCOMPARE(c.models().presets.current(), QString("thesis"));
     // And the next scan is a scan.
     c.models().files.take(twoTubes());
     QTRY_COMPARE(c.models().document.parameters().segmentation.method,

@@ -48,6 +48,14 @@ struct CaseAnswers {
       asked << "findSource " + what + reason;
       return source.isEmpty() ? SourceAnswer::Cancel : source.takeFirst();
     };
+    q.replacePreset = [this](QWidget*, const QString& name) {
+      asked << "replacePreset " + name;
+      return replace;
+    };
+    q.removePreset = [this](QWidget*, const QString& name) {
+      asked << "removePreset " + name;
+      return replace;
+    };
     return q;
   }
 
@@ -67,6 +75,7 @@ struct WindowCase {
     options.makeRunner = makeRunner;
     options.chooser.openFile = [this](QWidget*) { return openPath; };
     options.chooser.openPorts = [this](QWidget*) { return openPath; };
+    options.chooser.openPreset = [this](QWidget*) { return openPath; };
     options.chooser.openMesh = [this](QWidget*) { return openPath; };
     options.chooser.openFolder = [this](QWidget*) { return openPath; };
     options.chooser.save = [this](QWidget*, const QString&, const QString&) { return savePath; };

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/parameters/field.h"
+#include "core/parameters/presets.h"
 #include "tests/core/random_parameters.h"
 #include "tests/core/refusal.h"
 
@@ -14,9 +15,16 @@ using angiomesh::test::randomValue;
 
 namespace {
 
-/// The cells of the rows of docs/parameters.md: key, three presets, what is allowed, unit, meaning.
-std::vector<std::vector<std::string>> documentedRows() {
+/// The cells of the rows of docs/parameters.md: of its presets, which are their name and what they
+/// are for, and of its fields: key, default, values in other presets, what is allowed, unit,
+/// meaning.
+struct DocumentedRows {
+  std::vector<std::vector<std::string>> presets, fields;
+};
+
+DocumentedRows documentedRows() {
   std::vector<std::vector<std::string>> rows;
+  DocumentedRows all;
   std::ifstream page(ANGIOMESH_SOURCE_DIR "/docs/parameters.md");
   for (std::string line; std::getline(page, line);) {
     if (line.compare(0, 3, "| `") != 0) continue;
@@ -28,7 +36,20 @@ std::vector<std::vector<std::string>> documentedRows() {
       at = end + 3;
     }
   }
-  return rows;
+  for (auto& row : rows) (row.size() == 2 ? all.presets : all.fields).push_back(std::move(row));
+  return all;
+}
+
+/// Of "0 (ct, head-cta); 2 (thesis)" what a preset has; `usual` where it is not named.
+std::string documentedValue(const std::string& others, const std::string& usual,
+                            const std::string& preset) {
+  for (std::size_t at = 0; at < others.size();) {
+    const std::size_t open = others.find(" (", at), close = others.find(')', at);
+    const std::string names = ", " + others.substr(open + 2, close - open - 2) + ",";
+    if (names.find(", " + preset + ",") != std::string::npos) return others.substr(at, open - at);
+    at = close + 3;
+  }
+  return usual;
 }
 
 }  // namespace
@@ -49,24 +70,28 @@ class TestParameters : public QObject {
 
   // What people read is what the table holds, and what is taken ends where the page says.
   void thePageSaysWhatIsTaken() {
-    const auto rows = documentedRows();
+    const auto [presets, rows] = documentedRows();
     QCOMPARE(rows.size(), parameterFields().size());
-    const std::vector<std::string> presets = presetNames();
+    QCOMPARE(presets.size(), shippedPresets().size());
+    for (std::size_t p = 0; p < presets.size(); ++p) {
+      QCOMPARE(presets[p][0], "`" + shippedPresets()[p].name + "`");
+      QCOMPARE(presets[p][1], shippedPresets()[p].about);
+    }
     for (std::size_t n = 0; n < rows.size(); ++n) {
       const std::vector<std::string>& row = rows[n];
       const Field& field = parameterFields()[n];
       QCOMPARE(row[0], "`" + field.key + "`");
-      for (std::size_t p = 0; p < presets.size(); ++p) {
-        Parameters written = preset(presets[p]);
+      for (const Preset& preset : shippedPresets()) {
+        Parameters written = preset.params;
         // So that it is known to be set.
         field.put(written, randomValue(field, n));
-        setFieldFromText(written, field.key, row[1 + p]);
-        QVERIFY2(field.get(written) == field.get(preset(presets[p])), field.key.c_str());
+        setFieldFromText(written, field.key, documentedValue(row[2], row[1], preset.name));
+        QVERIFY2(field.get(written) == field.get(preset.params), field.key.c_str());
       }
-      QCOMPARE(row[2 + presets.size()], field.unit);
-      QCOMPARE(row[3 + presets.size()], field.help);
+      QCOMPARE(row[4], field.unit);
+      QCOMPARE(row[5], field.help);
       if (field.kind != FieldKind::Integer && field.kind != FieldKind::Real) continue;
-      const std::string& allowed = row[1 + presets.size()];
+      const std::string& allowed = row[3];
       const double low = std::stod(allowed),
                    high = std::stod(allowed.substr(allowed.find("to ") + 3));
       const auto taken = [&](double value) {
@@ -124,6 +149,19 @@ class TestParameters : public QObject {
     }
   }
 
+  // Choosing one puts the user's places aside, so it must have none.
+  void presetsHaveNoPlaces() {
+    std::set<std::string> names;
+    for (const Preset& preset : shippedPresets()) {
+      QVERIFY(names.insert(preset.name).second);
+      QVERIFY(!preset.about.empty() && preset.about.back() == '.');
+      for (const Field& field : parameterFields())
+        if (field.place) QVERIFY(field.get(preset.params) == field.get(Parameters()));
+    }
+    QVERIFY(preset("angiomesh") == Parameters());
+    QCOMPARE(presetNames().front(), std::string("angiomesh"));
+  }
+
   void presetsDifferOnlyWhereTheyShould() {
     const Parameters own = preset("angiomesh");
     const Parameters thesis = preset("thesis");
@@ -150,6 +188,18 @@ class TestParameters : public QObject {
                                          "surface.edgeMinVoxels",
                                          "surface.edgesAround"};
     QVERIFY(different == expected);
+
+    const auto keysOf = [&](const char* name, const char* base) {
+      std::set<std::string> keys;
+      for (const Field& field : parameterFields())
+        if (field.get(preset(name)) != field.get(preset(base))) keys.insert(field.key);
+      return keys;
+    };
+    const std::set<std::string> region{"vesselness.sigmaMaxMm", "segmentation.minLengthMm"};
+    for (const char* name : {"brain-tof", "abdominal-mra", "peripheral-mra"})
+      QVERIFY(keysOf(name, "angiomesh") == region);
+    QVERIFY(keysOf("head-cta", "ct") == region);
+    QVERIFY(keysOf("head-cta", "brain-tof") == keysOf("ct", "angiomesh"));
     QVERIFY_THROWS_EXCEPTION(InputError, preset("thesys"));
   }
 

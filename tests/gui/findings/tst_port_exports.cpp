@@ -135,7 +135,7 @@ class TestPortExports : public QObject {
     QVERIFY(c.models().document.parameters().ports.cuts == cuts);
     QVERIFY(c.window->ports().find("neck"));
     // Cuts mean something in one image alone, and nothing to a preset.
-    c.models().document.applyPreset("thesis");
+    c.models().presets.apply("thesis");
     QVERIFY(c.models().document.parameters().ports.cuts == cuts);
     c.models().files.take(twoTubes(36));
     QVERIFY(c.models().document.parameters().ports.cuts.empty());

@@ -220,18 +220,6 @@ class TestModels : public QObject {
     QCOMPARE(*models.document.parameters().vesselness.sigmaMaxMm, 4.0);
   }
 
-  void presetsKeepPlaces() {
-    CaseModels models(makeInlineJobRunner);
-    QCOMPARE(models.document.presetName(), QString("angiomesh"));
-    models.document.addSeed({1.0, 2.0, 3.0});
-    QCOMPARE(models.document.presetName(), QString("angiomesh"));
-    models.document.applyPreset("thesis");
-    QCOMPARE(models.document.presetName(), QString("thesis"));
-    QCOMPARE(models.document.seeds().size(), std::size_t(1));
-    models.document.setField("levelset.d", 0.3);
-    QCOMPARE(models.document.presetName(), QString());
-  }
-
   void aFailureNamesItsStep() {
     CaseModels models(makeInlineJobRunner);
     Messages messages(models);

@@ -112,7 +112,7 @@ void look(CaseModels& models) {
     (void)models.runs.state(static_cast<Step>(step));
     (void)models.results.seconds(static_cast<Step>(step));
   }
-  (void)models.document.presetName();
+  (void)models.presets.current();
   (void)models.results.components();
   (void)models.results.layer(Layer::Speed);
   (void)models.results.estimatedTriangles();
@@ -135,7 +135,7 @@ void edit(CaseModels& models) {
   models.document.setRoi(std::array<double, 6>{low[0], low[1], low[2], high[0], high[1], high[2]});
   look(models);
   models.document.addSeed(0.5 * (low + high));
-  models.document.applyPreset("thesis");
+  models.presets.apply("thesis");
   models.results.setComponentTicked(0, false);
   look(models);
   for (int i = 0; i < 8; ++i) {

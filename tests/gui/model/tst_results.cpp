@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "gui/model/case_models.h"
-#include "gui/model/modality_habits.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
 #include "tests/gui/small_case.h"
@@ -206,30 +205,17 @@ class TestResults : public QObject {
 
   void theNextPatientBeginsWithAPreset() {
     CaseModels models(makeInlineJobRunner);
-    models.document.applyPreset("thesis");
+    models.presets.apply("thesis");
     models.files.take(twoTubes());
-    QCOMPARE(models.document.presetName(), QString("thesis"));  // chosen for this one
+    QCOMPARE(models.presets.current(), QString("thesis"));  // chosen for this one
     models.document.setField("levelset.xi", 35.0);
     models.document.addSeed({1.0, 2.0, 3.0});
     models.files.take(twoTubes(36));
     QVERIFY(models.document.parameters() == preset("angiomesh"));
-    models.document.applyPreset("thesis");
+    models.presets.apply("thesis");
     models.document.setField("levelset.xi", 35.0);
     models.files.take(twoTubes());
     QVERIFY(models.document.parameters() == preset("thesis"));
-  }
-
-  void presetsAreRememberedByModality() {
-    QCOMPARE(presetFor("MR"), QString("angiomesh"));
-    QCOMPARE(presetFor("CT"), QString("ct"));
-    QCOMPARE(presetFor(""), QString("angiomesh"));
-    rememberPreset("CT", "thesis");
-    QCOMPARE(presetFor("CT"), QString("thesis"));
-    QCOMPARE(presetFor("MR"), QString("angiomesh"));
-    rememberPreset("C/T\n", "ct");
-    QCOMPARE(presetFor("CT"), QString("ct"));
-    rememberPreset("MR", "of another version");
-    QCOMPARE(presetFor("MR"), QString("angiomesh"));
   }
 
  private:

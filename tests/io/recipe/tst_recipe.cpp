@@ -92,6 +92,46 @@ class TestRecipe : public QObject {
     QVERIFY(recipeWarnings(recipe, source_).empty());
   }
 
+  void aPresetIsARecipeForAnyVolume() {
+    const Folder folder;
+    Preset legs{"Legs, \"1.5 T\"", "of our scanner", preset("peripheral-mra")};
+    legs.params.thresholds.xi = 31.0;
+    save(folder / "legs.preset.json", recipeText(recipeOf(legs)));
+    const Recipe recipe = readRecipe(folder / "legs.preset.json", preset("thesis"));
+    QVERIFY(recipe.params == legs.params);
+    QVERIFY(!recipe.source && recipeWarnings(recipe, source_).empty());
+    const Preset back = presetOf(recipe, folder / "legs.preset.json");
+    QCOMPARE(back.name, legs.name);
+    QCOMPARE(back.about, legs.about);
+    QVERIFY(back.params == legs.params);
+  }
+
+  void aPresetIsMadeOfAnyRecipe() {
+    for (const char* file : {"/a/legs.json", "legs.recipe.json", "legs.preset.json"}) {
+      Parameters params = preset("ct");
+      params.seeds.points = {1.0, 2.0, 3.0};
+      params.preprocess.roi = {0.0, 0.0, 0.0, 1.0, 1.0, 1.0};
+      params.thresholds.xi = 31.0;
+      const Preset made = presetOf(recipeOf(params, source_), file);
+      QCOMPARE(made.name, std::string("legs"));
+      Parameters expected = preset("ct");
+      expected.thresholds.xi = 31.0;
+      QVERIFY(made.params == expected);
+    }
+    QCOMPARE(presetOf(Recipe(), ".json").name, std::string(".json"));
+  }
+
+  void badNamesOfPresetsAreRefused() {
+    const std::string text = recipeText(recipeOf(Preset{"legs", "", {}}));
+    const auto with = [&](const std::string& what, const std::string& by) {
+      std::string bad = text;
+      return bad.replace(bad.find(what), what.size(), by);
+    };
+    QVERIFY(messageFor(with("\"legs\"", "\"\"")).contains("preset.name is empty"));
+    QVERIFY(messageFor(with("\"legs\"", "7")).contains("preset.name is no text"));
+    QVERIFY(messageFor(with("\"about\"", "\"abut\"")).contains("preset.about is missing"));
+  }
+
   void nothingTellsWhoseItIs() {
     QVERIFY(text_.find("Mustermann") == std::string::npos);
     QVERIFY(text_.find('/') == std::string::npos);
