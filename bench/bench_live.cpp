@@ -17,7 +17,7 @@
 #include "core/phantom/phantom.h"
 #include "gui/job/file_jobs.h"
 #include "gui/main_window.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
 #include "gui/view/open_gl.h"
 #include "gui/view/slice_view.h"
 

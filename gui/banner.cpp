@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

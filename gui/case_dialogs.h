@@ -10,7 +10,7 @@
 #include "gui/dialog/export_dialog.h"
 #include "gui/model/case_models.h"
 #include "gui/model/view_state.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
 
 namespace angiomesh {
 

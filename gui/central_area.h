@@ -4,7 +4,7 @@
 #include <QStackedWidget>
 
 #include "gui/model/case_models.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
 
 class QMainWindow;
 class QPushButton;

@@ -10,7 +10,6 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
@@ -26,6 +25,7 @@
 #include "gui/findings/case_measures.h"
 #include "gui/findings/case_ports.h"
 #include "gui/findings/case_review.h"
+#include "gui/findings/case_sensitivity.h"
 #include "gui/findings/mesh_file.h"
 #include "gui/findings/mesh_inspection.h"
 #include "gui/inspector/inspector_panel.h"
@@ -34,23 +34,25 @@
 #include "gui/menu/pane_menu.h"
 #include "gui/menu/port_menu.h"
 #include "gui/menu/preset_menu.h"
+#include "gui/menu/review_menu.h"
 #include "gui/menu/run_menu.h"
 #include "gui/menu/window_actions.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
+#include "gui/pane/view_grid.h"
 #include "gui/panel/evolution_panel.h"
 #include "gui/panel/log_panel.h"
 #include "gui/panel/measure_panel.h"
-#include "gui/panel/named.h"
 #include "gui/panel/pipeline_panel.h"
 #include "gui/panel/port_panel.h"
 #include "gui/panel/review_panel.h"
-#include "gui/panel/view_grid.h"
+#include "gui/panel/sensitivity_panel.h"
 #include "gui/panel/why_panel.h"
 #include "gui/patient_identity.h"
 #include "gui/pictures.h"
 #include "gui/recent_cases.h"
 #include "gui/report/mesh_report.h"
+#include "gui/view/named.h"
 #include "gui/view_tools.h"
 #include "gui/workspaces.h"
 
@@ -74,7 +76,9 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
       measures_(new CaseMeasures(*models_, options_.makeRunner, this)),
       inspection_(new MeshInspection(*models_, *state_, options_.makeRunner, this)),
       meshFile_(new MeshFile(*models_, *state_, options_.makeRunner, this)),
-      views_(new ViewGrid(*models_, *state_, *ports_, *inspection_, options_.makeRunner, this)),
+      sensitivity_(new CaseSensitivity(*models_, options_.makeRunner, this)),
+      views_(new ViewGrid(*models_, *state_, *ports_, *inspection_, *sensitivity_,
+                          options_.makeRunner, this)),
       centre_(new CentralArea(*models_, views_, this)),
       cases_(new CaseDialogs(this, *models_, *state_, *views_, options_.chooser, options_.questions,
                              options_.recovery)),
@@ -108,6 +112,7 @@ MainWindow::MainWindow(MainWindowOptions options, QWidget* parent)
   connect(&models_->document, &CaseDocument::parametersChanged, this, &MainWindow::refreshActions);
   connect(&models_->runs, &RunModel::snapshotArrived, this, &MainWindow::refreshActions);
   connect(pictures_, &Pictures::turningChanged, this, &MainWindow::refreshActions);
+  connect(sensitivity_, &CaseSensitivity::changed, this, &MainWindow::refreshActions);
   connect(&models_->timer, &JobTimer::ticked, this, &MainWindow::showProgress);
   connect(&models_->files, &CaseFiles::opened, recents_, &RecentCases::remember);
   connect(recents_, &RecentCases::changed, this, &MainWindow::refreshRecent);
@@ -148,6 +153,7 @@ MainWindow::~MainWindow() {
   drop(presets_);
   drop(why_);
   drop(views_);
+  drop(sensitivity_);
   drop(inspection_);
   drop(meshFile_);
   drop(ports_);
@@ -194,6 +200,8 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(ports, why);
   tabifyDockWidget(ports, dock("reviewDock", tr("Review"), Qt::RightDockWidgetArea,
                                new ReviewPanel(*review_, *views_, this)));
+  tabifyDockWidget(ports, dock("sensitivityDock", tr("Sensitivity"), Qt::RightDockWidgetArea,
+                               new SensitivityPanel(*sensitivity_, this)));
   connect(review_, &CaseReviewModel::goTo, views_, &ViewGrid::goTo);
   ports->raise();
   resizeDocks({inspector, ports}, {kInspectorHeight, kPortsHeight}, Qt::Vertical);
@@ -225,13 +233,14 @@ void MainWindow::buildMenus() {
   recipes_->addCopies(edit);
   presets_->addTo(edit);
   findChild<PipelinePanel*>()->setPresetMenu(presets_->menu());
-  addRunMenu(this, *models_, [this] {
+  addRunMenu(this, *models_, *sensitivity_, [this] {
     models_->cancel();
+    sensitivity_->cancel();
     pictures_->cancel();
   });
   tools_->buildToolMenu();
   portMenu_ = new PortMenu(this, *models_, *ports_, *portPanel_, *views_, options_.chooser);
-  buildReviewMenu();
+  addReviewMenu(this, *review_);
   auto* parts = new PartEdits(*models_, options_.makeRunner, this);
   auto* paneMenu = new PaneMenu(this, *state_, *views_, *parts);
   connect(portMenu_, &PortMenu::menuMade, paneMenu,
@@ -296,26 +305,6 @@ void MainWindow::buildFileMenu() {
   pictures_->addActions(file);
   file->addSeparator();
   addMenuAction(this, file, "quit", tr("Quit"), QKeySequence::Quit, [this] { close(); });
-}
-
-void MainWindow::buildReviewMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("Revie&w"));
-  auto* panel = findChild<QDockWidget*>("reviewDock");
-  addMenuAction(this, menu, "openReview", tr("Open the review"), QKeySequence(tr("Ctrl+Alt+R")),
-                [panel] {
-                  panel->show();
-                  panel->raise();
-                });
-  addMenuAction(this, menu, "nextDoubt", tr("Next doubtful place"), QKeySequence(Qt::Key_N),
-                [this] { review_->step(1); });
-  addMenuAction(this, menu, "previousDoubt", tr("Previous doubtful place"),
-                QKeySequence(Qt::SHIFT | Qt::Key_N), [this] { review_->step(-1); });
-  addMenuAction(this, menu, "addRemark", tr("Add a remark at the crosshair"),
-                QKeySequence(tr("Ctrl+Alt+M")), [this, panel] {
-                  panel->show();
-                  panel->raise();
-                  findChild<QPushButton*>("remarkAdd")->click();
-                });
 }
 
 void MainWindow::buildStatusBar() {
@@ -384,6 +373,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   workspaces_->remember();
   models_->cancel();
+  sensitivity_->cancel();
   pictures_->cancel();
   models_->files.leaveCase();
   cases_->refreshModified();
@@ -402,7 +392,8 @@ void MainWindow::refreshActions() {
   const bool evolving = models_->runs.evolving();
   const bool any = models_->document.hasCase();
   enableActions(this, {"runAll"}, any && idle);
-  enableActions(this, {"cancelRun"}, !idle || models_->files.loading() || pictures_->turning());
+  enableActions(this, {"cancelRun"},
+                !idle || models_->files.loading() || pictures_->turning() || sensitivity_->busy());
   enableActions(this, {"pauseRun", "finishRun"}, evolving);
   enableActions(this, {"stepRun"}, evolving && models_->runs.paused());
   actionOf(this, "pauseRun")->setText(models_->runs.paused() ? tr("Resume") : tr("Pause"));

@@ -21,6 +21,7 @@ class CaseDialogs;
 class CaseMeasures;
 class CasePorts;
 class CaseReviewModel;
+class CaseSensitivity;
 class MeshFile;
 class MeshInspection;
 class MeshReport;
@@ -65,6 +66,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CasePorts& ports() { return *ports_; }
   [[nodiscard]] CaseReviewModel& review() { return *review_; }
   [[nodiscard]] CaseMeasures& measures() { return *measures_; }
+  [[nodiscard]] CaseSensitivity& sensitivity() { return *sensitivity_; }
   [[nodiscard]] ViewGrid& views() { return *views_; }
   [[nodiscard]] Workspaces& workspaces() { return *workspaces_; }
 
@@ -84,7 +86,6 @@ class MainWindow : public QMainWindow {
   void buildDocks();
   void buildMenus();
   void buildFileMenu();
-  void buildReviewMenu();
   void buildStatusBar();
   void runOnceLoaded();
   void refreshTitle();
@@ -105,6 +106,7 @@ class MainWindow : public QMainWindow {
   CaseMeasures* measures_;
   MeshInspection* inspection_;
   MeshFile* meshFile_;
+  CaseSensitivity* sensitivity_;
   WhyPanel* why_ = nullptr;
   ViewGrid* views_;
   CentralArea* centre_;

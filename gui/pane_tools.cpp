@@ -14,7 +14,7 @@
 
 #include "gui/menu/window_actions.h"
 #include "gui/model/step_text.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

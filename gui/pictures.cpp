@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "gui/menu/window_actions.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
 #include "gui/view/surface_view.h"
 
 namespace angiomesh {

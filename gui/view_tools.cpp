@@ -25,8 +25,8 @@
 #include "gui/menu/window_menu.h"
 #include "gui/model/step_text.h"
 #include "gui/pane_tools.h"
-#include "gui/panel/named.h"
 #include "gui/theme.h"
+#include "gui/view/named.h"
 #include "gui/view/slice_view.h"
 
 namespace angiomesh {

@@ -7,7 +7,7 @@
 
 #include "gui/model/case_models.h"
 #include "gui/model/view_state.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
 
 class QComboBox;
 class QDoubleSpinBox;

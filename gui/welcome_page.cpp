@@ -10,8 +10,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/panel/named.h"
 #include "gui/recent_cases.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "gui/menu/window_actions.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 
@@ -109,6 +109,8 @@ void Workspaces::choose(Workspace workspace) {
 void Workspaces::show(Workspace workspace) {
   current_ = workspace;
   actions_[static_cast<std::size_t>(workspace)]->setChecked(true);
+  // One that the version did not have that kept the layout stays away.
+  for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) dock->hide();
   const QByteArray layout = QSettings().value(layoutKey(workspace)).toByteArray();
   if (layout.isEmpty() || !window_->restoreState(layout, kLayoutVersion)) reset();
 }

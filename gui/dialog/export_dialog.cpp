@@ -22,7 +22,7 @@
 #include "gui/dialog/shared_history.h"
 #include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 #include "io/mesh/mesh_format.h"
 #include "io/volume/image_format.h"
 

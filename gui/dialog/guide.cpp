@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -9,8 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/panel/named.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "gui/model/case_models.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

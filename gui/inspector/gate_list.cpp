@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "gui/inspector/quality_text.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -27,9 +27,9 @@
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/dimmed.h"
-#include "gui/panel/named.h"
 #include "gui/panel/surface_note.h"
 #include "gui/view/mesh_chooser.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

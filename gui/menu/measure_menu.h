@@ -8,8 +8,8 @@
 #include "gui/dialog/export_dialog.h"
 #include "gui/findings/case_measures.h"
 #include "gui/model/view_state.h"
+#include "gui/pane/view_grid.h"
 #include "gui/panel/measure_panel.h"
-#include "gui/panel/view_grid.h"
 #include "render/marks/measure_mark.h"
 
 class QMainWindow;

@@ -11,9 +11,9 @@
 #include <array>
 
 #include "gui/menu/window_actions.h"
-#include "gui/panel/named.h"
-#include "gui/panel/surface_feed.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/surface_feed.h"
+#include "gui/pane/view_grid.h"
+#include "gui/view/named.h"
 #include "gui/view/surface_view.h"
 
 namespace angiomesh {

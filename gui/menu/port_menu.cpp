@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "gui/menu/window_actions.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

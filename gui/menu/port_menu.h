@@ -9,8 +9,8 @@
 
 #include "gui/dialog/export_dialog.h"
 #include "gui/findings/case_ports.h"
+#include "gui/pane/view_grid.h"
 #include "gui/panel/port_panel.h"
-#include "gui/panel/view_grid.h"
 
 class QMainWindow;
 class QMenu;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/menu/run_menu.h"
 
-#include <QCoreApplication>
+#include <QAction>
+#include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -14,22 +15,36 @@ namespace {
 
 constexpr int kStepIterations = 10;
 
-QString tr(const char* text) { return QCoreApplication::translate("RunMenu", text); }
-
 }  // namespace
 
-void addRunMenu(QMainWindow* window, CaseModels& models, const std::function<void()>& cancel) {
-  QMenu* run = window->menuBar()->addMenu(tr("&Run"));
-  addMenuAction(window, run, "runAll", tr("Run"), QKeySequence(Qt::Key_F5),
+void addRunMenu(QMainWindow* window, CaseModels& models, CaseSensitivity& sensitivity,
+                const std::function<void()>& cancel) {
+  QMenu* run = window->menuBar()->addMenu(QObject::tr("&Run"));
+  addMenuAction(window, run, "runAll", QObject::tr("Run"), QKeySequence(Qt::Key_F5),
                 [&models] { models.runs.run(); });
-  addMenuAction(window, run, "cancelRun", tr("Cancel"), QKeySequence(Qt::Key_Escape), cancel);
+  addMenuAction(window, run, "cancelRun", QObject::tr("Cancel"), QKeySequence(Qt::Key_Escape),
+                cancel);
   run->addSeparator();
-  addMenuAction(window, run, "pauseRun", tr("Pause"), QKeySequence(Qt::Key_F6),
+  addMenuAction(window, run, "pauseRun", QObject::tr("Pause"), QKeySequence(Qt::Key_F6),
                 [&models] { models.runs.setPaused(!models.runs.paused()); });
-  addMenuAction(window, run, "stepRun", tr("Step"), QKeySequence(Qt::Key_F7),
+  addMenuAction(window, run, "stepRun", QObject::tr("Step"), QKeySequence(Qt::Key_F7),
                 [&models] { models.runs.stepEvolution(kStepIterations); });
-  addMenuAction(window, run, "finishRun", tr("Finish"), QKeySequence(Qt::Key_F8),
+  addMenuAction(window, run, "finishRun", QObject::tr("Finish"), QKeySequence(Qt::Key_F8),
                 [&models] { models.runs.finishEvolution(); });
+  run->addSeparator();
+  auto* dock = window->findChild<QDockWidget*>("sensitivityDock");
+  QAction* tried =
+      addMenuAction(window, run, "trySensitivity", QObject::tr("Sensitivity to the parameters"),
+                    QKeySequence(Qt::CTRL | Qt::Key_F5), [dock, &sensitivity] {
+                      dock->show();
+                      dock->raise();
+                      sensitivity.start();
+                    });
+  const auto refresh = [tried, &sensitivity] {
+    tried->setEnabled(!sensitivity.busy() && sensitivity.whyNot().isEmpty());
+  };
+  QObject::connect(&sensitivity, &CaseSensitivity::changed, tried, refresh);
+  refresh();
 }
 
 }  // namespace angiomesh

@@ -14,7 +14,7 @@
 #include <cmath>
 
 #include "gui/menu/window_actions.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

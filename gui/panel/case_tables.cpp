@@ -19,7 +19,7 @@
 #include "gui/model/case_models.h"
 #include "gui/model/result_text.h"
 #include "gui/panel/dimmed.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "gui/model/case_models.h"
-#include "gui/panel/named.h"
 #include "gui/panel/plot_frame.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -2,7 +2,7 @@
 #include "gui/panel/field_editor.h"
 
 #include "core/parameters/field.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 #include <QCheckBox>
 #include <QComboBox>

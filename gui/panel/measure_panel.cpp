@@ -10,8 +10,8 @@
 #include "gui/findings/measurement_text.h"
 #include "gui/panel/action_buttons.h"
 #include "gui/panel/name_table.h"
-#include "gui/panel/named.h"
 #include "gui/panel/profile_plot.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -18,9 +18,9 @@
 #include "gui/model/step_text.h"
 #include "gui/panel/case_tables.h"
 #include "gui/panel/field_editor.h"
-#include "gui/panel/named.h"
 #include "gui/panel/step_panel.h"
 #include "gui/panel/surface_note.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -11,7 +11,7 @@
 #include "gui/findings/case_ports.h"
 #include "gui/panel/action_buttons.h"
 #include "gui/panel/name_table.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -12,8 +12,8 @@
 
 #include "core/base/formatted.h"
 #include "gui/findings/case_review.h"
-#include "gui/panel/named.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

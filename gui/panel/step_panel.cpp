@@ -12,7 +12,7 @@
 #include "core/parameters/field.h"
 #include "gui/model/step_text.h"
 #include "gui/panel/field_editor.h"
-#include "gui/panel/named.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

@@ -8,8 +8,8 @@
 
 #include "core/base/formatted.h"
 #include "gui/model/case_models.h"
-#include "gui/panel/named.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
+#include "gui/view/named.h"
 
 namespace angiomesh {
 

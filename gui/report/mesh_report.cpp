@@ -14,7 +14,7 @@
 #include "gui/model/case_models.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
 #include "gui/report/report_sections.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"

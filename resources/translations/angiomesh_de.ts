@@ -1107,6 +1107,37 @@
     </message>
 </context>
 <context>
+    <name>Preset</name>
+    <message>
+        <source>Any CT angiography in HU: bone and what is darker than water are put aside.</source>
+        <translation>Jede CT-Angiographie in HU: Knochen und alles, was dunkler als Wasser ist, bleiben außer Betracht.</translation>
+    </message>
+    <message>
+        <source>CT angiography of the head in HU: as ct, vessels up to 6 mm wide; separate parts shorter than 10 mm are left out.</source>
+        <translation>CT-Angiographie des Kopfes in HU: wie ct, Gefäße bis 6 mm Weite; einzelne Teile kürzer als 10 mm werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Contrast-enhanced MR angiography of pelvis and legs: vessels up to 12 mm wide; separate parts shorter than 30 mm are left out.</source>
+        <translation>MR-Angiographie von Becken und Beinen mit Kontrastmittel: Gefäße bis 12 mm Weite; einzelne Teile kürzer als 30 mm werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Contrast-enhanced MR angiography of the abdomen: vessels up to 25 mm wide; separate parts shorter than 30 mm are left out.</source>
+        <translation>MR-Angiographie des Bauchraums mit Kontrastmittel: Gefäße bis 25 mm Weite; einzelne Teile kürzer als 30 mm werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The default: any MR angiography in which vessels are the brightest thing.</source>
+        <translation>Die Standardvorgabe: jede MR-Angiographie, in der die Gefäße das Hellste sind.</translation>
+    </message>
+    <message>
+        <source>The method as printed in the thesis, for comparison: slower and less accurate.</source>
+        <translation>Die Methode, wie sie in der Arbeit gedruckt ist, zum Vergleich: langsamer und weniger genau.</translation>
+    </message>
+    <message>
+        <source>Time-of-flight MR angiography of the brain: vessels up to 6 mm wide; separate parts shorter than 10 mm are left out.</source>
+        <translation>Time-of-Flight-MR-Angiographie des Gehirns: Gefäße bis 6 mm Weite; einzelne Teile kürzer als 10 mm werden ausgelassen.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Save case</source>
@@ -1475,6 +1506,82 @@ BSD-3-Clause.</translation>
     <message>
         <source>Correct</source>
         <translation>Korrigieren</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>Vorgabe einlesen</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already. Replace it?</source>
+        <translation>Es gibt schon eine Vorgabe %1. Soll sie ersetzt werden?</translation>
+    </message>
+    <message>
+        <source>Remove a preset</source>
+        <translation>Vorgabe entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the preset %1 for good? The parameters in use stay.</source>
+        <translation>Vorgabe %1 endgültig entfernen? Die Parameter in Gebrauch bleiben.</translation>
+    </message>
+    <message>
+        <source>Presets, recipes and parameters (*.json);;All files (*)</source>
+        <translation>Vorgaben, Rezepte und Parameter (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Revie&amp;w</source>
+        <translation>&amp;Prüfung</translation>
+    </message>
+    <message>
+        <source>Open the review</source>
+        <translation>Prüfung öffnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+R</source>
+        <translation>Ctrl+Alt+R</translation>
+    </message>
+    <message>
+        <source>Next doubtful place</source>
+        <translation>Nächste fragliche Stelle</translation>
+    </message>
+    <message>
+        <source>Previous doubtful place</source>
+        <translation>Vorige fragliche Stelle</translation>
+    </message>
+    <message>
+        <source>Add a remark at the crosshair</source>
+        <translation>Anmerkung am Fadenkreuz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+M</source>
+        <translation>Ctrl+Alt+M</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Rechnen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Abschließen</translation>
+    </message>
+    <message>
+        <source>Sensitivity to the parameters</source>
+        <translation>Empfindlichkeit gegen die Parameter</translation>
     </message>
 </context>
 <context>
@@ -2430,10 +2537,6 @@ BSD-3-Clause.</translation>
         <translation>%1 ändern</translation>
     </message>
     <message>
-        <source>preset %1</source>
-        <translation>Vorgabe %1</translation>
-    </message>
-    <message>
         <source>add a seed</source>
         <translation>Saatpunkt setzen</translation>
     </message>
@@ -2676,6 +2779,29 @@ BSD-3-Clause.</translation>
     <message>
         <source>No place of this segmentation is doubtful.</source>
         <translation>Keine Stelle dieser Segmentierung ist fraglich.</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::CaseSensitivity</name>
+    <message>
+        <source>Open a scan first.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The wall of a segmentation depends on no such parameter.</source>
+        <translation>Die Wand einer Segmentierung hängt von keinem solchen Parameter ab.</translation>
+    </message>
+    <message>
+        <source>%1 %2 → %3</source>
+        <translation>%1 %2 → %3</translation>
+    </message>
+    <message>
+        <source>Largest move of the wall, mm</source>
+        <translation>Größte Verschiebung der Wand, mm</translation>
+    </message>
+    <message>
+        <source>Move outwards, mm: %1</source>
+        <translation>Verschiebung nach außen, mm: %1</translation>
     </message>
 </context>
 <context>
@@ -3231,6 +3357,18 @@ BSD-3-Clause.</translation>
         <source>set</source>
         <translation>gesetzt</translation>
     </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Changed. Back to %1, as in the preset %2.</source>
+        <translation>Geändert. Zurück zu %1, wie in der Vorgabe %2.</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::GateList</name>
@@ -3628,56 +3766,8 @@ BSD-3-Clause.</translation>
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Rechnen</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Rechnen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Schritt</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Abschließen</translation>
-    </message>
-    <message>
-        <source>Revie&amp;w</source>
-        <translation>&amp;Prüfung</translation>
-    </message>
-    <message>
-        <source>Open the review</source>
-        <translation>Prüfung öffnen</translation>
-    </message>
-    <message>
-        <source>Ctrl+Alt+R</source>
-        <translation>Ctrl+Alt+R</translation>
-    </message>
-    <message>
-        <source>Next doubtful place</source>
-        <translation>Nächste fragliche Stelle</translation>
-    </message>
-    <message>
-        <source>Previous doubtful place</source>
-        <translation>Vorige fragliche Stelle</translation>
-    </message>
-    <message>
-        <source>Add a remark at the crosshair</source>
-        <translation>Anmerkung am Fadenkreuz hinzufügen</translation>
-    </message>
-    <message>
-        <source>Ctrl+Alt+M</source>
-        <translation>Ctrl+Alt+M</translation>
     </message>
     <message>
         <source>%1[*] — Angiomesh</source>
@@ -3738,6 +3828,10 @@ BSD-3-Clause.</translation>
     <message>
         <source>Forget these</source>
         <translation>Diese vergessen</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Empfindlichkeit</translation>
     </message>
 </context>
 <context>
@@ -4181,10 +4275,6 @@ BSD-3-Clause.</translation>
         <translation>Vorgabe</translation>
     </message>
     <message>
-        <source>(changed)</source>
-        <translation>(geändert)</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Rechnen</translation>
     </message>
@@ -4211,6 +4301,14 @@ BSD-3-Clause.</translation>
     <message>
         <source>Side of the box in voxels: a smaller one answers faster</source>
         <translation>Kantenlänge des Kastens in Voxeln: Ein kleinerer antwortet schneller</translation>
+    </message>
+    <message>
+        <source>Save, remove, import and export presets</source>
+        <translation>Vorgaben speichern, entfernen, einlesen und ausgeben</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, geändert</translation>
     </message>
 </context>
 <context>
@@ -4355,6 +4453,119 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     <message>
         <source>Run to Evolve, then cut the vessels here.</source>
         <translation>Bis Evolution rechnen, dann die Gefäße hier schneiden.</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::PresetDialog</name>
+    <message>
+        <source>Save as a preset</source>
+        <translation>Als Vorgabe speichern</translation>
+    </message>
+    <message>
+        <source>All parameters are kept, but not seeds, region of interest, cuts and corrections: these belong to one scan. Do not write a patient&apos;s name.</source>
+        <translation>Alle Parameter werden behalten, nicht aber Saatpunkte, ROI, Schnitte und Korrekturen: Sie gehören zu einer Aufnahme. Schreiben Sie keinen Patientennamen.</translation>
+    </message>
+    <message>
+        <source>such as the scanner or the region</source>
+        <translation>etwa das Gerät oder die Region</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What it is for</source>
+        <translation>Wofür sie ist</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>It replaces the preset of this name.</source>
+        <translation>Sie ersetzt die Vorgabe dieses Namens.</translation>
+    </message>
+    <message>
+        <source>%1 comes with the program: choose another name.</source>
+        <translation>%1 gehört zum Programm: Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Saved the preset %1.</source>
+        <translation>Vorgabe %1 gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::PresetMenu</name>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Save as a preset…</source>
+        <translation>Als Vorgabe speichern…</translation>
+    </message>
+    <message>
+        <source>Remove this preset…</source>
+        <translation>Diese Vorgabe entfernen…</translation>
+    </message>
+    <message>
+        <source>Import a preset…</source>
+        <translation>Vorgabe einlesen…</translation>
+    </message>
+    <message>
+        <source>Export this preset…</source>
+        <translation>Diese Vorgabe ausgeben…</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 with these parameters.</source>
+        <translation>Es gibt eine Vorgabe %1 mit diesen Parametern.</translation>
+    </message>
+    <message>
+        <source>%1 (imported)</source>
+        <translation>%1 (eingelesen)</translation>
+    </message>
+    <message>
+        <source>Cannot import the preset: %1</source>
+        <translation>Die Vorgabe kann nicht eingelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Imported the preset %1.</source>
+        <translation>Vorgabe %1 eingelesen.</translation>
+    </message>
+    <message>
+        <source>Presets (*.preset.json *.json)</source>
+        <translation>Vorgaben (*.preset.json *.json)</translation>
+    </message>
+    <message>
+        <source>Cannot write the preset: %1</source>
+        <translation>Die Vorgabe kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Wrote the preset %1: angiomesh-cli run SCAN --params %1 begins with it.</source>
+        <translation>Vorgabe %1 geschrieben: angiomesh-cli run SCAN --params %1 beginnt mit ihr.</translation>
+    </message>
+    <message>
+        <source>Removed the preset %1.</source>
+        <translation>Vorgabe %1 entfernt.</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::PresetShelf</name>
+    <message>
+        <source>preset %1</source>
+        <translation>Vorgabe %1</translation>
+    </message>
+    <message>
+        <source>A preset needs a name.</source>
+        <translation>Eine Vorgabe braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The name is too long: at most %1 letters.</source>
+        <translation>Der Name ist zu lang: höchstens %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>%1 comes with the program: choose another name.</source>
+        <translation>%1 gehört zum Programm: Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
@@ -4603,6 +4814,129 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     </message>
 </context>
 <context>
+    <name>angiomesh::SensitivityPanel</name>
+    <message>
+        <source>Try the parameters</source>
+        <translation>Parameter ausprobieren</translation>
+    </message>
+    <message>
+        <source>Runs the segmentation in the background with each main parameter a step up and a step down. The case stays as it is.</source>
+        <translation>Segmentiert im Hintergrund mit jedem Hauptparameter einen Schritt höher und einen tiefer. Der Fall bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Paint the wall</source>
+        <translation>Wand färben</translation>
+    </message>
+    <message>
+        <source>Shows in 3D, in place of the mesh, the wall with its moves in colour</source>
+        <translation>Zeigt in 3D anstelle des Netzes die Wand mit ihren Verschiebungen in Farbe</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Mean, mm</source>
+        <translation>Mittel, mm</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Verloren</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>The parameter, its value, and the value that was tried</source>
+        <translation>Der Parameter, sein Wert und der ausprobierte Wert</translation>
+    </message>
+    <message>
+        <source>Mean move of the wall, outwards positive, without what is lost</source>
+        <translation>Mittlere Verschiebung der Wand, nach außen positiv, ohne Verlorenes</translation>
+    </message>
+    <message>
+        <source>95 % of the wall move less than this either way, mm</source>
+        <translation>95 % der Wand verschieben sich weniger, nach außen oder innen, mm</translation>
+    </message>
+    <message>
+        <source>Part of the wall whose vessel is gone</source>
+        <translation>Teil der Wand, dessen Gefäß verschwunden ist</translation>
+    </message>
+    <message>
+        <source>By how much the vessels have more volume</source>
+        <translation>Um wie viel die Gefäße mehr Volumen haben</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Länge, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Radius, mm</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>The longest first; a click takes the panes there</source>
+        <translation>Der längste zuerst; ein Klick führt die Ansichten dorthin</translation>
+    </message>
+    <message>
+        <source>Of its centre line</source>
+        <translation>Seiner Mittellinie</translation>
+    </message>
+    <message>
+        <source>Mean radius</source>
+        <translation>Mittlerer Radius</translation>
+    </message>
+    <message>
+        <source>By how much the mean radius is larger after the step, mm; with all steps the largest change</source>
+        <translation>Um wie viel der mittlere Radius nach dem Schritt größer ist, mm; bei allen Schritten die größte Änderung</translation>
+    </message>
+    <message>
+        <source>Part of its wall that is lost; with all steps the largest part</source>
+        <translation>Verlorener Teil seiner Wand; bei allen Schritten der größte</translation>
+    </message>
+    <message>
+        <source>Trying…</source>
+        <translation>Wird ausprobiert…</translation>
+    </message>
+    <message>
+        <source>By how much does the wall move when a parameter does?</source>
+        <translation>Um wie viel verschiebt sich die Wand, wenn ein Parameter sich ändert?</translation>
+    </message>
+    <message>
+        <source>Of earlier parameters: try again for the present ones.</source>
+        <translation>Von früheren Parametern: Probieren Sie die jetzigen noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2</source>
+        <translation>%1 Schritte in %2</translation>
+    </message>
+    <message>
+        <source>All: largest move</source>
+        <translation>Alle: größte Verschiebung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
     <name>angiomesh::SeriesDialog</name>
     <message>
         <source>ready</source>
@@ -4750,6 +5084,10 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
         <source>failed</source>
         <translation>Fehler</translation>
     </message>
+    <message>
+        <source>More (changed: %1)</source>
+        <translation>Mehr (geändert: %1)</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::SurfaceNote</name>
@@ -4780,6 +5118,17 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::SurfacePane</name>
+    <message>
+        <source>Moves of the wall, out of date</source>
+        <translation>Verschiebungen der Wand, veraltet</translation>
+    </message>
+    <message>
+        <source>Moves of the wall</source>
+        <translation>Verschiebungen der Wand</translation>
     </message>
 </context>
 <context>

@@ -1107,6 +1107,37 @@
     </message>
 </context>
 <context>
+    <name>Preset</name>
+    <message>
+        <source>Any CT angiography in HU: bone and what is darker than water are put aside.</source>
+        <translation>HU cinsinden her BT anjiyografi: kemik ve sudan koyu olan her şey kenara bırakılır.</translation>
+    </message>
+    <message>
+        <source>CT angiography of the head in HU: as ct, vessels up to 6 mm wide; separate parts shorter than 10 mm are left out.</source>
+        <translation>HU cinsinden baş BT anjiyografisi: ct gibi, 6 mm genişliğe kadar damarlar; 10 mm&apos;den kısa ayrı parçalar dışarıda bırakılır.</translation>
+    </message>
+    <message>
+        <source>Contrast-enhanced MR angiography of pelvis and legs: vessels up to 12 mm wide; separate parts shorter than 30 mm are left out.</source>
+        <translation>Pelvis ve bacakların kontrastlı MR anjiyografisi: 12 mm genişliğe kadar damarlar; 30 mm&apos;den kısa ayrı parçalar dışarıda bırakılır.</translation>
+    </message>
+    <message>
+        <source>Contrast-enhanced MR angiography of the abdomen: vessels up to 25 mm wide; separate parts shorter than 30 mm are left out.</source>
+        <translation>Karnın kontrastlı MR anjiyografisi: 25 mm genişliğe kadar damarlar; 30 mm&apos;den kısa ayrı parçalar dışarıda bırakılır.</translation>
+    </message>
+    <message>
+        <source>The default: any MR angiography in which vessels are the brightest thing.</source>
+        <translation>Varsayılan: damarların en parlak yapı olduğu her MR anjiyografi.</translation>
+    </message>
+    <message>
+        <source>The method as printed in the thesis, for comparison: slower and less accurate.</source>
+        <translation>Tezde basıldığı haliyle yöntem, karşılaştırma için: daha yavaş ve daha az doğru.</translation>
+    </message>
+    <message>
+        <source>Time-of-flight MR angiography of the brain: vessels up to 6 mm wide; separate parts shorter than 10 mm are left out.</source>
+        <translation>Beynin time-of-flight MR anjiyografisi: 6 mm genişliğe kadar damarlar; 10 mm&apos;den kısa ayrı parçalar dışarıda bırakılır.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Save case</source>
@@ -1475,6 +1506,82 @@ BSD-3-Clause.</translation>
     <message>
         <source>Correct</source>
         <translation>Düzelt</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>Ön ayarı içe aktar</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already. Replace it?</source>
+        <translation>%1 adlı bir ön ayar zaten var. Değiştirilsin mi?</translation>
+    </message>
+    <message>
+        <source>Remove a preset</source>
+        <translation>Ön ayarı kaldır</translation>
+    </message>
+    <message>
+        <source>Remove the preset %1 for good? The parameters in use stay.</source>
+        <translation>%1 ön ayarı kalıcı olarak kaldırılsın mı? Kullanılan parametreler kalır.</translation>
+    </message>
+    <message>
+        <source>Presets, recipes and parameters (*.json);;All files (*)</source>
+        <translation>Ön ayarlar, reçeteler ve parametreler (*.json);;Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>Revie&amp;w</source>
+        <translation>İ&amp;nceleme</translation>
+    </message>
+    <message>
+        <source>Open the review</source>
+        <translation>İncelemeyi aç</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+R</source>
+        <translation>Ctrl+Alt+R</translation>
+    </message>
+    <message>
+        <source>Next doubtful place</source>
+        <translation>Sonraki şüpheli yer</translation>
+    </message>
+    <message>
+        <source>Previous doubtful place</source>
+        <translation>Önceki şüpheli yer</translation>
+    </message>
+    <message>
+        <source>Add a remark at the crosshair</source>
+        <translation>Artı imlece not ekle</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+M</source>
+        <translation>Ctrl+Alt+M</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>Ç&amp;alıştır</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Çalıştır</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>İptal</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Duraklat</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Adım</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Bitir</translation>
+    </message>
+    <message>
+        <source>Sensitivity to the parameters</source>
+        <translation>Parametrelere duyarlılık</translation>
     </message>
 </context>
 <context>
@@ -2430,10 +2537,6 @@ BSD-3-Clause.</translation>
         <translation>değişiklik: %1</translation>
     </message>
     <message>
-        <source>preset %1</source>
-        <translation>ön ayar: %1</translation>
-    </message>
-    <message>
         <source>add a seed</source>
         <translation>tohum ekleme</translation>
     </message>
@@ -2676,6 +2779,29 @@ BSD-3-Clause.</translation>
     <message>
         <source>No place of this segmentation is doubtful.</source>
         <translation>Bu bölütlemede şüpheli yer yok.</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::CaseSensitivity</name>
+    <message>
+        <source>Open a scan first.</source>
+        <translation>Önce bir tarama açın.</translation>
+    </message>
+    <message>
+        <source>The wall of a segmentation depends on no such parameter.</source>
+        <translation>Bir segmentasyonun duvarı böyle bir parametreye bağlı değildir.</translation>
+    </message>
+    <message>
+        <source>%1 %2 → %3</source>
+        <translation>%1 %2 → %3</translation>
+    </message>
+    <message>
+        <source>Largest move of the wall, mm</source>
+        <translation>Duvarın en büyük kayması, mm</translation>
+    </message>
+    <message>
+        <source>Move outwards, mm: %1</source>
+        <translation>Dışa doğru kayma, mm: %1</translation>
     </message>
 </context>
 <context>
@@ -3231,6 +3357,18 @@ BSD-3-Clause.</translation>
         <source>set</source>
         <translation>verildi</translation>
     </message>
+    <message>
+        <source>on</source>
+        <translation>açık</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>kapalı</translation>
+    </message>
+    <message>
+        <source>Changed. Back to %1, as in the preset %2.</source>
+        <translation>Değiştirildi. %2 ön ayarındaki gibi %1 değerine dön.</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::GateList</name>
@@ -3628,56 +3766,8 @@ BSD-3-Clause.</translation>
         <translation>Çık</translation>
     </message>
     <message>
-        <source>&amp;Run</source>
-        <translation>Ç&amp;alıştır</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Çalıştır</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>İptal</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Duraklat</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Adım</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Bitir</translation>
-    </message>
-    <message>
-        <source>Revie&amp;w</source>
-        <translation>İ&amp;nceleme</translation>
-    </message>
-    <message>
-        <source>Open the review</source>
-        <translation>İncelemeyi aç</translation>
-    </message>
-    <message>
-        <source>Ctrl+Alt+R</source>
-        <translation>Ctrl+Alt+R</translation>
-    </message>
-    <message>
-        <source>Next doubtful place</source>
-        <translation>Sonraki şüpheli yer</translation>
-    </message>
-    <message>
-        <source>Previous doubtful place</source>
-        <translation>Önceki şüpheli yer</translation>
-    </message>
-    <message>
-        <source>Add a remark at the crosshair</source>
-        <translation>Artı imlece not ekle</translation>
-    </message>
-    <message>
-        <source>Ctrl+Alt+M</source>
-        <translation>Ctrl+Alt+M</translation>
     </message>
     <message>
         <source>%1[*] — Angiomesh</source>
@@ -3738,6 +3828,10 @@ BSD-3-Clause.</translation>
     <message>
         <source>Forget these</source>
         <translation>Bunları unut</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Duyarlılık</translation>
     </message>
 </context>
 <context>
@@ -4181,10 +4275,6 @@ BSD-3-Clause.</translation>
         <translation>Ön ayar</translation>
     </message>
     <message>
-        <source>(changed)</source>
-        <translation>(değişti)</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Çalıştır</translation>
     </message>
@@ -4211,6 +4301,14 @@ BSD-3-Clause.</translation>
     <message>
         <source>Side of the box in voxels: a smaller one answers faster</source>
         <translation>Kutunun voksel cinsinden kenarı: küçük kutu daha hızlı yanıt verir</translation>
+    </message>
+    <message>
+        <source>Save, remove, import and export presets</source>
+        <translation>Ön ayarları kaydet, kaldır, içe ve dışa aktar</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, değiştirildi</translation>
     </message>
 </context>
 <context>
@@ -4355,6 +4453,119 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     <message>
         <source>Run to Evolve, then cut the vessels here.</source>
         <translation>Evrim adımına kadar çalıştırın, sonra damarları burada kesin.</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::PresetDialog</name>
+    <message>
+        <source>Save as a preset</source>
+        <translation>Ön ayar olarak kaydet</translation>
+    </message>
+    <message>
+        <source>All parameters are kept, but not seeds, region of interest, cuts and corrections: these belong to one scan. Do not write a patient&apos;s name.</source>
+        <translation>Tüm parametreler saklanır; tohumlar, ilgi bölgesi, kesitler ve düzeltmeler saklanmaz: bunlar tek bir taramaya aittir. Hasta adı yazmayın.</translation>
+    </message>
+    <message>
+        <source>such as the scanner or the region</source>
+        <translation>örneğin cihaz ya da bölge</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Ad</translation>
+    </message>
+    <message>
+        <source>What it is for</source>
+        <translation>Ne için</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Kaydet</translation>
+    </message>
+    <message>
+        <source>It replaces the preset of this name.</source>
+        <translation>Bu addaki ön ayarın yerini alır.</translation>
+    </message>
+    <message>
+        <source>%1 comes with the program: choose another name.</source>
+        <translation>%1 programla birlikte gelir: başka bir ad seçin.</translation>
+    </message>
+    <message>
+        <source>Saved the preset %1.</source>
+        <translation>%1 ön ayarı kaydedildi.</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::PresetMenu</name>
+    <message>
+        <source>Presets</source>
+        <translation>Ön ayarlar</translation>
+    </message>
+    <message>
+        <source>Save as a preset…</source>
+        <translation>Ön ayar olarak kaydet…</translation>
+    </message>
+    <message>
+        <source>Remove this preset…</source>
+        <translation>Bu ön ayarı kaldır…</translation>
+    </message>
+    <message>
+        <source>Import a preset…</source>
+        <translation>Ön ayarı içe aktar…</translation>
+    </message>
+    <message>
+        <source>Export this preset…</source>
+        <translation>Bu ön ayarı dışa aktar…</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 with these parameters.</source>
+        <translation>Bu parametrelerle bir %1 ön ayarı var.</translation>
+    </message>
+    <message>
+        <source>%1 (imported)</source>
+        <translation>%1 (içe aktarıldı)</translation>
+    </message>
+    <message>
+        <source>Cannot import the preset: %1</source>
+        <translation>Ön ayar içe aktarılamıyor: %1</translation>
+    </message>
+    <message>
+        <source>Imported the preset %1.</source>
+        <translation>%1 ön ayarı içe aktarıldı.</translation>
+    </message>
+    <message>
+        <source>Presets (*.preset.json *.json)</source>
+        <translation>Ön ayarlar (*.preset.json *.json)</translation>
+    </message>
+    <message>
+        <source>Cannot write the preset: %1</source>
+        <translation>Ön ayar yazılamıyor: %1</translation>
+    </message>
+    <message>
+        <source>Wrote the preset %1: angiomesh-cli run SCAN --params %1 begins with it.</source>
+        <translation>%1 ön ayarı yazıldı: angiomesh-cli run SCAN --params %1 onunla başlar.</translation>
+    </message>
+    <message>
+        <source>Removed the preset %1.</source>
+        <translation>%1 ön ayarı kaldırıldı.</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::PresetShelf</name>
+    <message>
+        <source>preset %1</source>
+        <translation>ön ayar: %1</translation>
+    </message>
+    <message>
+        <source>A preset needs a name.</source>
+        <translation>Bir ön ayarın adı olmalı.</translation>
+    </message>
+    <message>
+        <source>The name is too long: at most %1 letters.</source>
+        <translation>Ad çok uzun: en fazla %1 harf.</translation>
+    </message>
+    <message>
+        <source>%1 comes with the program: choose another name.</source>
+        <translation>%1 programla birlikte gelir: başka bir ad seçin.</translation>
     </message>
 </context>
 <context>
@@ -4603,6 +4814,129 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     </message>
 </context>
 <context>
+    <name>angiomesh::SensitivityPanel</name>
+    <message>
+        <source>Try the parameters</source>
+        <translation>Parametreleri dene</translation>
+    </message>
+    <message>
+        <source>Runs the segmentation in the background with each main parameter a step up and a step down. The case stays as it is.</source>
+        <translation>Segmentasyonu arka planda her ana parametre bir adım yukarı ve bir adım aşağı olacak şekilde çalıştırır. Vaka olduğu gibi kalır.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>İptal</translation>
+    </message>
+    <message>
+        <source>Paint the wall</source>
+        <translation>Duvarı boya</translation>
+    </message>
+    <message>
+        <source>Shows in 3D, in place of the mesh, the wall with its moves in colour</source>
+        <translation>3B&apos;de ağın yerine duvarı, kaymaları renkli olarak gösterir</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Adım</translation>
+    </message>
+    <message>
+        <source>Mean, mm</source>
+        <translation>Ortalama, mm</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>%95</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Kayıp</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Hacim</translation>
+    </message>
+    <message>
+        <source>The parameter, its value, and the value that was tried</source>
+        <translation>Parametre, değeri ve denenen değer</translation>
+    </message>
+    <message>
+        <source>Mean move of the wall, outwards positive, without what is lost</source>
+        <translation>Duvarın ortalama kayması, dışa doğru pozitif, kaybolan hariç</translation>
+    </message>
+    <message>
+        <source>95 % of the wall move less than this either way, mm</source>
+        <translation>Duvarın %95&apos;i iki yönde de bundan az kayar, mm</translation>
+    </message>
+    <message>
+        <source>Part of the wall whose vessel is gone</source>
+        <translation>Damarı kaybolan duvar bölümü</translation>
+    </message>
+    <message>
+        <source>By how much the vessels have more volume</source>
+        <translation>Damar hacminin ne kadar arttığı</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>No.</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Uzunluk, mm</translation>
+    </message>
+    <message>
+        <source>Radius, mm</source>
+        <translation>Yarıçap, mm</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Değişim</translation>
+    </message>
+    <message>
+        <source>The longest first; a click takes the panes there</source>
+        <translation>En uzunu önce; tıklama görünümleri oraya götürür</translation>
+    </message>
+    <message>
+        <source>Of its centre line</source>
+        <translation>Merkez çizgisinin</translation>
+    </message>
+    <message>
+        <source>Mean radius</source>
+        <translation>Ortalama yarıçap</translation>
+    </message>
+    <message>
+        <source>By how much the mean radius is larger after the step, mm; with all steps the largest change</source>
+        <translation>Adımdan sonra ortalama yarıçapın ne kadar büyüdüğü, mm; tüm adımlarda en büyük değişim</translation>
+    </message>
+    <message>
+        <source>Part of its wall that is lost; with all steps the largest part</source>
+        <translation>Duvarının kaybolan bölümü; tüm adımlarda en büyüğü</translation>
+    </message>
+    <message>
+        <source>Trying…</source>
+        <translation>Deneniyor…</translation>
+    </message>
+    <message>
+        <source>By how much does the wall move when a parameter does?</source>
+        <translation>Bir parametre değişince duvar ne kadar kayar?</translation>
+    </message>
+    <message>
+        <source>Of earlier parameters: try again for the present ones.</source>
+        <translation>Önceki parametrelere ait: şimdikiler için yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2</source>
+        <translation>%2 içinde %1 adım</translation>
+    </message>
+    <message>
+        <source>All: largest move</source>
+        <translation>Tümü: en büyük kayma</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>yok</translation>
+    </message>
+</context>
+<context>
     <name>angiomesh::SeriesDialog</name>
     <message>
         <source>ready</source>
@@ -4750,6 +5084,10 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
         <source>failed</source>
         <translation>başarısız</translation>
     </message>
+    <message>
+        <source>More (changed: %1)</source>
+        <translation>Daha fazla (değiştirilen: %1)</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::SurfaceNote</name>
@@ -4780,6 +5118,17 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::SurfacePane</name>
+    <message>
+        <source>Moves of the wall, out of date</source>
+        <translation>Duvarın kaymaları, güncel değil</translation>
+    </message>
+    <message>
+        <source>Moves of the wall</source>
+        <translation>Duvarın kaymaları</translation>
     </message>
 </context>
 <context>

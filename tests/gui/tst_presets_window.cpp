@@ -12,7 +12,6 @@
 
 #include "gui/dialog/preset_dialog.h"
 #include "gui/panel/field_editor.h"
-#include "tests/app/cli_process.h"
 #include "tests/gui/window_case.h"
 
 using namespace angiomesh;

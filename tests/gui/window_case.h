@@ -14,7 +14,7 @@
 
 #include "gui/main_window.h"
 #include "gui/model/view_state.h"
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
 #include "small_case.h"

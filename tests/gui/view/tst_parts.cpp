@@ -3,7 +3,7 @@
 #include <QUndoStack>
 
 #include "core/mesh/mesh_edges.h"
-#include "gui/panel/surface_feed.h"
+#include "gui/pane/surface_feed.h"
 #include "tests/gui/window_case.h"
 
 using namespace angiomesh;

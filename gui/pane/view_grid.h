@@ -13,18 +13,17 @@
 #include "render/marks/port_mark.h"
 #include "render/slice/slice_pixels.h"
 
-class QSplitter;
-
 namespace angiomesh {
 
 class CasePorts;
+class CaseSensitivity;
 class MeshInspection;
 class SliceView;
 class SurfaceFeed;
+class SurfacePane;
 class VolumeFeed;
 class SurfaceView;
 class VtkView;
-struct MeasuredMeshes;
 
 /// Four: two by two. OneAndThree: a large one and the others in a column at its right. Single: the
 /// large one alone.
@@ -39,14 +38,15 @@ class ViewGrid : public QWidget {
   static constexpr int kNoSlice = -1;
 
   ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports, MeshInspection& inspection,
-           const JobRunnerFactory& makeRunner, QWidget* parent = nullptr);
+           CaseSensitivity& sensitivity, const JobRunnerFactory& makeRunner,
+           QWidget* parent = nullptr);
 
   [[nodiscard]] SliceView* slice(int plane) const {
     return slices_[static_cast<std::size_t>(plane)];
   }
   [[nodiscard]] SurfaceView* surface() const { return surface_; }
   /// Shows the surface in 3D, with parts left out of it.
-  [[nodiscard]] SurfaceFeed* surfaceFeed() const { return surfaceFeed_; }
+  [[nodiscard]] SurfaceFeed* surfaceFeed() const;
   /// Beside it: another mesh (ViewState::comparison()) or the projection of the result
   /// (ViewState::resultBeside()); hidden without them.
   [[nodiscard]] SurfaceView* comparison() const { return comparison_; }
@@ -91,10 +91,6 @@ class ViewGrid : public QWidget {
   void menuRequested(const QPoint& global, const std::optional<Eigen::Vector3d>& place,
                      const QString& port, int plane);
 
- protected:
-  /// Of the bar between two meshes.
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   [[nodiscard]] int planeOf(const VtkView* view) const;
   void arrange();
@@ -105,30 +101,19 @@ class ViewGrid : public QWidget {
   [[nodiscard]] ColourLayer overlayLayer() const;
   void refreshSegmentation();
   void showPreview();
-  void refreshSurface();
-  void paintSurface();
-  void refreshComparison();
-  void paintComparison();
-  [[nodiscard]] MeshKind besideKind() const;
-  /// Whether the two 3D views are seen from one place.
-  [[nodiscard]] bool oneCamera() const;
   void refreshCaptions();
-  void paintQuality(SurfaceView& view, MeshKind kind, const MeasuredMeshes* measured) const;
-  void paintMarks();
   void connectInspection();
   void refreshEdits();
   void connectPorts();
   void refreshPorts();
   void showPorts();
-  [[nodiscard]] std::vector<std::array<double, 3>> patchColours(
-      const std::shared_ptr<const TriMesh>& mesh) const;
 
   CaseModels& models_;
   ViewState& state_;
   CasePorts& ports_;
   MeshInspection& inspection_;
   std::array<SliceView*, 3> slices_{};  ///< by plane: sagittal, coronal, axial
-  QSplitter* pane3d_ = nullptr;         ///< holds the two 3D views
+  SurfacePane* pane3d_ = nullptr;       ///< holds the two 3D views
   SurfaceView* surface_ = nullptr;
   SurfaceView* comparison_ = nullptr;
   QWidget* large_ = nullptr;
@@ -137,17 +122,8 @@ class ViewGrid : public QWidget {
   std::shared_ptr<const Volume<float>> shownImage_, shownPhi_;
   bool layerShown_ = false;  ///< shownImage_ is the layer chosen, not the source in its place
   bool phiDimmed_ = false;
-  ShownText surfaceText_;  ///< of the surface in the 3D pane
-  SurfaceFeed* surfaceFeed_ = nullptr;
-  SurfaceFeed* comparisonFeed_ = nullptr;
-  VolumeFeed* imageFeed_ = nullptr;   ///< of the 3D pane
-  VolumeFeed* resultFeed_ = nullptr;  ///< of the pane beside it
-  std::shared_ptr<const TriMesh> shownMesh_;
+  VolumeFeed* imageFeed_ = nullptr;  ///< of the 3D pane
   std::vector<PortMark> shownPorts_;
-  std::shared_ptr<const MeasuredMeshes> shownColours_;  ///< null: plain
-  bool linked_ = true;                                  ///< as last seen
-  std::shared_ptr<const TriMesh> comparedMesh_;
-  std::shared_ptr<const MeasuredMeshes> comparedColours_;
 };
 
 }  // namespace angiomesh

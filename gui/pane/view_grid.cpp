@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/view_grid.h"
+#include "gui/pane/view_grid.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QPainter>
 #include <QScopeGuard>
-#include <QSplitter>
 #include <algorithm>
 #include <initializer_list>
 #include <type_traits>
@@ -14,10 +12,10 @@
 #include "gui/findings/mesh_inspection.h"
 #include "gui/model/result_text.h"
 #include "gui/model/step_text.h"
-#include "gui/panel/named.h"
-#include "gui/panel/surface_feed.h"
-#include "gui/panel/volume_feed.h"
-#include "gui/view/mesh_chooser.h"
+#include "gui/pane/surface_feed.h"
+#include "gui/pane/surface_pane.h"
+#include "gui/pane/volume_feed.h"
+#include "gui/view/named.h"
 #include "gui/view/pane_focus.h"
 #include "gui/view/slice_view.h"
 #include "gui/view/surface_view.h"
@@ -41,7 +39,8 @@ QString volumeText(VolumeView view, const QString& layer) {
 }  // namespace
 
 ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
-                   MeshInspection& inspection, const JobRunnerFactory& makeRunner, QWidget* parent)
+                   MeshInspection& inspection, CaseSensitivity& sensitivity,
+                   const JobRunnerFactory& makeRunner, QWidget* parent)
     : QWidget(parent), models_(models), state_(state), ports_(ports), inspection_(inspection) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -53,36 +52,19 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
     slices_[static_cast<std::size_t>(plane)] = view;
     connectSlice(view);
   }
-  pane3d_ = named(new QSplitter(Qt::Horizontal, this), "pane3d");
-  pane3d_->setChildrenCollapsible(false);
-  surface_ = named(new SurfaceView(pane3d_), "surface3d");
-  comparison_ = named(new SurfaceView(pane3d_), "comparison3d");
-  comparison_->setVolumeView(VolumeView::None);
-  comparison_->hide();
-  surfaceFeed_ = new SurfaceFeed(*surface_, models_.timer, makeRunner, this);
-  comparisonFeed_ = new SurfaceFeed(*comparison_, models_.timer, makeRunner, this);
+  pane3d_ =
+      named(new SurfacePane(models_, state_, ports_, inspection_, sensitivity, makeRunner, this),
+            "pane3d");
+  surface_ = pane3d_->surface();
+  comparison_ = pane3d_->beside();
   imageFeed_ = new VolumeFeed(*surface_, models_.timer, makeRunner, this);
-  resultFeed_ = new VolumeFeed(*comparison_, models_.timer, makeRunner, this);
-  connect(surfaceFeed_, &SurfaceFeed::arrived, this, [this] {
-    paintSurface();
-    refreshCaptions();
-  });
-  connect(comparisonFeed_, &SurfaceFeed::arrived, this, &ViewGrid::paintComparison);
-  pane3d_->handle(1)->installEventFilter(this);
-  new MeshChooser(MeshPlace::Shown, models_, state_, surface_);
-  new MeshChooser(MeshPlace::Beside, models_, state_, comparison_);
+  connect(pane3d_, &SurfacePane::textChanged, this, &ViewGrid::refreshCaptions);
   for (SurfaceView* view : {surface_, comparison_}) {
     connect(view, &VtkView::maximiseRequested, this, [this] { toggleMaximised(pane3d_); });
     connect(view, &SurfaceView::placePicked, this, [this](double x, double y, double z) {
       setCrosshair({x, y, z});
     });
   }
-  connect(surface_, &SurfaceView::cameraMoved, this, [this] {
-    if (oneCamera()) comparison_->takeCameraOf(*surface_);
-  });
-  connect(comparison_, &SurfaceView::cameraMoved, this, [this] {
-    if (oneCamera()) surface_->takeCameraOf(*comparison_);
-  });
   setLargePane(slices_[2]);
   setMinimumSize(320, 320);
   new PaneFocus({slices_[0], slices_[1], slices_[2], surface_, comparison_}, this);
@@ -103,14 +85,8 @@ ViewGrid::ViewGrid(CaseModels& models, ViewState& state, CasePorts& ports,
   connect(&state_, &ViewState::changed, this, &ViewGrid::refreshAll);
   connectPorts();
   connectInspection();
+  connect(&sensitivity, &CaseSensitivity::goTo, this, &ViewGrid::goTo);
   refreshAll();
-}
-
-bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
-  // The bar between meshes moves over what they show, and changes nothing of it.
-  if (event->type() == QEvent::MouseButtonPress)
-    for (SurfaceView* view : {surface_, comparison_}) view->keepCamera();
-  return QWidget::eventFilter(watched, event);
 }
 
 void ViewGrid::goTo(double x, double y, double z, double radiusMm) {
@@ -119,11 +95,6 @@ void ViewGrid::goTo(double x, double y, double z, double radiusMm) {
 }
 
 void ViewGrid::connectInspection() {
-  connect(&inspection_, &MeshInspection::changed, this, [this] {
-    paintSurface();
-    if (state_.comparison()) paintComparison();
-  });
-  connect(&inspection_, &MeshInspection::litChanged, this, &ViewGrid::paintMarks);
   connect(&inspection_, &MeshInspection::goTo, this,
           [this](const Eigen::Vector3d& lps, const Eigen::Vector3d& normal, double radiusMm) {
             setCrosshair(lps);
@@ -176,6 +147,8 @@ void ViewGrid::connectSlice(SliceView* view) {
   });
   connect(view, &SliceView::hovered, this, &ViewGrid::hovered);
 }
+
+SurfaceFeed* ViewGrid::surfaceFeed() const { return pane3d_->feed(); }
 
 int ViewGrid::planeOf(const VtkView* view) const {
   const auto found = std::find(slices_.begin(), slices_.end(), view);
@@ -347,104 +320,13 @@ void ViewGrid::refreshSegmentation() {
     for (SliceView* view : slices_) view->setContour(phi, stale);
   }
   showPreview();
-  refreshSurface();
-  refreshComparison();
+  pane3d_->refresh();
   refreshCaptions();
 }
 
 void ViewGrid::showPreview() {
   for (SliceView* view : slices_)
     view->setPreview(state_.contours() ? models_.live.phi() : nullptr);
-}
-
-void ViewGrid::refreshSurface() {
-  ResultModel& results = models_.results;
-  std::shared_ptr<const TriMesh> mesh = results.liveSurface();
-  const bool live = mesh != nullptr;
-  const bool fromFile = results.kindAtHand(state_.meshKind()) == MeshKind::File;
-  if (!live && !fromFile && !results.meshFits() && results.segmentation()) {
-    mesh = results.outline();
-    if (!mesh) return;  // it comes in a moment
-  } else {
-    for (const MeshKind kind : {state_.meshKind(), MeshKind::Exported, MeshKind::Unsmoothed})
-      mesh = mesh ? mesh : results.mesh(kind);
-  }
-  surfaceFeed_->show(mesh, live);
-  paintSurface();
-}
-
-void ViewGrid::paintSurface() {
-  const ResultModel& results = models_.results;
-  const bool live = results.liveSurface() != nullptr;
-  if (live || surfaceFeed_->settled())
-    surfaceText_ = surfaceText(results, models_.runs, state_.meshKind());
-  const std::shared_ptr<const TriMesh>& mesh = surfaceFeed_->shown();
-  const MeshKind kind = results.kindAtHand(state_.meshKind());
-  const std::shared_ptr<const MeasuredMeshes> colours =
-      !live && state_.meshColour() && inspection_.of(mesh.get(), kind) ? inspection_.measured()
-                                                                       : nullptr;
-  if (mesh == shownMesh_ && colours == shownColours_) return;
-  if (mesh != shownMesh_) surface_->setPatchColours(patchColours(mesh));
-  shownMesh_ = mesh;
-  shownColours_ = colours;
-  paintQuality(*surface_, kind, colours.get());
-  paintMarks();
-}
-
-void ViewGrid::paintQuality(SurfaceView& view, MeshKind kind,
-                            const MeasuredMeshes* measured) const {
-  if (measured)
-    view.setSurfaceColours(measured->of(kind).values, measureTitle(*measured->measure),
-                           measured->scale.worst, measured->scale.best);
-  else
-    view.clearSurfaceColours();
-}
-
-void ViewGrid::paintMarks() {
-  const auto mark = [this](SurfaceView* view, const TriMesh* mesh, MeshKind kind) {
-    view->setMarked(inspection_.of(mesh, kind) ? inspection_.lit(kind)
-                                               : std::vector<std::uint32_t>());
-  };
-  mark(surface_, surfaceFeed_->shown().get(), models_.results.kindAtHand(state_.meshKind()));
-  if (state_.comparison()) mark(comparison_, comparisonFeed_->shown().get(), besideKind());
-}
-
-void ViewGrid::refreshComparison() {
-  const bool result = state_.resultBeside();
-  const bool meshes = state_.comparison();
-  const bool wanted = result || meshes;
-  const bool appears = wanted && comparison_->isHidden();
-  const bool joins = appears || (oneCamera() && !linked_);
-  linked_ = oneCamera();
-  comparison_->setVisible(wanted);
-  if (appears) pane3d_->setSizes({pane3d_->width(), pane3d_->width()});
-  comparison_->setVolumeView(result ? VolumeView::Inside : VolumeView::None);
-  resultFeed_->show(result ? models_.results.phi() : nullptr);
-  comparisonFeed_->show(meshes ? models_.results.mesh(besideKind()) : nullptr, false);
-  if (meshes) {
-    comparison_->setEdgesVisible(state_.edges());
-    paintComparison();
-  }
-  if (joins) comparison_->takeCameraOf(*surface_);
-}
-
-bool ViewGrid::oneCamera() const {
-  return state_.resultBeside() || (state_.comparison() && state_.linked());
-}
-
-MeshKind ViewGrid::besideKind() const { return models_.results.kindAtHand(state_.besideKind()); }
-
-void ViewGrid::paintComparison() {
-  const std::shared_ptr<const TriMesh>& mesh = comparisonFeed_->shown();
-  const std::shared_ptr<const MeasuredMeshes> colours =
-      state_.meshColour() && inspection_.of(mesh.get(), besideKind()) ? inspection_.measured()
-                                                                      : nullptr;
-  if (mesh == comparedMesh_ && colours == comparedColours_) return;
-  if (mesh != comparedMesh_) comparison_->setPatchColours(patchColours(mesh));
-  comparedMesh_ = mesh;
-  comparedColours_ = colours;
-  paintQuality(*comparison_, besideKind(), colours.get());
-  paintMarks();
 }
 
 void ViewGrid::refreshCaptions() {
@@ -463,26 +345,17 @@ void ViewGrid::refreshCaptions() {
   for (SliceView* view : slices_) view->setCaption(lines({layer, overlay, contour, preview}));
   const QString projection = volumeText(state_.volumeShown(), layer);
   const QString slices = state_.slices3d() ? tr("Slices: %1").arg(layer) : QString();
-  const QString hidden = surfaceFeed_->hidesParts() ? tr("Some parts hidden") : QString();
+  const QString hidden = pane3d_->feed()->hidesParts() ? tr("Some parts hidden") : QString();
   surface_->setCaption(lines({projection, slices, state_.slices3d() ? overlay : QString(), hidden,
-                              state_.surface() ? surfaceText_.text : QString()}),
-                       surfaceText_.stale);
-  const ShownText beside = state_.resultBeside() ? contourText(results, models_.runs)
-                                                 : meshText(results, state_.besideKind());
+                              state_.surface() ? pane3d_->text().text : QString()}),
+                       pane3d_->text().stale);
+  const ShownText beside = pane3d_->textBeside();
   comparison_->setCaption(
       lines({state_.resultBeside() ? tr("MIP: result") : QString(), beside.text}), beside.stale);
 }
 
-std::vector<std::array<double, 3>> ViewGrid::patchColours(
-    const std::shared_ptr<const TriMesh>& mesh) const {
-  for (const MeshKind kind : {MeshKind::Exported, MeshKind::Unsmoothed})
-    if (mesh && mesh == models_.results.mesh(kind))
-      return ports_.colours(models_.results.ports(kind));
-  return {};
-}
-
 void ViewGrid::refreshPorts() {
-  surface_->setPatchColours(patchColours(shownMesh_));
+  pane3d_->refreshPatches();
   showPorts();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/surface_feed.h"
+#include "gui/pane/surface_feed.h"
 
 #include <exception>
 #include <utility>

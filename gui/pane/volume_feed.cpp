@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/panel/volume_feed.h"
+#include "gui/pane/volume_feed.h"
 
 #include <exception>
 #include <utility>
