@@ -36,6 +36,7 @@
 #include "gui/menu/preset_menu.h"
 #include "gui/menu/review_menu.h"
 #include "gui/menu/run_menu.h"
+#include "gui/menu/seed_menu.h"
 #include "gui/menu/window_actions.h"
 #include "gui/model/step_text.h"
 #include "gui/model/view_state.h"
@@ -248,10 +249,12 @@ void MainWindow::buildMenus() {
   measureMenu_ = new MeasureMenu(this, *models_, *state_, *measures_, *measurePanel_, *views_,
                                  options_.chooser);
   correctMenu_ = new CorrectMenu(this, *models_, *state_, *views_);
+  seedMenu_ = new SeedMenu(*models_, this);
   connect(portMenu_, &PortMenu::menuMade, measureMenu_,
           [this](QMenu* menu, const std::optional<Eigen::Vector3d>& place) {
             measureMenu_->addTo(menu, place);
             correctMenu_->addTo(menu, place);
+            seedMenu_->addTo(menu, place);
           });
   QMenu* view = menuBar()->addMenu(tr("&View"));
   workspaces_->addTo(view);

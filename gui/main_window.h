@@ -34,6 +34,7 @@ class PortMenu;
 class PortPanel;
 class PresetMenu;
 class RecipeActions;
+class SeedMenu;
 class ViewGrid;
 class WhyPanel;
 class ViewState;
@@ -122,6 +123,7 @@ class MainWindow : public QMainWindow {
   PortMenu* portMenu_ = nullptr;
   PortPanel* portPanel_ = nullptr;
   CorrectMenu* correctMenu_ = nullptr;
+  SeedMenu* seedMenu_ = nullptr;
   MeasureMenu* measureMenu_ = nullptr;
   MeasurePanel* measurePanel_ = nullptr;
   QMenu* recent_ = nullptr;

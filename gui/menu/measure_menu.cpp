@@ -174,13 +174,17 @@ void MeasureMenu::connectPanes() {
 }
 
 void MeasureMenu::connectDragging(const SliceView* pane) {
-  connect(pane, &SliceView::markPressed, &measures_, &CaseMeasures::select);
+  connect(pane, &SliceView::markPressed, this, [this](const QString& name) {
+    if (!name.isEmpty()) measures_.select(name);
+  });
   connect(pane, &SliceView::markDragged, this, [this](const MarkPoint& point) {
+    if (point.mark.empty()) return;
     dragged_ = point;
     dropped_ = false;
     showMarks();
   });
   connect(pane, &SliceView::markDropped, this, [this] {
+    if (!dragged_) return;
     // Shown there until it is measured, or cannot be.
     dropped_ = true;
     measures_.movePlace(QString::fromStdString(dragged_->mark), dragged_->point, dragged_->lps);

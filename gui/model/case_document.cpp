@@ -2,6 +2,7 @@
 #include "gui/model/case_document.h"
 
 #include <QUndoCommand>
+#include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
@@ -146,6 +147,22 @@ void CaseDocument::removeSeed(int index) {
   if (index < 0 || at + 3 > static_cast<std::ptrdiff_t>(points.size())) return;
   points.erase(points.begin() + at, points.begin() + at + 3);
   change(after, tr("remove a seed"));
+}
+
+void CaseDocument::moveSeed(int index, const Eigen::Vector3d& lps) {
+  Parameters after = parameters();
+  std::vector<double>& points = after.seeds.points;
+  const auto at = static_cast<std::ptrdiff_t>(index) * 3;
+  if (index < 0 || at + 3 > static_cast<std::ptrdiff_t>(points.size())) return;
+  if (!image() || image()->geometry.holds(lps)) std::copy_n(lps.data(), 3, points.begin() + at);
+  change(after, tr("move a seed"));
+}
+
+void CaseDocument::keepOnlyVesselAt(const Eigen::Vector3d& lps) {
+  Parameters after = parameters();
+  after.seeds.points = {lps[0], lps[1], lps[2]};
+  after.segmentation.keep = KeepComponents::Seeded;
+  change(after, tr("this vessel only"));
 }
 
 void CaseDocument::setRoi(const std::optional<std::array<double, 6>>& roi) {

@@ -64,6 +64,10 @@ class CaseDocument : public QObject {
   [[nodiscard]] std::vector<Eigen::Vector3d> seeds() const;
   void addSeed(const Eigen::Vector3d& lps);
   void removeSeed(int index);
+  /// To a place in the volume; elsewhere it stays, and parametersChanged() follows all the same.
+  void moveSeed(int index, const Eigen::Vector3d& lps);
+  /// In place of all other seeds by hand; parts without one are left out. One edit.
+  void keepOnlyVesselAt(const Eigen::Vector3d& lps);
   void setRoi(const std::optional<std::array<double, 6>>& roi);
   /// `what` names the edit. @returns why not, in a line; empty: done
   QString setPorts(const PortParams& ports, const QString& what);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <type_traits>
+#include <utility>
 
 #include "gui/findings/case_ports.h"
 #include "gui/findings/mesh_inspection.h"
@@ -140,6 +141,16 @@ void ViewGrid::connectSlice(SliceView* view) {
   connect(view, &SliceView::turnChanged, &state_, &ViewState::setTurn);
   connect(view, &SliceView::seedPicked, this, [this](double x, double y, double z) {
     models_.document.addSeed({x, y, z});
+  });
+  connect(view, &SliceView::markDragged, this, [this](const MarkPoint& point) {
+    if (!point.mark.empty()) return;
+    draggedSeed_ = point;
+    refreshSeeds();
+  });
+  connect(view, &SliceView::markDropped, this, [this] {
+    if (!draggedSeed_) return;
+    const MarkPoint seed = *std::exchange(draggedSeed_, std::nullopt);
+    models_.document.moveSeed(static_cast<int>(seed.point), seed.lps);
   });
   connect(view, &SliceView::roiDrawn, this, [this](const RoiBox& roi) {
     models_.document.setRoi(roi);
@@ -375,15 +386,23 @@ void ViewGrid::showPorts() {
   surface_->setPorts(std::move(marks));
 }
 
-void ViewGrid::refreshEdits() {
-  const std::vector<Eigen::Vector3d> seeds = models_.document.seeds();
-  const auto& roi = models_.document.parameters().preprocess.roi;
-  for (SliceView* view : slices_) {
-    view->setSeeds(seeds);
-    view->setRoi(roi);
-  }
+void ViewGrid::refreshSeeds() {
+  if (state_.tool() != Tool::PickSeed) draggedSeed_.reset();
+  std::vector<Eigen::Vector3d> seeds = models_.document.seeds();
+  if (draggedSeed_ && draggedSeed_->point < seeds.size())
+    seeds[draggedSeed_->point] = draggedSeed_->lps;
+  // Those that were found are many: they are seen by who works with seeds.
+  const auto found = state_.tool() == Tool::PickSeed ? models_.results.seedsResult() : nullptr;
+  for (SliceView* view : slices_)
+    view->setSeeds(seeds, found ? found->pointsLps : std::vector<Eigen::Vector3d>());
   surface_->setSeeds(seeds);
+}
+
+void ViewGrid::refreshEdits() {
+  const auto& roi = models_.document.parameters().preprocess.roi;
+  for (SliceView* view : slices_) view->setRoi(roi);
   surface_->setRoi(roi);
+  refreshSeeds();
   if (state_.layer() == Layer::Speed || state_.overlay() == Layer::Speed) refreshImage();
 }
 

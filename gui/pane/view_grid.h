@@ -10,6 +10,7 @@
 
 #include "gui/model/result_text.h"
 #include "gui/model/view_state.h"
+#include "render/marks/measure_mark.h"
 #include "render/marks/port_mark.h"
 #include "render/slice/slice_pixels.h"
 
@@ -104,6 +105,7 @@ class ViewGrid : public QWidget {
   void refreshCaptions();
   void connectInspection();
   void refreshEdits();
+  void refreshSeeds();
   void connectPorts();
   void refreshPorts();
   void showPorts();
@@ -124,6 +126,7 @@ class ViewGrid : public QWidget {
   bool phiDimmed_ = false;
   VolumeFeed* imageFeed_ = nullptr;  ///< of the 3D pane
   std::vector<PortMark> shownPorts_;
+  std::optional<MarkPoint> draggedSeed_;
 };
 
 }  // namespace angiomesh

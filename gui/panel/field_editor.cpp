@@ -25,6 +25,10 @@ namespace {
 constexpr int kSliderSteps = 1000;
 /// Of a spin box beside its number, pixels.
 constexpr int kSpinFrame = 32;
+/// Width of a slider in the narrowest panel, pixels.
+constexpr int kLeastSlider = 16;
+/// Of a choice in the narrowest panel.
+constexpr int kComboLetters = 12;
 /// Of the button that goes back to the preset's value, pixels.
 constexpr int kResetSide = 18;
 /// Decades that a logarithmic slider spans when its field begins at 0.
@@ -142,7 +146,7 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
       field_.logarithmic && field_.minimum <= 0.0 ? field_.maximum / kDecades : field_.minimum;
   slider_ = named(new QSlider(Qt::Horizontal, this), "slider");
   slider_->setRange(0, kSliderSteps);
-  slider_->setMinimumWidth(40);
+  slider_->setMinimumWidth(kLeastSlider);
   keepFromWheel(slider_);
   row.addWidget(slider_, 1);
   spin_ = named(new QDoubleSpinBox(this), "spin");
@@ -172,6 +176,9 @@ void FieldEditor::buildNumber(QHBoxLayout& row) {
 void FieldEditor::buildChoice(QHBoxLayout& row) {
   combo_ = named(new QComboBox(this), "combo");
   for (const std::string& choice : field_.choices) combo_->addItem(QString::fromStdString(choice));
+  // The longest choice is rarely the one in use.
+  combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  combo_->setMinimumContentsLength(kComboLetters);
   keepFromWheel(combo_);
   row.addWidget(combo_, 1);
   connect(combo_, &QComboBox::textActivated, this, [this](const QString& text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/panel/pipeline_panel.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -29,7 +30,7 @@ namespace {
 /// Of the notes, which keep this room whether there are any or not.
 constexpr int kNoteLines = 3;
 /// Of the chooser of presets, which cuts longer names.
-constexpr int kPresetLetters = 14;
+constexpr int kPresetLetters = 6;
 /// Left and right of the fields: of the panel, the steps and their frames, pixels.
 constexpr int kStepMargins = 30;
 
@@ -187,6 +188,8 @@ void PipelinePanel::listPresets() {
     preset_->addItem(name);
     preset_->setItemData(preset_->count() - 1, models_.presets.about(preset), Qt::ToolTipRole);
   }
+  // Names that the box cuts are whole in its list.
+  preset_->view()->setMinimumWidth(preset_->view()->sizeHintForColumn(0) + 24);
   refreshPreset();
 }
 

@@ -49,7 +49,12 @@ PlaneTurn SliceGrip::knobMoved(const Eigen::Vector2d& at) const {
 
 std::optional<MarkPoint> SliceGrip::markAt(const Eigen::Vector2d& at) const {
   const bool grabs = tool_ == Tool::Navigate || measuredBy(tool_);
-  return grabs ? measures_.pointAt(at) : std::nullopt;
+  if (grabs)
+    if (auto point = measures_.pointAt(at)) return point;
+  if (tool_ != Tool::PickSeed) return std::nullopt;
+  const auto seed = scene_.seedAt(at[0], at[1]);
+  if (!seed) return std::nullopt;
+  return MarkPoint{{}, *seed, scene_.seeds()[*seed]};
 }
 
 bool SliceGrip::takeMark(const Eigen::Vector2d& at) {

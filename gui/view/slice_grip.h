@@ -12,8 +12,8 @@
 namespace angiomesh {
 
 /// What the left button can take hold of in a slice pane: the ports, the knobs of the crosshair,
-/// the points of measurements, and the corner of a region of interest. Places are display
-/// positions.
+/// the points of measurements, seeds by hand, and the corner of a region of interest. Places are
+/// display positions.
 class SliceGrip {
  public:
   SliceGrip(SliceScene& scene, const SliceMeasures& measures)

@@ -180,8 +180,8 @@ std::vector<QPointF> SliceView::knobs() const {
 
 const SliceScene& SliceView::scene() const { return state_->scene; }
 
-void SliceView::setSeeds(std::vector<Eigen::Vector3d> lps) {
-  state_->scene.setSeeds(std::move(lps));
+void SliceView::setSeeds(std::vector<Eigen::Vector3d> byHand, std::vector<Eigen::Vector3d> found) {
+  state_->scene.setSeeds(std::move(byHand), std::move(found));
   requestRender();
 }
 
@@ -408,7 +408,8 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   const Eigen::Vector3d& p = *place;
   const bool clicked = ended == Drag::Contrast || ended == Drag::Mark;
   if (clicked && s.tool == Tool::Navigate) moveCrosshair(s.pressed);
-  if (clicked && s.tool == Tool::PickSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
+  const bool onSeed = ended == Drag::Mark && s.tool == Tool::PickSeed;
+  if (clicked && s.tool == Tool::PickSeed && !onSeed) Q_EMIT seedPicked(p[0], p[1], p[2]);
   if (clicked && s.tool == Tool::CutVessel) Q_EMIT cutPicked(p[0], p[1], p[2]);
   if (clicked && correctedBy(s.tool)) Q_EMIT correctPicked(p[0], p[1], p[2]);
   if (clicked && measuredBy(s.tool)) Q_EMIT measurePicked(p[0], p[1], p[2]);

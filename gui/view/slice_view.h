@@ -62,7 +62,7 @@ class SliceView : public VtkView {
   /// Of the crosshair's arms, as last drawn, Qt's pixels.
   [[nodiscard]] std::vector<QPointF> knobs() const;
   [[nodiscard]] const SliceScene& scene() const;
-  void setSeeds(std::vector<Eigen::Vector3d> lps);
+  void setSeeds(std::vector<Eigen::Vector3d> byHand, std::vector<Eigen::Vector3d> found = {});
   void setRoi(std::optional<RoiBox> roi);
   void setPorts(std::vector<PortMark> marks);
   void setMeasures(std::vector<MeasureMark> marks);
@@ -95,7 +95,8 @@ class SliceView : public VtkView {
   /// A line is being painted, and is painted, mm LPS; a click paints one place.
   void strokeMoved(const std::vector<Eigen::Vector3d>& lineLps);
   void strokeDrawn(const std::vector<Eigen::Vector3d>& lineLps);
-  /// The point of a measurement is taken, dragged over the slice, and left where it was last.
+  /// The point of a measurement or, without a name, a seed is taken, dragged over the slice, and
+  /// left where it was last.
   void markPressed(const QString& name);
   void markDragged(const MarkPoint& point);
   void markDropped();

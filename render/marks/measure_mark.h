@@ -25,7 +25,7 @@ struct MeasureMark {
   [[nodiscard]] bool operator==(const MeasureMark& other) const = default;
 };
 
-/// A point of a named mark.
+/// A point of a named mark; without a name the number of a seed by hand.
 struct MarkPoint {
   std::string mark;
   std::size_t point = 0;

@@ -4,14 +4,9 @@
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -24,6 +19,7 @@
 #include "render/slice/slice_layer.h"
 #include "render/slice/slice_marks.h"
 #include "render/slice/slice_overlay.h"
+#include "render/slice/slice_seeds.h"
 #include "render/slice/slice_viewport.h"
 
 namespace angiomesh {
@@ -53,16 +49,16 @@ struct SliceScene::Parts {
   SlicePixels pixels{renderer};
   SliceViewport view{renderer};
   std::vector<std::unique_ptr<SliceLayer>> contourLayers;
-  SliceLayer roiLine, previewLine, seedDots;
+  SliceLayer roiLine, previewLine;
   CrosshairArms crosshair{renderer};
   SliceMarks ports{renderer};
+  SliceSeeds seeds{renderer};
   std::unique_ptr<SliceOverlay> overlay;
   vtkNew<vtkCallbackCommand> beforeFrame;
 
   std::shared_ptr<const Volume<float>> image;
   SliceOverlay::Texts texts;
   std::vector<ContourLayer> contours;
-  std::vector<Eigen::Vector3d> seeds;
   std::optional<RoiBox> roi;
   std::optional<Geometry> preview;
   PlaneTurn turn;
@@ -89,7 +85,9 @@ struct SliceScene::Parts {
   void showContours();
   void showCrosshair();
   void showPorts() { ports.show(plane, image != nullptr, portDepth, pixelRatio); }
-  void showSeeds();
+  void showSeeds() {
+    seeds.show(image ? &plane : nullptr, slice, slabRange(), seedDepth, pixelRatio);
+  }
   void showBoxes();
   void showBox(SliceLayer& line, const std::vector<Eigen::Vector2d>& polygon) const;
   void showTexts();
@@ -101,8 +99,7 @@ SliceScene::Parts::Parts() {
 
   roiLine.colour(0.35, 0.80, 1.0);
   previewLine.colour(kPreviewColour[0], kPreviewColour[1], kPreviewColour[2]);
-  seedDots.actor->GetProperty()->RenderPointsAsSpheresOn();
-  for (SliceLayer* layer : {&roiLine, &previewLine, &seedDots}) {
+  for (SliceLayer* layer : {&roiLine, &previewLine}) {
     layer->actor->VisibilityOff();
     renderer->AddActor(layer->actor);
   }
@@ -194,30 +191,6 @@ void SliceScene::Parts::showCrosshair() {
   crosshair.show(plane.fromLps(cursor).head<2>(), arms(),
                  {view.centre() - half, view.centre() + half, view.mmPerPixel(), pixelRatio},
                  crosshairDepth);
-}
-
-void SliceScene::Parts::showSeeds() {
-  const bool visible = image && !seeds.empty();
-  seedDots.actor->SetVisibility(visible);
-  if (!visible) return;
-  const std::array<int, 2> range = slabRange();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> dots;
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(4);
-  for (const Eigen::Vector3d& seed : seeds) {
-    const Eigen::Vector3d p = plane.fromLps(seed);
-    const double position = slice + p[2];
-    const double off = std::max({range[0] - 0.5 - position, position - range[1] - 0.5, 0.0});
-    if (off > 3.0) continue;  // slices: seeds further away would only confuse
-    dots->InsertNextCell({points->InsertNextPoint(p[0], p[1], seedDepth)});
-    const double alpha = off > 0.0 ? 90.0 : 255.0;
-    colours->InsertNextTuple4(60.0, 230.0, 120.0, alpha);
-  }
-  seedDots.data->SetPoints(points);
-  seedDots.data->SetVerts(dots);
-  seedDots.data->GetPointData()->SetScalars(colours);
-  seedDots.actor->GetProperty()->SetPointSize(static_cast<float>(7.0 * pixelRatio));
 }
 
 void SliceScene::Parts::showBoxes() {
@@ -394,9 +367,15 @@ void SliceScene::setContours(std::vector<ContourLayer> contours) {
   parts_->showContours();
 }
 
-void SliceScene::setSeeds(std::vector<Eigen::Vector3d> lps) {
-  parts_->seeds = std::move(lps);
+void SliceScene::setSeeds(std::vector<Eigen::Vector3d> byHand, std::vector<Eigen::Vector3d> found) {
+  parts_->seeds.set(std::move(byHand), std::move(found));
   parts_->showSeeds();
+}
+
+const std::vector<Eigen::Vector3d>& SliceScene::seeds() const { return parts_->seeds.byHand(); }
+
+std::optional<std::size_t> SliceScene::seedAt(double displayX, double displayY) const {
+  return parts_->seeds.at(parts_->toScene(displayX, displayY), parts_->gripMm());
 }
 
 void SliceScene::setPorts(std::vector<PortMark> marks) {

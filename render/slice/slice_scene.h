@@ -88,7 +88,11 @@ class SliceScene {
   [[nodiscard]] Eigen::Vector3d cursor() const;
   void setCrosshairVisible(bool visible);
   void setContours(std::vector<ContourLayer> contours);
-  void setSeeds(std::vector<Eigen::Vector3d> lps);
+  /// Seeds by hand, and fainter those that were found.
+  void setSeeds(std::vector<Eigen::Vector3d> byHand, std::vector<Eigen::Vector3d> found = {});
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& seeds() const;  ///< by hand
+  /// The seed by hand that is seen at a display position.
+  [[nodiscard]] std::optional<std::size_t> seedAt(double displayX, double displayY) const;
   void setPorts(std::vector<PortMark> marks);
   [[nodiscard]] const std::vector<PortMark>& ports() const;
   /// The movable port whose mark is seen at a display position.

@@ -2552,6 +2552,14 @@ BSD-3-Clause.</translation>
         <source>clear the region of interest</source>
         <translation>ROI löschen</translation>
     </message>
+    <message>
+        <source>move a seed</source>
+        <translation>Saatpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>this vessel only</source>
+        <translation>nur dieses Gefäß</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::CaseFiles</name>
@@ -4811,6 +4819,29 @@ Abstand vor der Spitze, in Radien des Gefäßes:</translation>
     <message>
         <source>No seeds yet</source>
         <translation>Noch keine Saatpunkte</translation>
+    </message>
+</context>
+<context>
+    <name>angiomesh::SeedMenu</name>
+    <message>
+        <source>Seeds</source>
+        <translation>Saatpunkte</translation>
+    </message>
+    <message>
+        <source>Put a seed here</source>
+        <translation>Saatpunkt hierher setzen</translation>
+    </message>
+    <message>
+        <source>Remove this seed</source>
+        <translation>Diesen Saatpunkt entfernen</translation>
+    </message>
+    <message>
+        <source>This vessel only</source>
+        <translation>Nur dieses Gefäß</translation>
+    </message>
+    <message>
+        <source>The only seed is here, and parts without a seed are left out</source>
+        <translation>Der einzige Saatpunkt liegt hier, und Teile ohne Saatpunkt werden ausgelassen</translation>
     </message>
 </context>
 <context>

@@ -2552,6 +2552,14 @@ BSD-3-Clause.</translation>
         <source>clear the region of interest</source>
         <translation>ilgi bölgesini silme</translation>
     </message>
+    <message>
+        <source>move a seed</source>
+        <translation>bir tohumu taşıma</translation>
+    </message>
+    <message>
+        <source>this vessel only</source>
+        <translation>yalnızca bu damar</translation>
+    </message>
 </context>
 <context>
     <name>angiomesh::CaseFiles</name>
@@ -4814,6 +4822,29 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     </message>
 </context>
 <context>
+    <name>angiomesh::SeedMenu</name>
+    <message>
+        <source>Seeds</source>
+        <translation>Tohumlar</translation>
+    </message>
+    <message>
+        <source>Put a seed here</source>
+        <translation>Buraya bir tohum koy</translation>
+    </message>
+    <message>
+        <source>Remove this seed</source>
+        <translation>Bu tohumu kaldır</translation>
+    </message>
+    <message>
+        <source>This vessel only</source>
+        <translation>Yalnızca bu damar</translation>
+    </message>
+    <message>
+        <source>The only seed is here, and parts without a seed are left out</source>
+        <translation>Tek tohum buradadır ve tohumsuz parçalar dışarıda bırakılır</translation>
+    </message>
+</context>
+<context>
     <name>angiomesh::SensitivityPanel</name>
     <message>
         <source>Try the parameters</source>
@@ -4845,7 +4876,7 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     </message>
     <message>
         <source>95 %</source>
-        <translation>%95</translation>
+        <translation>Yüzde 95</translation>
     </message>
     <message>
         <source>Lost</source>
@@ -4865,7 +4896,7 @@ Ucundan ne kadar önce, damar yarıçapı cinsinden:</translation>
     </message>
     <message>
         <source>95 % of the wall move less than this either way, mm</source>
-        <translation>Duvarın %95&apos;i iki yönde de bundan az kayar, mm</translation>
+        <translation>Duvarın yüzde 95&apos;i iki yönde de bundan az kayar, mm</translation>
     </message>
     <message>
         <source>Part of the wall whose vessel is gone</source>

@@ -82,7 +82,7 @@ class TestTranslations : public QObject {
     // The context that the running program asks with: its class, or one that a call names.
     static const QRegularExpression asked(
         "^(angiomesh::|QObject|Parameter|Quality(Gate|Measure)?|TriangleMeasure|MeshFormat|"
-        "WindowPreset|Shortcut|CasePorts|Report)");
+        "Preset|WindowPreset|Shortcut|CasePorts|Report)");
     for (const QString& key : now) QVERIFY2(asked.match(key).hasMatch(), qPrintable(key));
     for (const QString& key : now)
       QVERIFY2(kept.contains(key),
