@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/slice/slice_raster.h"
 #include "render/slice/slice_layer.h"
+#include "render/slice/slice_raster.h"
 
 class vtkRenderer;
 
