@@ -129,15 +129,16 @@ void StepPanel::addExtra(QWidget* widget) { extras_->addWidget(widget); }
 void StepPanel::showParameters() {
   const Parameters& params = models_.document.parameters();
   const FieldContext context = models_.results.fieldContext();
-  const Preset& base = models_.presets.base();
-  const QString baseName = QString::fromStdString(base.name);
+  const QString baseName = QString::fromStdString(models_.presets.base().name);
+  Parameters base = models_.presets.base().params;
+  copyPlaces(params, base);
   changedBelow_ = 0;
   for (FieldEditor* editor : editors_) {
     const Field& field = editor->field();
     editor->display(field.get(params), suggestedValue(field, params, context),
                     sliderRange(field, context));
-    const FieldValue wanted = field.get(base.params);
-    const bool changed = !field.place && field.get(params) != wanted;
+    const FieldValue wanted = field.get(base);
+    const bool changed = field.get(params) != wanted;
     editor->setBase(wanted, baseName, changed);
     if (changed && !field.main) ++changedBelow_;
     if (field.idle) {
