@@ -19,6 +19,8 @@ namespace {
 /// Seeds by hand that are farther from the slab, in slices, would only confuse.
 constexpr double kFarthest = 3.0;
 constexpr double kDotPixels = 7.0;
+/// Those by hand lie this far above those that were found.
+constexpr double kAbove = 0.2;
 /// RGBA, in the slab and beside it; of what was found.
 constexpr std::array<double, 4> kHere{60.0, 230.0, 120.0, 255.0}, kBeside{60.0, 230.0, 120.0, 90.0},
     kFound{70.0, 170.0, 255.0, 150.0};
@@ -51,7 +53,8 @@ void SliceSeeds::show(const SlicePlane* plane, int slice, const std::array<int, 
     return std::max({slab[0] - 0.5 - position, position - slab[1] - 0.5, 0.0});
   };
   const auto add = [&](const Eigen::Vector3d& inPlane, const std::array<double, 4>& colour) {
-    dots->InsertNextCell({points->InsertNextPoint(inPlane[0], inPlane[1], depth)});
+    const double above = &colour == &kFound ? 0.0 : kAbove;
+    dots->InsertNextCell({points->InsertNextPoint(inPlane[0], inPlane[1], depth + above)});
     colours->InsertNextTuple(colour.data());
   };
   for (const Eigen::Vector3d& seed : found_) {

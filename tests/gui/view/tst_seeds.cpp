@@ -67,6 +67,15 @@ class TestSeeds : public QObject {
     QVERIFY(found && !found->pointsLps.empty());
     c.window->views().setCrosshair(found->pointsLps.front());
     QTRY_VERIFY(bluePixels(*c.pane) > 10);
+    // One by hand lies above them.
+    c.models().document.addSeed(found->pointsLps.front());
+    const QPoint at = c.at(found->pointsLps.front());
+    const auto isGreen = [&] {
+      const QColor colour = c.pane->grabFramebuffer().pixelColor(at);
+      return colour.green() > colour.blue() + 20;
+    };
+    c.pane->setCursor(found->pointsLps.front() + Eigen::Vector3d(3.0, 3.0, 0.0));
+    QTRY_VERIFY(isGreen());
     c.state().setTool(Tool::Navigate);
     QTRY_COMPARE(bluePixels(*c.pane), 0);
   }
